@@ -21,15 +21,15 @@ demo: .venv/stamp
 	$(if $(filter build/demo,$(WS)),sh examples/change.sh $(WS))
 	$(BIN)/roslens check $(WS) $(if $(filter build/demo,$(WS)),--baseline HEAD) --fail-on never || [ $$? -eq 3 ]
 	$(BIN)/roslens report $(WS) -o roslens-report
-	$(if $(filter build/demo,$(WS)),$(BIN)/python examples/recording/record.py build/rover.bag)
-	$(BIN)/roslens serve $(WS) --port $(PORT) $(if $(filter build/demo,$(WS)),--bag build/rover.bag --reference examples/recording/rover.yaml)
+	$(if $(filter build/demo,$(WS)),$(BIN)/python examples/recording/record.py build/rover_drive)
+	$(BIN)/roslens serve $(WS) --port $(PORT) $(if $(filter build/demo,$(WS)),--bag build/rover_drive --reference examples/recording/rover.yaml)
 
 # The pictures of docs/tour.md, in build/tour, of what `make demo` serves; looks at it dark and narrow too: make tour LOOKS=--every
 tour: .venv/stamp
 	sh examples/change.sh build/demo
 	$(BIN)/roslens check build/demo --fail-on never --quiet || [ $$? -eq 3 ]
-	$(BIN)/python examples/recording/record.py build/rover.bag
-	$(BIN)/roslens serve build/demo --port 8099 --bag build/rover.bag --reference examples/recording/rover.yaml & \
+	$(BIN)/python examples/recording/record.py build/rover_drive
+	$(BIN)/roslens serve build/demo --port 8099 --bag build/rover_drive --reference examples/recording/rover.yaml & \
 	server=$$!; trap "kill $$server" EXIT; until curl -sf -o /dev/null http://127.0.0.1:8099/; do kill -0 $$server || exit 1; sleep 0.3; done; \
 	PYTHONPATH=tests $(BIN)/python -m tour http://127.0.0.1:8099 build/tour $(LOOKS)
 

@@ -78,6 +78,7 @@ class Stretch:
     """A part of a recording that can be replayed as if it were one."""
 
     failures: tuple[Failure, ...] = ()
+    graphs: tuple[tuple[float, Graph], ...] = ()
 
     def __init__(self, traffic: Traffic, start: int, end: int, arrivals: Arrivals | None = None) -> None:
         self.topics = traffic.topics

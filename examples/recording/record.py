@@ -1,24 +1,29 @@
 """Writes a recording of the example rover with one fault, for `roslens serve --bag` and `roslens watch --bag`.
 
-    python examples/recording/record.py rover.bag
-    python examples/recording/record.py rover.bag --healthy     without the fault
+    python examples/recording/record.py rover_drive
+    python examples/recording/record.py rover_drive --healthy     without the fault
 
 /range_filter says /scan at 10 Hz, /rover_base /odom at 20 Hz, /battery_monitor /battery at 1 Hz, /rover_follower
 /cmd_vel at 20 Hz. At 40 s the range filter begins to say a quarter of its scans, and goes on like that until the end at
 60 s: the follower then steers by what is long past. The nodes are those of `examples/workspace`.
+
+It is written as rosbag2 writes: a folder with an MCAP file, in it /rosgraph of a graph monitor, which says who is there
+(`rover_graph.py`). The rover that was driven is not quite that of the source: see there.
 """
 
 import random
+import shutil
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy
-from rosbags.rosbag1 import Writer
-from rosbags.typesys import Stores, get_typestore
+from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
+from rosbags.rosbag2 import StoragePlugin, Writer
+from rover_graph import JOYSTICK_S, graph, store
 
-STORE = get_typestore(Stores.ROS1_NOETIC)
+STORE = store()
 LENGTH_S = 60.0
 FAULT_S = 40.0
 START_NS = 1_700_000_000_000_000_000
@@ -38,19 +43,19 @@ def scan_times(healthy: bool) -> Iterator[float]:
             yield time
 
 
-def header(number: int, time: float, frame: str) -> Any:
+def header(time: float, frame: str) -> Any:
     """Return a header whose stamp is 3 ms before receipt."""
     stamp = START_NS + int((time - 0.003) * 1e9)
     kind = STORE.types["builtin_interfaces/msg/Time"]
-    return STORE.types["std_msgs/msg/Header"](number, kind(stamp // 10**9, stamp % 10**9), frame)
+    return STORE.types["std_msgs/msg/Header"](kind(stamp // 10**9, stamp % 10**9), frame)
 
 
-def scan(number: int, time: float) -> Any:
+def scan(time: float) -> Any:
     """Return one distance for each of four sonars."""
     ranges = numpy.full(4, 2.5, dtype=numpy.float32)
     empty = numpy.zeros(0, dtype=numpy.float32)
     return STORE.types["sensor_msgs/msg/LaserScan"](
-        header(number, time, "base_link"), 0.0, 4.71, 1.57, 0.0, 0.0, 0.02, 4.0, ranges, empty
+        header(time, "base_link"), 0.0, 4.71, 1.57, 0.0, 0.0, 0.02, 4.0, ranges, empty
     )
 
 
@@ -59,50 +64,65 @@ def vector(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Any:
     return STORE.types["geometry_msgs/msg/Vector3"](x, y, z)
 
 
-def odometry(number: int, time: float) -> Any:
+def odometry(time: float) -> Any:
     """Return a rover that drives straight on at 0.5 m/s."""
     types, nothing = STORE.types, numpy.zeros(36)
     point = types["geometry_msgs/msg/Point"](0.5 * time, 0.0, 0.0)
     pose = types["geometry_msgs/msg/Pose"](point, types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, 1.0))
     twist = types["geometry_msgs/msg/Twist"](vector(0.5), vector())
     return types["nav_msgs/msg/Odometry"](
-        header(number, time, "odom"), "base_link", types["geometry_msgs/msg/PoseWithCovariance"](pose, nothing),
+        header(time, "odom"), "base_link", types["geometry_msgs/msg/PoseWithCovariance"](pose, nothing),
         types["geometry_msgs/msg/TwistWithCovariance"](twist, nothing),
     )  # fmt: skip
 
 
-def battery(number: int, time: float) -> Any:
+def battery(time: float) -> Any:
     """Return a level that falls."""
     empty = numpy.zeros(0, dtype=numpy.float32)
     return STORE.types["sensor_msgs/msg/BatteryState"](
-        header(number, time, ""), 25.2, 20.0, -2.0, 4.5, 5.0, 5.0, 0.9 - 0.001 * time, 2, 1, 2, True, empty, empty, "", ""
+        header(time, ""), 25.2, 20.0, -2.0, 4.5, 5.0, 5.0, 0.9 - 0.001 * time, 2, 1, 2, True, empty, empty, "", ""
     )
 
 
-def velocity(number: int, time: float) -> Any:
+def velocity(time: float) -> Any:
     """Return a slow drive straight on."""
     return STORE.types["geometry_msgs/msg/Twist"](vector(0.5), vector())
+
+
+def profile(reliability: QosReliability, durability: QosDurability, depth: int) -> Qos:
+    """Return what a publisher offers."""
+    never = QosTime(0, 0)
+    return Qos(
+        QosHistory.KEEP_LAST, depth, reliability, durability, never, never, QosLiveliness.AUTOMATIC, never, False
+    )
+
+
+RELIABLE = profile(QosReliability.RELIABLE, QosDurability.VOLATILE, 10)
+SENSOR = profile(QosReliability.BEST_EFFORT, QosDurability.VOLATILE, 5)
+KEPT = profile(QosReliability.RELIABLE, QosDurability.TRANSIENT_LOCAL, 1)
 
 
 def main() -> int:
     """Write the recording."""
     given = [argument for argument in sys.argv[1:] if argument != "--healthy"]
     healthy = "--healthy" in sys.argv
-    path = Path(given[0] if given else "rover.bag")
-    path.unlink(missing_ok=True)
+    path = Path(given[0] if given else "rover_drive")
+    if (path / "metadata.yaml").exists():
+        shutil.rmtree(path)
     parts = [
-        ("/scan", "sensor_msgs/msg/LaserScan", "/range_filter", scan, scan_times(healthy)),
-        ("/odom", "nav_msgs/msg/Odometry", "/rover_base", odometry, moments(20, 0.002, 2)),
-        ("/battery", "sensor_msgs/msg/BatteryState", "/battery_monitor", battery, moments(1, 0.01, 3)),
-        ("/cmd_vel", "geometry_msgs/msg/Twist", "/rover_follower", velocity, moments(20, 0.003, 4)),
+        ("/scan", "sensor_msgs/msg/LaserScan", SENSOR, scan, scan_times(healthy)),
+        ("/odom", "nav_msgs/msg/Odometry", RELIABLE, odometry, moments(20, 0.002, 2)),
+        ("/battery", "sensor_msgs/msg/BatteryState", RELIABLE, battery, moments(1, 0.01, 3)),
+        ("/cmd_vel", "geometry_msgs/msg/Twist", RELIABLE, velocity, moments(20, 0.003, 4)),
+        ("/rosgraph", "rosgraph_msgs/msg/Graph", KEPT, graph, iter((0.02, JOYSTICK_S))),
     ]
-    with Writer(path) as bag:
+    with Writer(path, version=9, storage_plugin=StoragePlugin.MCAP) as bag:
         messages = []
-        for topic, kind, node, made, times in parts:
-            connection = bag.add_connection(topic, kind, typestore=STORE, callerid=node)
-            messages += [(time, topic, connection, kind, made(number, time)) for number, time in enumerate(times)]
+        for topic, kind, offered, made, times in parts:
+            connection = bag.add_connection(topic, kind, typestore=STORE, offered_qos_profiles=[offered])
+            messages += [(time, topic, connection, kind, made(time)) for time in times]
         for time, _, connection, kind, message in sorted(messages, key=lambda one: one[:2]):
-            bag.write(connection, START_NS + int(time * 1e9), STORE.serialize_ros1(message, kind))
+            bag.write(connection, START_NS + int(time * 1e9), bytes(STORE.serialize_cdr(message, kind)))
     print(f"{path}: {len(messages):,} messages in {LENGTH_S:g} s")
     return 0
 

@@ -25,7 +25,7 @@ STEPS_OF_A_MINUTE = 8
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Return the address that `make demo` prints."""
     folder = tmp_path_factory.mktemp("demo")
-    workspace, bag = folder / "demo", folder / "rover.bag"
+    workspace, bag = folder / "demo", folder / "rover_drive"
     roslens = str(Path(sys.executable).with_name("roslens"))
     assert shutil.which("git")
     subprocess.run(["sh", ROOT / "examples/change.sh", workspace], check=True, capture_output=True)
@@ -100,6 +100,24 @@ def test_from_what_is_late_to_who_changed_it_last_and_back(page: Page) -> None:
     page.go_back()
     expect(page.get_by_role("heading", level=1)).to_contain_text("rover_sensors")
     assert topic.rpartition("/")[2] == "scan"
+
+
+def test_what_was_driven_is_held_against_what_is_in_the_source(page: Page) -> None:
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Diff").click()
+    rows = page.locator("#differences tbody tr")
+    expect(rows).to_have_count(5)
+    for words in (
+        ("/robot_state_publisher", "not there", "the source"),
+        ("/battery_monitor", "transient_local", "volatile"),
+        ("/joystick", "not there", "what runs"),
+        ("/sonar_board", "not there", "what runs"),
+        ("max_linear_m_s", "0.8", "0.4"),
+    ):
+        row = rows.filter(has_text=words[0])
+        for word in words[1:]:
+            expect(row).to_contain_text(word)
+    rows.filter(has_text="/battery_monitor").get_by_role("link", name=re.compile(r"battery_monitor\.py:\d+")).click()
+    expect(page.locator(".row:target")).to_contain_text("create_publisher")
 
 
 def test_a_name_is_found_from_every_page(page: Page) -> None:

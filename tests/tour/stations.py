@@ -23,6 +23,7 @@ STATIONS = (
     Station("package", "/packages/rover_sensors"),
     Station("findings", "/findings?group=function"),
     Station("computation", "/computation/rover"),
+    Station("diff", "/conformance"),
     Station("graph", "/graph"),
     Station("search", "/search?q=scan"),
 )

@@ -59,6 +59,10 @@ class Recording(Protocol):
     def failures(self) -> tuple[Failure, ...]:
         """What could not be read so far."""
 
+    @property
+    def graphs(self) -> Sequence[tuple[float, Graph]]:
+        """Those that were recorded, by the second of receipt."""
+
     def graph(self) -> Graph:
         """Return topics and publishers."""
 
@@ -82,7 +86,7 @@ def replay(
 
     Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
     half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart. ``begun``
-    is given the session before its first step. ``graphs`` take the place of that of the recording, each from some
+    is given the session before its first step. ``graphs`` take the place of those of the recording, each from some
     seconds on, by time.
 
     Raises:
@@ -90,11 +94,12 @@ def replay(
     """
     session = Session(reference, start=recording.start)
     begun(session)
-    session.take([Frame(VERSION, "recording", 0, recording.start, graph=recording.graph())])
+    changes = [*graphs] or [*recording.graphs]
+    first = recording.graph() if graphs or not changes else changes.pop(0)[1]
+    session.take([Frame(VERSION, "recording", 0, recording.start, graph=first)])
     fields = recording.fields(wanted_fields(reference, ((topic.name, topic.type) for topic in recording.topics)))
     waiting = next(fields, None)
     length = step_s or usual_step(reference)
-    changes = list(graphs)
     for step, tallies in recording.tallies(length, stamps=wanted_stamps(reference, recording.topics)):
         # Nobody knows what came after the last message: the last step ends with it.
         end = min(step, recording.end)

@@ -255,6 +255,13 @@ def test_a_recording_is_held_against_topics():
     assert [one.severity for one in disparities] == [Severity.ERROR, Severity.WARNING, Severity.NOTE]
 
 
+def test_a_recording_that_has_the_graph_is_held_against_all_of_it():
+    rows = found(source_side(ROBOT), recorded_side(running(nodes=(Node("/lidar"),)), "drive.mcap"))
+    assert Reason.NOT_RECORDED not in {one.reason for one in rows}
+    planner = next(one for one in rows if one.subject == "node /planner")
+    assert (planner.reason, planner.right, planner.severity) == (Reason.NOT_RUNNING, "the source", Severity.ERROR)
+
+
 def test_three_sides_are_told_in_one_row():
     bag = recording(Endpoint("", PUBLISHER, "/scan", "sensor_msgs/msg/PointCloud2", qos=BEST))
     rows = found(source_side(ROBOT), running_side(running(), "live"), bag)

@@ -196,14 +196,14 @@ class _Join:
         has = min(there, key=lambda place: (_ORDER.index(self.sides[place].kind), place))
         lacks = min(absent, key=lambda place: (_LACKING.index(self.sides[place].kind), place))
         one, side, lacking = there[has], self.sides[has], self.sides[lacks]
-        if side.kind is lacking.kind and side.kind is not SideKind.RECORDING:
+        if side.kind is lacking.kind and (side.kind is not SideKind.RECORDING or (side.whole and lacking.whole)):
             return explain.only_one_of_a_kind(one, side.kind, side.title)
         if lacking.kind is SideKind.SOURCE:
             same = [other for other in self._claims[lacks].values() if other.node == one.node]
             return explain.not_in_source(one, lacking, same)
-        if lacking.kind is SideKind.RECORDING:
+        if lacking.kind is SideKind.RECORDING and not lacking.whole:
             return explain.not_recorded(one)
-        if side.kind is SideKind.RECORDING:
+        if side.kind is SideKind.RECORDING and not side.whole:
             return explain.recorded_only(side.title)
         node = self._claims[lacks].get((NODE, key[1], "")) if key[0] != NODE else None
         return explain.not_running(one, node)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import msgspec
+
 from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC, Claim, surest
 from roslens.compare.conformance.policies import policies
 from roslens.compare.conformance.side import EVERYTHING, Side, SideKind
@@ -37,8 +39,11 @@ def running_side(graph: Graph, title: str, *, parameters: bool = True) -> Side:
 def recorded_side(graph: Graph, title: str) -> Side:
     """Return the graph of a recording as a side: topics, and in ROS 1 who published on them.
 
-    What it does not hold may only not have been recorded.
+    What it does not hold may only not have been recorded, unless the graph itself was: that has who takes what, too.
     """
+    if any(one.role is not Role.PUBLISHER for one in graph.endpoints):
+        whole = running_side(graph, title)
+        return msgspec.structs.replace(whole, kind=SideKind.RECORDING)
     named = any(one.node for one in graph.endpoints)
     claims = observed_claims(graph, actions=False)
     knows = frozenset({TOPIC, NODE, Role.PUBLISHER.value} if named else {TOPIC})

@@ -22,6 +22,7 @@ _TOOLS = (
     (re.compile(r"/launch_ros_\d+\Z"), "the launch system itself"),
     (re.compile(r"/_?ros2cli(_daemon)?_"), "the ros2 command"),
     (re.compile(r"/(rosbag2_recorder|record_\d+|rosbag2_player|play_\d+)"), "a recorder or player of bags"),
+    (re.compile(r"/rosgraph_monitor\Z"), "a monitor of the graph"),
     (re.compile(r"/rosout\Z"), "the log of ROS 1"),
     (re.compile(r"/(rostopic|rosnode|rosservice)_\d+_\d+"), "a command of ROS 1"),
     (re.compile(r"/(rviz2?|rqt_gui(_py_node)?|rqt_\w+)(_\d+)*\Z"), "a tool that people look with"),

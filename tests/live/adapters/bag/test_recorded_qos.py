@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.live.adapters.bag.recorded_qos import profiles_of
+from roslens.live.adapters.bag.graphs.recorded_qos import profiles_of
 from roslens.model.qos import Qos
 
 NUMBERS = """

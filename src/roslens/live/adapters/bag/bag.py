@@ -13,7 +13,7 @@ from roslens.live.adapters.bag.block import Block, Ints, Part
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
 from roslens.live.adapters.bag.field_reader import FieldReader
-from roslens.live.adapters.bag.recorded_graph import graph_of
+from roslens.live.adapters.bag.graphs.recorded_graph import graph_of, with_recorded
 from roslens.live.adapters.bag.stamp import begins_with_header
 from roslens.live.adapters.bag.steps import Lane, Steps, joined
 from roslens.live.adapters.bag.topic import BagTopic
@@ -42,12 +42,14 @@ class Bag:
         messages: in all, as far as the recording tells.
         start: seconds of the first message, 0 without any.
         end: seconds of the last message, 0 without any.
+        graphs: those that were recorded, by the second of receipt; most recordings have none.
         exact_sizes: false where `Tally.bytes` comes from the distances of messages in a chunk, which count a definition
             that was written between two of them.
     """
 
-    def __init__(self, parts: Sequence[Part], failures: FailureLog) -> None:
+    def __init__(self, parts: Sequence[Part], failures: FailureLog, graphs: Sequence[tuple[float, Graph]] = ()) -> None:
         self._parts = parts
+        self.graphs = tuple(graphs)
         self._failures = failures
         self.generation = parts[0].generation
         filled = [part for part in parts if part.start <= part.end]
@@ -214,8 +216,12 @@ class Bag:
                     part.failures.add(part.path, what, advice="Check the path against the type.")
 
     def graph(self) -> Graph:
-        """Return topics with their types and, in ROS 1, who published them."""
-        return graph_of(self.generation, (channel for part in self._parts for channel in part.channels.values()))
+        """Return topics with their types and, in ROS 1 or where the graph was recorded, who published them.
+
+        Of several recorded graphs it is the last.
+        """
+        channels = graph_of(self.generation, (channel for part in self._parts for channel in part.channels.values()))
+        return with_recorded(self.graphs[-1][1], channels) if self.graphs else channels
 
     def _numbers(self, topics: Collection[str], *, stamped: bool = False) -> list[set[int]]:
         """Return the channels of topics in each file."""

@@ -108,6 +108,7 @@ class Excerpt:
         self.start, self.end = max(begin_s, kept.start), min(end_s, kept.end)
         self.topics = kept.topics
         self.failures: tuple[Failure, ...] = ()
+        self.graphs: tuple[tuple[float, Graph], ...] = ()
 
     def graph(self) -> Graph:
         """Return topics and publishers."""

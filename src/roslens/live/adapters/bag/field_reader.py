@@ -32,6 +32,34 @@ def steps_of(path: str) -> list[Step]:
     return [found[1] or int(found[2]) for found in _STEP.finditer(path)]
 
 
+class MessageReader:
+    """Decodes the messages of one channel.
+
+    Raises:
+        DamageError: the type is not known or its definition cannot be read.
+    """
+
+    def __init__(self, channel: Channel) -> None:
+        self._decode = _decoder(channel)
+        self._compression = channel.compression
+
+    def read(self, message: Message) -> Any:
+        """Return a message with its fields as attributes.
+
+        Raises:
+            DamageError: the message cannot be decoded.
+        """
+        content = message.content
+        if self._compression:
+            content, reason = unpack_start(content, self._compression, most_unpacked(len(content)))
+            if reason:
+                raise DamageError(reason)
+        try:
+            return self._decode(content)
+        except Exception as error:  # noqa: BLE001 - generated code meets arbitrary bytes
+            raise DamageError(f"a message that cannot be decoded: {error!r}") from None
+
+
 class FieldReader:
     """Reads some fields of the messages of one channel.
 
@@ -44,8 +72,7 @@ class FieldReader:
             self._paths = {path: steps_of(path) for path in paths}
         except ValueError as error:
             raise DamageError(f'"{error}", which is no path of a field such as pose.position.x or ranges[0]') from None
-        self._decode = _decoder(channel)
-        self._compression = channel.compression
+        self._messages = MessageReader(channel)
         self.absent: set[str] = set()
 
     def read(self, message: Message) -> dict[str, float]:
@@ -54,15 +81,7 @@ class FieldReader:
         Raises:
             DamageError: the message cannot be decoded.
         """
-        content = message.content
-        if self._compression:
-            content, reason = unpack_start(content, self._compression, most_unpacked(len(content)))
-            if reason:
-                raise DamageError(reason)
-        try:
-            decoded = self._decode(content)
-        except Exception as error:  # noqa: BLE001 - generated code meets arbitrary bytes
-            raise DamageError(f"a message that cannot be decoded: {error!r}") from None
+        decoded = self._messages.read(message)
         values = {}
         for path, steps in self._paths.items():
             value = _follow(decoded, steps)

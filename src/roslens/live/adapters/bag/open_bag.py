@@ -11,6 +11,7 @@ from roslens.live.adapters.bag import mcap_layout, ros1_layout, sqlite
 from roslens.live.adapters.bag.bag import Bag
 from roslens.live.adapters.bag.block import Part
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
+from roslens.live.adapters.bag.graphs.graph_messages import graphs_of, named, sole_publishers
 from roslens.live.adapters.bag.mcap import open_mcap
 from roslens.live.adapters.bag.recorded_files import find_files
 from roslens.live.adapters.bag.ros1 import open_ros1
@@ -25,7 +26,7 @@ def open_bag(path: Path | Sequence[Path]) -> Bag:
     """Open a recording: a ROS 1 bag, an MCAP file, a SQLite file, a folder of them, or several of those in order.
 
     The format is that of the content, whatever the name says. Only what a file says of itself is read, unless it does
-    not say it.
+    not say it, and of ROS 2 the graphs that somebody published: who published what else is in none of its records.
 
     Raises:
         UsageError: a path does not exist or holds no recording, no file can be read at all, or files of ROS 1 and of
@@ -52,7 +53,11 @@ def open_bag(path: Path | Sequence[Path]) -> Bag:
             expected="recordings of one generation",
             advice="Open one of them alone.",
         )
-    return Bag(parts, failures)
+    graphs = graphs_of(parts)
+    publishers = sole_publishers(graphs)
+    for part in parts if publishers else ():
+        part.channels = named(part.channels, publishers)
+    return Bag(parts, failures, graphs)
 
 
 def _open_part(path: Path, compression: str) -> Part:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import msgspec
+
 from roslens.live.adapters.bag.channel import Channel
-from roslens.live.adapters.bag.recorded_qos import profiles_of
+from roslens.live.adapters.bag.graphs.graph_messages import TYPES
+from roslens.live.adapters.bag.graphs.recorded_qos import profiles_of
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.qos import Qos
 
@@ -26,3 +29,13 @@ def graph_of(generation: str, channels: Iterable[Channel]) -> Graph:
         tuple(Node(name) for name in sorted(nodes)),
         tuple(endpoints[key] for key in sorted(endpoints)),
     )
+
+
+def with_recorded(recorded: Graph, channels: Graph) -> Graph:
+    """Return a recorded graph with what was recorded on topics that it does not have published by anybody.
+
+    The topic of the graph itself is its monitor's, and no part of the robot.
+    """
+    published = {end.name for end in recorded.endpoints if end.role is Role.PUBLISHER}
+    more = tuple(end for end in channels.endpoints if end.name not in published and end.type not in TYPES)
+    return msgspec.structs.replace(recorded, endpoints=recorded.endpoints + more)

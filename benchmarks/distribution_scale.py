@@ -2,11 +2,12 @@
 
     python benchmarks/distribution_scale.py --packages 4000 --engine in-process --engine processes
     python benchmarks/distribution_scale.py --packages 400 --workers 1 --workers 2        a cluster of Dask, here
+    python benchmarks/distribution_scale.py --of FOLDER --workers 1 --workers 2           of real packages, copied
 
-Makes a workspace of packages in repositories of ten, each with the same few C++ and Python files under other names, and
-runs `roslens check` on it cold and again. Printed are seconds by the clock and of processors (children included),
-packages a second, the largest resident memory of one process, and for a cluster the share of the time in which its
-scheduler's process used a processor.
+Makes a workspace of packages in repositories of ten, each with the same few C++ and Python files under other names (or
+copies the one given, without its histories), and runs `roslens check` on it cold and again. Printed are seconds by the
+clock and of processors (children included), packages a second, the largest resident memory of one process, and for a
+cluster the share of the time in which its scheduler's process used a processor.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import argparse
 import os
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -125,6 +127,7 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--packages", type=int, default=400)
     arguments.add_argument("--functions", type=int, default=40, help="of each C++ file")
+    arguments.add_argument("--of", type=Path, metavar="FOLDER", help="a workspace of real packages instead")
     arguments.add_argument("--engine", action="append", default=[])
     arguments.add_argument(
         "--workers", type=int, action="append", default=[], help="of a cluster of Dask on this machine"
@@ -132,8 +135,13 @@ def main() -> None:
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="roslens-scale-") as name:
         folder = Path(name)
-        lines = make(folder / "ws", options.packages, options.functions)
-        print(f"{options.packages:,} packages, {lines:,} lines")
+        if options.of:
+            shutil.copytree(options.of, folder / "ws", symlinks=True, ignore=shutil.ignore_patterns(".git", ".roslens"))
+            options.packages = sum(1 for _ in (folder / "ws").rglob("package.xml"))
+            print(f"{options.packages:,} packages of {options.of.name}")
+        else:
+            lines = make(folder / "ws", options.packages, options.functions)
+            print(f"{options.packages:,} packages, {lines:,} lines")
         for engine in options.engine or ([] if options.workers else ["in-process", "processes"]):
             clean(folder / "ws")
             tell(engine, options.packages, *check(folder / "ws", "--engine", engine))

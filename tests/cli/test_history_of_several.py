@@ -1,6 +1,7 @@
 """Past revisions of a workspace that holds several repositories: how they stood together."""
 
 import json
+import re
 from itertools import count
 
 import pytest
@@ -114,6 +115,32 @@ def test_two_days_and_a_release_are_compared(workspace, capsys):
     text = out(capsys, "compare", "2020-09-20", "release", root)
     assert text.splitlines()[1].startswith("+++ group/two 0.1.0 (")
     assert "+ package b" in text
+    assert (
+        main(["check", str(root), "-q", "--jobs", "1", "--no-graph", "--fail-on", "never", "-o", str(root / "r.json")])
+        == 0
+    )
+    text = out(capsys, "compare", "release", "now", root)
+    assert re.fullmatch(r"\+\+\+ now \(run \d+ of 2 repositories, \d{4}-\d{2}-\d{2}\)", text.splitlines()[1])
+
+
+def test_a_package_that_went_to_the_other_repository(workspace, capsys):
+    root, one, two = workspace
+    (root / "group/two/inner").mkdir()
+    one.commit("another", day=45, c__package_DOT_xml=MANIFEST.format("c"))
+    (root / "one/a").rename(root / "group/two/inner/a")
+    one.commit("gone", day=50, README="x")
+    two.commit("here", day=50, README="x")
+    assert main(["history", str(root), "--every", "month", "-q"]) == 0
+    found = trend(capsys, root, "loc")
+    assert found["packages"]["a"] == [23, 23, 23]
+    (event,) = (one for one in found["events"] if one["kind"] == "moved")
+    assert (event["point"], event["text"]) == (2, "a: one/a -> group/two/inner/a")
+    found = json.loads(out(capsys, "compare", "2020-10-31", "2020-11-30", root, "--format", "json"))
+    assert found["packages_moved"] == [{"package": "a", "was_in": "one/a", "path": "group/two/inner/a"}]
+    assert (found["new"], found["resolved"], found["packages_added"]) == ([], [], [])
+    assert {(one["was_in"], one["path"]) for one in found["moved"]} == {("one/a/new.cpp", "group/two/inner/a/new.cpp")}
+    text = out(capsys, "compare", "2020-10-31", "2020-11-30", root)
+    assert "= package a: group/two/inner/a, was in one/a" in text
 
 
 def test_names_that_mean_nothing_of_several(workspace, capsys):

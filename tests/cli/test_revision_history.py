@@ -157,6 +157,7 @@ def test_the_tree_of_today_is_the_last_point(made, capsys):
     assert [point["name"] for point in found["points"]][-1] == "now"
     text = out(capsys, "compare", "release", "now", made.root)
     assert text.splitlines()[0].startswith("--- 2.0.0 (")
+    assert text.splitlines()[1].startswith("+++ now (run ")
     assert "~ p: loc 13 -> 1" in text
 
 

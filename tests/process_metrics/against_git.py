@@ -65,7 +65,11 @@ def differences(folder: Path, *, most_files: int = 40) -> tuple[int, list[Differ
     entities: list[tuple[EntityKind, str, list[str], Mapping[str, float]]] = [
         (EntityKind.REPOSITORY, ".", [], found.values)
     ]
-    entities += [(EntityKind.PACKAGE, one, _pathspec(paths[one], paths.values()), found.packages[one]) for one in paths]
+    for one, path in paths.items():
+        earlier = earlier_folders(folder, path)
+        # A folder that holds more than the package did is its own only until it was moved, which no command tells.
+        if not any(_holds(old, other) for old in earlier for other in paths.values()):
+            entities.append((EntityKind.PACKAGE, one, _pathspec(path, paths.values(), earlier), found.packages[one]))
     files = sorted(found.files, key=lambda path: -found.files[path]["revisions"])[:most_files]
     files = [path for path in files if not was_copied(folder, path)]
     entities += [(EntityKind.FILE, path, [f":(literal){path}"], found.files[path]) for path in files]
@@ -86,10 +90,24 @@ def differences(folder: Path, *, most_files: int = 40) -> tuple[int, list[Differ
     return compared, wrong
 
 
-def _pathspec(path: str, others: Sequence[str]) -> list[str]:
+def earlier_folders(folder: Path, path: str) -> list[str]:
+    """Return the folders that a package was in before, as git follows its manifest."""
+    manifest = shlex.quote("package.xml" if path == "." else f"{path}/package.xml")
+    said = asked(
+        folder,
+        f"git log --follow --topo-order --no-merges --diff-filter=R --name-status --format= HEAD -- {manifest}",
+    )
+    return [line.split("\t")[1].rpartition("/")[0] for line in said.splitlines()]
+
+
+def _holds(folder: str, other: str) -> bool:
+    return folder in ("", other) or other.startswith(f"{folder}/")
+
+
+def _pathspec(path: str, others: Sequence[str], earlier: Sequence[str] = ()) -> list[str]:
     below = "" if path == "." else f"{path}/"
     inner = [other for other in others if other != path and other.startswith(below)]
-    return [path, *(f":(exclude){other}" for other in inner)]
+    return [path, *earlier, *(f":(exclude){other}" for other in inner)]
 
 
 def _answers(

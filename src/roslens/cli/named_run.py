@@ -96,9 +96,7 @@ class NamedRuns:
                 )  # fmt: skip
             self._store = self._opened.enter_context(open_store(str(self.root)))
         view = self._store.view(None if name in NOW else int(name))
-        commit = view.header.commit
-        at = f" of {commit[:10]}{'+' if commit.endswith('+') else ''}" if commit else ""
-        return NamedRun(f"run {view.id}{at}", view, view.header.commits)
+        return NamedRun(_title(name, view), view, view.header.commits)
 
     def _of_several(self, name: str) -> NamedRun:
         """Return how several repositories stood on a day, at its end, or at a time."""
@@ -132,3 +130,16 @@ def named_runs(root: Path, settings: SourceSettings) -> Iterator[NamedRuns]:
     """Open what finds runs of the workspace at ``root`` by name."""
     with ExitStack() as opened:
         yield NamedRuns(root, settings, opened)
+
+
+def _title(name: str, view: RunView) -> str:
+    """Return what a run of a work tree is called: by what was asked for, and by what it is a run of."""
+    header = view.header
+    if commit := header.commit:
+        of = f" of {commit[:10]}{'+' if commit.endswith('+') else ''}"
+    elif len(header.repositories) > 1:
+        of = f" of {len(header.repositories)} repositories"
+    else:
+        of = ""
+    run = f"run {view.id}{of}"
+    return f"{name} ({run}, {header.started[:10]})" if name in NOW else run

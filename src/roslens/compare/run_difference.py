@@ -21,6 +21,14 @@ class ValueChange(msgspec.Struct, frozen=True):
     after: float | None
 
 
+class MovedPackage(msgspec.Struct, frozen=True):
+    """A package that both runs have, in another folder each, maybe of another repository; paths below the root."""
+
+    package: str
+    before: str
+    after: str
+
+
 class RunDifference(msgspec.Struct, frozen=True):
     """What only one of two runs has.
 
@@ -28,6 +36,7 @@ class RunDifference(msgspec.Struct, frozen=True):
         findings: new, gone and moved ones, of those that count for gates.
         added: ids of packages that only the later run has.
         removed: ids of packages that only the earlier run has.
+        moved: packages that are in another folder.
         values: of packages that both have, by package and quantity.
         measured_by: what measured or judged differently: name, before, after.
     """
@@ -35,6 +44,7 @@ class RunDifference(msgspec.Struct, frozen=True):
     findings: FindingDifference
     added: tuple[str, ...]
     removed: tuple[str, ...]
+    moved: tuple[MovedPackage, ...]
     values: tuple[ValueChange, ...]
     measured_by: tuple[tuple[str, str, str], ...]
 
@@ -58,6 +68,9 @@ def run_difference(before: RunSide, after: RunSide, renamed: Mapping[str, str] |
     old, new = ({one.id: one for one in side.packages if one.id != OUTSIDE_PACKAGES} for side in (before, after))
     gated = [[one for one in side.findings if one.gated] for side in (before, after)]
     both = sorted(old.keys() & new.keys())
+    moved = tuple(MovedPackage(one, old[one].path, new[one].path) for one in both if old[one].path != new[one].path)
+    # What git found of single files says more than that their package moved.
+    renamed = {**_with_packages(moved, gated[0], old), **(renamed or {})}
     values = [
         ValueChange(package, key, old[package].values.get(key), new[package].values.get(key))
         for package in both
@@ -73,6 +86,29 @@ def run_difference(before: RunSide, after: RunSide, renamed: Mapping[str, str] |
         finding_difference(gated[0], gated[1], renamed),
         tuple(sorted(new.keys() - old.keys())),
         tuple(sorted(old.keys() - new.keys())),
+        moved,
         tuple(values),
         made_by,
     )
+
+
+def _with_packages(
+    moved: Sequence[MovedPackage], findings: Sequence[Finding], packages: Mapping[str, PackageSummary]
+) -> dict[str, str]:
+    """Return the later path, by the earlier one, of files with findings in packages that moved as a whole."""
+    found = {}
+    for path in {one.path for one in findings if one.path} if moved else ():
+        held = [one for one in packages.values() if _inside(path, one.path) is not None]
+        innermost = max(held, key=lambda one: 0 if one.path == "." else len(one.path), default=None)
+        for one in moved:
+            if innermost is not None and one.package == innermost.id:
+                inside = _inside(path, one.before)
+                found[path] = str(inside) if one.after in ("", ".") else f"{one.after}/{inside}"
+    return found
+
+
+def _inside(path: str, folder: str) -> str | None:
+    """Return a path as seen from a folder, which is ``.`` for the root; None where it is not in it."""
+    if folder in ("", "."):
+        return path
+    return path[len(folder) + 1 :] if path.startswith(f"{folder}/") else None

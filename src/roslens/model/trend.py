@@ -28,8 +28,8 @@ class TrendEvent(msgspec.Struct, frozen=True):
 
     Attributes:
         point: its place among the points.
-        kind: ``release``; or ``tools``, ``models`` or ``settings``: what measured or judged was another, so a step here
-            may not come from the source.
+        kind: ``release``; ``moved``, packages that are in another folder; or ``tools``, ``models`` or ``settings``:
+            what measured or judged was another, so a step here may not come from the source.
         text: which.
     """
 

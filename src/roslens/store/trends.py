@@ -34,6 +34,8 @@ COUNTS = {
 _SEVERITIES = {"errors": Severity.ERROR, "warnings": Severity.WARNING, "notes": Severity.NOTE}
 _OF_REPOSITORIES = {"revisions", "churn", "releases", "revisions_since_release"}
 """What can be added up over repositories."""
+_MOST_MOVED = 5
+"""Packages of one event that are named."""
 _SUMS = {"files", "classes", "functions", "rqv", "rcv"}
 
 
@@ -130,7 +132,7 @@ class Trends:
 
     @cached_property
     def events(self) -> tuple[TrendEvent, ...]:
-        """Releases, and changes of what measures and judges."""
+        """Releases, packages that moved, and changes of what measures and judges."""
         found = []
         headers = [view.header for view in self.views]
         first: dict[str, int] = {}
@@ -148,6 +150,7 @@ class Trends:
                 found.append(TrendEvent(place, "release", release.name))
         for place in range(1, len(headers)):
             found += _changes(place, headers[place - 1], headers[place])
+            found += _moves(place, self._packages[place - 1], self._packages[place])
         return tuple(sorted(found, key=lambda one: (one.point, one.kind)))
 
     def load(self) -> Trends:
@@ -255,6 +258,15 @@ def _changes(place: int, before: RunHeader, after: RunHeader) -> Iterable[TrendE
     )
     if names:
         yield TrendEvent(place, "settings", ", ".join(names))
+
+
+def _moves(place: int, before: Sequence[PackageSummary], after: Sequence[PackageSummary]) -> Iterable[TrendEvent]:
+    """Yield one event for all packages that are in another folder, maybe of another repository."""
+    old = {one.id: one.path for one in before if one.id != OUTSIDE_PACKAGES}
+    moved = [f"{one.id}: {old[one.id]} -> {one.path}" for one in after if old.get(one.id, one.path) != one.path]
+    if moved:
+        more = f" and {len(moved) - _MOST_MOVED} more" if len(moved) > _MOST_MOVED else ""
+        yield TrendEvent(place, "moved", ", ".join(moved[:_MOST_MOVED]) + more)
 
 
 def _seconds(started: str) -> float:

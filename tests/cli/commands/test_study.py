@@ -16,7 +16,7 @@ def test_the_paper_as_text(capsys):
     assert main(["study", *PAPER]) == 0
     out = capsys.readouterr().out
     assert out.startswith("180 packages of 45 repositories; commits, contributors")
-    assert "LOC       180     461  1454.15  3779.17" in out
+    assert re.search(r"^LOC +180 +461 +1,454\.15 +3,779\.17 ", out, re.MULTILINE)
     assert "does not hold  Findings of MAC are below a dozen.\n               12 in 8 packages" in out
 
 
@@ -38,6 +38,14 @@ def test_the_paper_as_a_page(tmp_path):
     assert "✗ does not hold" in text
     assert text.count("<g><title>driver: n 99") == 11
     assert str(FIXTURES) not in text
+
+
+def test_a_page_without_groups(tmp_path):
+    page = tmp_path / "study.html"
+    assert main(["study", *PAPER, "--format", "html", "-o", str(page)]) == 0
+    text = page.read_text()
+    assert '<td class="num">36,353</td>' in text
+    assert "By role" not in text
 
 
 @pytest.mark.parametrize(

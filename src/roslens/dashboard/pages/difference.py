@@ -41,6 +41,9 @@ def build(site: Site, request: Request) -> View | None:
             "after": {"commit": last.commit, "name": last.name},
             "added": list(found.added),
             "removed": list(found.removed),
+            "moved_packages": [
+                {"package": one.package, "was_in": one.before, "path": one.after} for one in found.moved
+            ],
         },
         tables=(
             _findings(site, past, "new", "New", found.findings.new, limit, last=after),

@@ -62,7 +62,7 @@ def _lines(trend: Trend, terminal: Terminal, decimals: int, most: int) -> Iterat
         yield ""
         for event in trend.events[-_MOST_EVENTS:]:
             point = trend.points[event.point]
-            warned = "" if event.kind == "release" else "  (a step here may not come from the source)"
+            warned = "" if event.kind in ("release", "moved") else "  (a step here may not come from the source)"
             yield f"  {date_of(point)}  {event.kind:<8}  {terminal.clean(event.text)}{warned}"
         if len(trend.events) > _MOST_EVENTS:
             yield f"  {len(trend.events) - _MOST_EVENTS} earlier events: --format json has all"

@@ -25,6 +25,7 @@ def difference_lines(found: RunDifference, before: str, after: str) -> str:
     """Return the difference as text; ``before`` and ``after`` are what the runs are called."""
     lines = [f"--- {before}", f"+++ {after}", *_made_by(found)]
     lines += [f"- package {one}" for one in found.removed] + [f"+ package {one}" for one in found.added]
+    lines += [f"= package {one.package}: {one.after}, was in {one.before}" for one in found.moved]
     lines.append(_count(found))
     for sign, side in (("+", found.findings.new), ("-", found.findings.gone)):
         ordered = _worst_first(side)
@@ -36,7 +37,7 @@ def difference_lines(found: RunDifference, before: str, after: str) -> str:
     if shown:
         lines.append("measured")
         lines += [f"~ {one.package}: {one.quantity} {_number(one.before)} -> {_number(one.after)}" for one in shown]
-    if not (found.findings or found.findings.moved or found.added or found.removed or found.values):
+    if not (found.findings or found.findings.moved or found.added or found.removed or found.moved or found.values):
         lines.append("no difference")
     return "".join(f"{printable(line)}\n" for line in lines)
 
@@ -45,6 +46,11 @@ def difference_markdown(found: RunDifference, before: str, after: str) -> str:
     """Return the difference as Markdown."""
     lines = [f"### roslens: {_code(before)} → {_code(after)}", "", _count(found), ""]
     lines += [f"- {line}" for line in _made_by(found)]
+    lines += [
+        f"- package {_code(one.package)} was in {_code(one.before)}, is in {_code(one.after)}" for one in found.moved
+    ]
+    if lines[-1].startswith("- "):
+        lines.append("")
     for title, side in (("New", found.findings.new), ("Resolved", found.findings.gone)):
         if side:
             rows = [f"| {one.severity.value} | {_code(_place(one))} | {_cell(one.message)} | {_code(one.rule)} |"
@@ -78,6 +84,7 @@ def difference_json(found: RunDifference, before: Mapping[str, Any], after: Mapp
         "moved": [{**_document(one.after), "was_in": one.before.path} for one in found.findings.moved],
         "packages_added": found.added,
         "packages_removed": found.removed,
+        "packages_moved": [{"package": one.package, "was_in": one.before, "path": one.after} for one in found.moved],
         "values": [_value(one) for one in found.values],
         "measured_by": [{"name": name, "before": was, "after": now} for name, was, now in found.measured_by],
     }

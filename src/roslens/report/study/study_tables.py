@@ -25,27 +25,45 @@ class StudyTable(msgspec.Struct, frozen=True):
     texts: int = 1
 
 
-def tables_of(study: Study, *, complete: bool = False) -> tuple[StudyTable, ...]:
-    """Return the tables that have rows; all pairs of quantities, where ``complete``, else the strongest ones."""
-    made = (_figures(study), _groups(study), _rules(study), _correlations(study, complete=complete), _statements(study))
+def tables_of(study: Study, *, complete: bool = False, grouped: bool = True) -> tuple[StudyTable, ...]:
+    """Return the tables that have rows.
+
+    Args:
+        study: what they are of.
+        complete: whether all pairs of quantities are in them, and not only the strongest ones.
+        grouped: whether a comma stands between thousands: for readers, not for programs.
+    """
+    made = (
+        _figures(study, grouped=grouped),
+        _groups(study, grouped=grouped),
+        _rules(study, grouped=grouped),
+        _correlations(study, complete=complete, grouped=grouped),
+        _statements(study),
+    )
     return tuple(table for table in made if table.rows)
 
 
-def _figures(study: Study) -> StudyTable:
-    rows = tuple((study.column(one.key).title, *_cells(study.column(one.key), one)) for one in study.figures)
+def _figures(study: Study, *, grouped: bool) -> StudyTable:
+    rows = tuple(
+        (study.column(one.key).title, *_cells(study.column(one.key), one, grouped=grouped)) for one in study.figures
+    )
     return StudyTable("figures", "Key figures", ("quantity", *_HEAD), rows)
 
 
-def _groups(study: Study) -> StudyTable:
-    rows = tuple((study.column(one.key).title, one.group, *_cells(study.column(one.key), one)) for one in study.groups)
+def _groups(study: Study, *, grouped: bool) -> StudyTable:
+    rows = tuple(
+        (study.column(one.key).title, one.group, *_cells(study.column(one.key), one, grouped=grouped))
+        for one in study.groups
+    )
     return StudyTable("groups", f"By {study.by}", ("quantity", study.by or "group", *_HEAD), rows, texts=2)
 
 
-def _cells(column: Column, one: Figures) -> tuple[str, ...]:
-    figure = written(column)
-    beyond = "" if one.beyond is None else f"{one.beyond} ({100 * one.beyond / one.n:.0f} %)"
+def _cells(column: Column, one: Figures, *, grouped: bool) -> tuple[str, ...]:
+    figure = written(column, grouped=grouped)
+    number = _number(grouped=grouped)
+    beyond = "" if one.beyond is None else f"{number(one.beyond)} ({100 * one.beyond / one.n:.0f} %)"
     return (
-        str(one.n),
+        number(one.n),
         figure(one.median),
         figure(one.mean),
         "" if one.deviation is None else figure(one.deviation),
@@ -58,41 +76,53 @@ def _cells(column: Column, one: Figures) -> tuple[str, ...]:
     )
 
 
-def written(column: Column) -> Callable[[float], str]:
-    """Return what writes values of a column: two decimals, none where a value has none to show."""
+def written(column: Column, *, grouped: bool = True) -> Callable[[float], str]:
+    """Return what writes values of a column: two decimals, none where a value has none to show.
+
+    Args:
+        column: of the values.
+        grouped: whether a comma stands between thousands.
+    """
     decimals = max(column.decimals, 2)
+    form = f"{',' if grouped else ''}.{decimals}f"
 
     def figure(value: float) -> str:
-        text = f"{value:.{decimals}f}"
-        return text.rstrip("0").rstrip(".") if float(text) == int(value) else text
+        text = format(value, form)
+        return text.rstrip("0").rstrip(".") if round(value, decimals) == int(value) else text
 
     return figure
 
 
-def _rules(study: Study) -> StudyTable:
+def _number(*, grouped: bool) -> Callable[[int], str]:
+    """Return what writes how many there are of something."""
+    return "{:,}".format if grouped else str
+
+
+def _rules(study: Study, *, grouped: bool) -> StudyTable:
     roles = sorted({role for one in study.rules for role in one.by_role if role})
+    number = _number(grouped=grouped)
     rows = tuple(
-        (one.rule, one.kind, str(one.count), str(one.packages), *(str(one.by_role.get(role, 0)) for role in roles))
+        (one.rule, one.kind, *map(number, (one.count, one.packages, *(one.by_role.get(role, 0) for role in roles))))
         for one in study.rules
     )
     return StudyTable("rules", "Rules that are broken", ("rule", "kind", "count", "packages", *roles), rows, texts=2)
 
 
-def _correlations(study: Study, *, complete: bool) -> StudyTable:
+def _correlations(study: Study, *, complete: bool, grouped: bool) -> StudyTable:
     pairs = sorted(study.correlations, key=lambda one: (-abs(one.spearman.value), one.one, one.other))
     shown = pairs if complete else pairs[:MOST_PAIRS]
-    rows = tuple(_pair(study, one) for one in shown)
+    rows = tuple(_pair(study, one, grouped=grouped) for one in shown)
     left = len(pairs) - len(shown)
     title = "Correlations, strongest first" + (f" ({left} weaker ones in --format csv)" if left else "")
     head = ("quantities", "n", "Pearson", "Spearman", "Spearman, adjusted p", "size held fixed", "per line of code")
     return StudyTable("correlations", title, head, rows)
 
 
-def _pair(study: Study, one: Correlation) -> tuple[str, ...]:
+def _pair(study: Study, one: Correlation, *, grouped: bool) -> tuple[str, ...]:
     titles = f"{study.column(one.one).title} ~ {study.column(one.other).title}"
     return (
         titles,
-        str(one.n),
+        _number(grouped=grouped)(one.n),
         interval(one.pearson),
         interval(one.spearman),
         probability(one.spearman.adjusted),

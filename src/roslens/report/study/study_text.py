@@ -60,7 +60,7 @@ def study_csv(study: Study) -> str:
     """
     out = StringIO(newline="")
     writer = csv.writer(out, lineterminator="\r\n")
-    for table in tables_of(study, complete=True):
+    for table in tables_of(study, complete=True, grouped=False):
         writer.writerow(("table", *table.head))
         writer.writerows((table.key, *map(_cell, row)) for row in table.rows)
     return out.getvalue()

@@ -13,6 +13,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.children.fetching_git import ATTRIBUTES, CONFIGURATION
+from roslens.intake.bounded_file import read_bounded
 from roslens.intake.is_there import is_file
 from roslens.source.fetch.at import At, revision_at
 from roslens.source.fetch.git_runner import GitError, GitRunner
@@ -24,6 +25,7 @@ from roslens.source.fetch.urls import is_local
 from roslens.source.fetch.wanted import Wanted
 
 _FOUND = "refs/roslens/found"
+_LONGEST_HEAD = 4096
 
 
 class Request(msgspec.Struct, frozen=True):
@@ -116,6 +118,31 @@ def refuse_strange(git: GitRunner, place: Path, url: str) -> None:
         )
 
 
+def head_of(git: GitRunner, place: Path) -> str:
+    """Return the commit that a clone is at; asking git, where its file does not say it, takes longest of all.
+
+    Raises:
+        GitError: git cannot tell.
+    """
+    try:
+        told = read_bounded(place / ".git" / "HEAD", _LONGEST_HEAD).decode("ascii").strip()
+    except (OSError, UnicodeDecodeError):
+        told = ""
+    return told if is_commit(told) else git.do(str(place), "rev-parse", "HEAD").strip()
+
+
+def still_there(git: GitRunner, request: Request, place: Path, locked: Taken) -> Taken:
+    """Return what is in a clone that is at the commit of its lock: what is behind a commit is not counted again.
+
+    Raises:
+        GitError: git cannot tell.
+    """
+    if not locked.commits or not locked.day or is_file(place / ".git" / "shallow"):
+        return described(git, request, place, How.KEPT)
+    notes = _about_submodules(git, str(place))
+    return msgspec.structs.replace(locked, how=How.KEPT, notes=notes, failure="")
+
+
 def described(git: GitRunner, request: Request, place: Path, how: How) -> Taken:
     """Return what is in a clone now.
 
@@ -123,11 +150,7 @@ def described(git: GitRunner, request: Request, place: Path, how: How) -> Taken:
         GitError: git cannot tell.
     """
     folder = str(place)
-    notes = []
-    rows = git.do(folder, "ls-tree", "-r", "-z", "HEAD").split("\0")
-    submodules = [row.partition("\t")[2] for row in rows if row.startswith("160000 ")]
-    if submodules:
-        notes.append(f"{len(submodules)} submodules are not fetched, the first at {submodules[0]}")
+    notes = [*_about_submodules(git, folder)]
     shallow = git.do(folder, "rev-parse", "--is-shallow-repository").strip() == "true"
     if shallow and not request.depth:
         notes.append("the server has only a part of the history, so that nothing is counted in it")
@@ -135,6 +158,12 @@ def described(git: GitRunner, request: Request, place: Path, how: How) -> Taken:
     commit, day = git.do(folder, "rev-list", "-1", "--format=%cI", "HEAD").removeprefix("commit ").split()
     wanted = request.wanted
     return Taken(wanted, how, request.at.text(), commit, commits, day, request.depth, request.whole, tuple(notes))
+
+
+def _about_submodules(git: GitRunner, folder: str) -> tuple[str, ...]:
+    rows = git.do(folder, "ls-tree", "-r", "-z", "HEAD").split("\0")
+    submodules = [row.partition("\t")[2] for row in rows if row.startswith("160000 ")]
+    return (f"{len(submodules)} submodules are not fetched, the first at {submodules[0]}",) if submodules else ()
 
 
 def _begin(git: GitRunner, request: Request, part: Path) -> None:

@@ -12,7 +12,7 @@ import msgspec
 
 from roslens.intake.held_signals import held_signals
 from roslens.source.fetch.at import At, revision_at
-from roslens.source.fetch.clone import Request, clone, described, refuse_strange, update
+from roslens.source.fetch.clone import Request, clone, described, head_of, refuse_strange, still_there, update
 from roslens.source.fetch.folder_name import is_folder_name
 from roslens.source.fetch.git_runner import GitError, GitRunner
 from roslens.source.fetch.journal import Journal, alone
@@ -168,10 +168,10 @@ def _had(
 def _kept(git: GitRunner, request: Request, place: Path, locked: Taken | None, options: FetchOptions) -> Taken:
     """Return what is there if it is what is wanted; what another request left is brought to this one."""
     refuse_strange(git, place, request.url)
-    head = git.do(str(place), "rev-parse", "HEAD").strip()
+    head = head_of(git, place)
     if locked is not None:
         if head == locked.commit:
-            return described(git, request, place, How.KEPT)
+            return still_there(git, request, place, locked)
         raise GitError(f"it is at {head[:12]}, and the lock says {locked.commit[:12]}; `--update` brings it there")
     if options.offline and not is_local(request.url):
         at = revision_at(git, str(place), head, request.at, request.count)

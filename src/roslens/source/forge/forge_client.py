@@ -132,7 +132,7 @@ class ForgeClient:
                 if not last:
                     self._sleep(2.0**turn)
             else:
-                raise _refused(url, status, self._advice(), has_token=bool(self._token))
+                raise _refused(url, status, body, self._advice(), has_token=bool(self._token))
         raise ForgeError(f"{url} {said}, {TRIES} times", "Try again later; what was answered is not asked again")
 
     def _once(self, url: str, kept: Answer | None) -> tuple[int, Mapping[str, str], bytes]:
@@ -184,12 +184,14 @@ def _is_limit(headers: Mapping[str, str]) -> bool:
     return remaining == "0" or "retry-after" in headers
 
 
-def _refused(url: str, status: int, advice: str, *, has_token: bool) -> ForgeError:
+def _refused(url: str, status: int, body: bytes, advice: str, *, has_token: bool) -> ForgeError:
     if status == 401:
         return ForgeError(f"{url} answers 401: the token is not accepted", "Give another one")
-    if status == 404:
+    # The search of GitHub says so of a repository that it does not know, or does not show.
+    if status == 404 or (status == 422 and b"cannot be searched" in body):
         lacks = "" if has_token else ", or it is private and needs a token"
-        return ForgeError(f"{url} answers 404: there is no such repository{lacks}", advice if not has_token else "")
+        told = f"{url} answers {status}: there is no such repository{lacks}"
+        return ForgeError(told, advice if not has_token else "")
     if 300 <= status < 400:
         return ForgeError(f"{url} answers {status}: the repository is elsewhere now", "Correct the address of `origin`")
     return ForgeError(f"{url} answers {status}", advice)

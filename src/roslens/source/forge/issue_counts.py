@@ -54,12 +54,13 @@ def _gitlab(client: ForgeClient, name: str) -> IssueCounts:
     project = f"/projects/{quote(name, safe='')}"
     told = client.get(f"{project}/issues_statistics")
     counts = _inside(told, "statistics", "counts")
+    issues = (_whole(counts, "opened"), _whole(counts, "closed"))
     requests = {
         state: _listed(client, f"{project}/merge_requests?state={state}", "x-total", "per_page")
         for state in ("opened", "closed", "locked", "merged")
     }
     open_requests = requests.pop("opened")
-    return IssueCounts(_whole(counts, "opened"), _whole(counts, "closed"), open_requests, sum(requests.values()))
+    return IssueCounts(*issues, open_requests, sum(requests.values()))
 
 
 def _gitea(client: ForgeClient, name: str) -> IssueCounts:

@@ -27,8 +27,11 @@ integration mostly has one commit of it.
 - **Files that were renamed are followed**, by git's own detection (`git log --find-renames`: contents that are alike by
   half; at most 1,000 files that came by 1,000 that went in a commit): a file keeps its commits, people and lines under
   the names that it had before. A file that was copied begins anew, which `git log --follow` sees otherwise (`C` in its
-  `--name-status`). A package whose folder was moved begins anew, too. In a partial clone only files that were renamed
-  without a change are followed.
+  `--name-status`). In a partial clone only files that were renamed without a change are followed.
+- **Packages that were moved are followed**, too: where git finds a manifest (`package.xml`, of rosbuild `manifest.xml`)
+  again under another folder, and the folder kept its name or most files that came to it by renaming came with it, older
+  commits count for the folder that the package was in before. Whoever has that folder today got it later. A package
+  that came from another repository begins there.
 - **Ages are told at the date of the head**, not today's: the same commit has the same ages on every day.
   `--as-of 2026-01-31` (or `as_of` below `[process]`) tells them at another time; the time stands with the run.
 - Dates are those of the committers' clocks. Commits dated before a parent of theirs are counted as `skewed`, with the
@@ -38,7 +41,8 @@ integration mostly has one commit of it.
 - Names of people are compared and not kept: neither reports nor what roslens stores has any.
 
 Each metric has the **command** of git that answers the same, for a repository, and for a file or package as `PATH`
-(of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each). `tests/process_metrics` holds all
+(of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each; of one that was moved, also the
+folders before, which `git log --follow --name-status -- PATH/package.xml` tells). `tests/process_metrics` holds all
 of them against git:
 
 ```sh

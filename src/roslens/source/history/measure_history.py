@@ -42,24 +42,20 @@ def measure_history(
     """
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s
-    layout = (parts or PartsOfCommits(log)).of(packages)
     of_package: dict[str, Commits] = defaultdict(list)
     of_file: dict[str, Commits] = defaultdict(list)
-    for commit in log.commits:
-        if commit.is_merge:
-            continue
-        for owner, changes in layout.parts(commit).changes:
+    coupling: list[tuple[int, frozenset[str]]] = []
+    for commit, parted in (parts or PartsOfCommits(log)).along(log.commits, packages):
+        for owner, changes in parted.changes:
             of_package[owner].append((commit, changes))
+        if commit.changes:
+            coupling.append((len(commit.changes), parted.coupled))
     for commit, changed in followed_files(log, files) if files else ():
         for name, change in changed.items():
             of_file[name].append((commit, [change]))
     whole: Commits = [(commit, commit.changes) for commit in log.commits]
     coupled_files = change_coupling.couplings(_coupled_files(log, files)) if files else ()
-    coupled_packages = change_coupling.couplings(
-        (len(commit.changes), layout.parts(commit).coupled)
-        for commit in log.commits
-        if not commit.is_merge and commit.changes
-    )
+    coupled_packages = change_coupling.couplings(coupling)
 
     def values(kind: EntityKind, commits: Commits) -> dict[str, float]:
         touched = Touched(kind, commits, as_of_s=at_s, head_s=head.time_s)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import msgspec
 
 from roslens.source.history.commit_log import Change, Commit, CommitLog
 from roslens.source.history.metrics.change_coupling import RELEASE_FILES
+from roslens.source.history.moved_packages import MovedPackages, before_moves
 
-_MOST_LAYOUTS = 4
-"""Revisions next to each other mostly have the same packages in the same folders."""
+_MOST_LAYOUTS = 64
+"""Revisions next to each other mostly have the same packages in the same folders, and each move makes one more."""
 
 
 class Parts(msgspec.Struct, frozen=True, gc=False):
@@ -27,19 +28,39 @@ class PartsOfCommits:
         """Take the log; commits of an earlier head of it are known by it, too."""
         self._paths = log.paths
         self._couples = [not RELEASE_FILES.fullmatch(name) for name in log.paths]
+        self._moved = MovedPackages(log.paths)
         self._layouts: dict[tuple[tuple[str, str], ...], _Layout] = {}
 
-    def of(self, packages: Mapping[str, str]) -> _Layout:
-        """Return what tells the parts of a commit.
+    def along(self, commits: Iterable[Commit], packages: Mapping[str, str]) -> Iterator[tuple[Commit, Parts]]:
+        """Yield each commit that is no merge with its parts; packages are followed back to where they were before.
+
+        A commit that moves a package changes it in both folders.
 
         Args:
-            packages: folder below the root of the repository by package id; a file belongs to the innermost.
+            commits: children before their parents.
+            packages: folder below the root of the repository by package id, at the first of the commits; a file belongs
+                to the innermost.
         """
-        key = tuple(sorted(packages.items()))
+        folders = {"" if folder == "." else folder: package for package, folder in packages.items()}
+        layout = self._of(folders)
+        for commit in commits:
+            if commit.is_merge:
+                continue
+            moves = self._moved.moved_by(commit) if commit.renames else {}
+            moves = {new: old for new, old in moves.items() if new in folders}
+            if moves:
+                earlier = before_moves(folders, moves)
+                yield commit, self._of({**folders, **earlier}).parts(commit)
+                folders, layout = earlier, self._of(earlier)
+            else:
+                yield commit, layout.parts(commit)
+
+    def _of(self, folders: Mapping[str, str]) -> _Layout:
+        key = tuple(sorted(folders.items()))
         if key not in self._layouts:
             if len(self._layouts) >= _MOST_LAYOUTS:
                 del self._layouts[next(iter(self._layouts))]
-            self._layouts[key] = _Layout(owners_of(self._paths, packages), self._couples)
+            self._layouts[key] = _Layout(owners_of(self._paths, folders), self._couples)
         return self._layouts[key]
 
 
@@ -64,9 +85,13 @@ class _Layout:
         return Parts(tuple((owner, tuple(changes)) for owner, changes in found.items()), coupled - {""})
 
 
-def owners_of(paths: Sequence[str], packages: Mapping[str, str]) -> list[str]:
-    """Return the id of the package that each path is in; empty for none."""
-    folders = {("" if folder in ("", ".") else folder): package for package, folder in packages.items()}
+def owners_of(paths: Sequence[str], folders: Mapping[str, str]) -> list[str]:
+    """Return the id of the package that each path is in; empty for none.
+
+    Args:
+        paths: of files.
+        folders: package by folder; that of the root is empty.
+    """
     known: dict[str, str] = {}
 
     def owner(folder: str) -> str:

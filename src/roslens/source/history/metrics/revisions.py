@@ -15,8 +15,7 @@ QUANTITY = Quantity(
     better=Better.NEITHER,
     formula="number of commits; of a package or file those that are no merge and change something of it",
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#Rev)",
-    limits="A package that was moved begins anew, a file that was renamed does not. A history that was squashed "
-    "has few.",
+    limits="A package that came from another repository begins there. A history that was squashed has few.",
 )
 
 COMMANDS = {

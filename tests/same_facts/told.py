@@ -21,9 +21,26 @@ from typing import Any
 
 import msgspec
 
+CONDITIONS = frozenset({"written", "no exception", "true", "set", "equal", "not", "and", "or"})
+"""Tags of conditions, which are compared in words: older revisions had nothing else."""
+
+
+def in_words(asked: Any) -> str:
+    """Return what decides a condition in words, as an older revision had it."""
+    texts, inner = [str(one) for one in asked.texts], [in_words(one) for one in asked.tests]
+    if asked.kind in ("and", "or"):
+        return f" {asked.kind} ".join(inner)
+    if asked.kind == "not":
+        return f"not ({inner[0]})" if " and " in inner[0] or " or " in inner[0] else f"not {inner[0]}"
+    return f"{texts[0]} is set" if asked.kind == "set" else " == ".join(texts)
+
 
 def plain(value: Any) -> Any:
     """Return a value as JSON has it: fields by their names, sets sorted."""
+    if isinstance(value, msgspec.Struct) and value.__struct_config__.tag in CONDITIONS:
+        return str(value)
+    if isinstance(value, msgspec.Struct) and value.__struct_config__.tag == "asked":
+        return in_words(value)
     if isinstance(value, msgspec.Struct):
         fields = {name: plain(getattr(value, name)) for name in value.__struct_fields__}
         tag = value.__struct_config__.tag

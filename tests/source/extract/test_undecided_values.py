@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 HEAD = """
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -14,7 +16,7 @@ def made(units, body, before=""):
     inner = "\n".join(f"        {line}" for line in body.strip("\n").split("\n"))
     program = f"{HEAD}{before}\nclass Main(Node):\n    def __init__(self):\n        super().__init__('main')\n{inner}\n"
     (found,) = units(main_py=program)
-    return [(one.name, one.conditions) for one in found.endpoints]
+    return [(one.name, as_written(one.conditions)) for one in found.endpoints]
 
 
 def names(units, body, before=""):

@@ -5,6 +5,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.catalogue.hints import endpoint_of, hint_of, hinted, text_of
 from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.settings import NodeHint
 
@@ -17,7 +18,11 @@ def read(line: str, role: Role = Role.PUBLISHER, generation: str = "ros2", words
 
 def test_a_line_tells_name_type_quality_and_condition():
     one = read("scan sensor_msgs/msg/LaserScan sensor_data if use_laser")
-    assert (one.name.known, one.type.known, one.conditions) == ("scan", "sensor_msgs/msg/LaserScan", ("use_laser",))
+    assert (one.name.known, one.type.known, as_written(one.conditions)) == (
+        "scan",
+        "sensor_msgs/msg/LaserScan",
+        ("use_laser",),
+    )
     assert one.qos == Qos("best_effort", "volatile", "keep_last", 5)
     assert read("a std_msgs/msg/String 3").qos == Qos("reliable", "volatile", "keep_last", 3)
 

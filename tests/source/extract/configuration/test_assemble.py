@@ -18,7 +18,7 @@ from roslens.source.extract.facts.node_facts import (
     Target,
     TargetKind,
 )
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Hole, IsSet, Text, Written
 
 CODE = Evidence("pkg/src/talker.cpp", 12, 5)
 START = Evidence("pkg/launch/a.launch.py", 7, 3)
@@ -319,8 +319,8 @@ def test_what_no_package_installs_is_still_a_node_and_unresolved():
 
 
 def test_conditions_of_start_and_code_are_kept_apart():
-    facts = talker(endpoints=(end(Role.PUBLISHER, "chatter", conditions=("debug",)),))
-    node = only(configured(facts, started(conditions=("use_it",))))
+    facts = talker(endpoints=(end(Role.PUBLISHER, "chatter", conditions=(Written("debug"),)),))
+    node = only(configured(facts, started(conditions=(Written("use_it"),))))
     assert node.conditions == ("use_it",)
     assert explicit(node)[0].conditions == ("debug",)
 
@@ -467,7 +467,10 @@ def test_what_a_parameter_decides_is_not_its_value():
 
 
 def test_what_is_there_where_a_parameter_is_set():
-    ends = [end(Role.SUBSCRIPTION, parameter_name(f"imu{one}"), conditions=(f"imu{one} is set", "x")) for one in (0, 1)]
+    ends = [
+        end(Role.SUBSCRIPTION, parameter_name(f"imu{one}"), conditions=(IsSet(Text.of(f"imu{one}")), Written("x")))
+        for one in (0, 1)
+    ]
     known = Meant((talker(endpoints=tuple(ends)),), origin=Origin.CATALOGUE)
     setting = Setting(Text.of("imu1"), Text.of("imu/data"), YAML, "string")
     node = only(configured((), started(settings=(setting,)), targets=(), known=lambda *_: known))
@@ -499,7 +502,7 @@ def test_a_script_that_nobody_installs_runs_in_ros1_alone(generation, count):
 
 
 def test_a_name_that_a_parameter_leaves_empty_is_not_resolved():
-    unnamed = end(Role.SERVICE_CLIENT, parameter_name("detector", ""), conditions=("not detector.empty()",))
+    unnamed = end(Role.SERVICE_CLIENT, parameter_name("detector", ""), conditions=(Written("not detector.empty()"),))
     configuration = configured(talker(endpoints=(unnamed,)), started())
     (one,) = explicit(only(configuration))
     assert not one.resolved

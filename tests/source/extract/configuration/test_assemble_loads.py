@@ -11,7 +11,8 @@ from roslens.source.extract.facts.node_facts import (
     Target,
     TargetKind,
 )
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 
 START, MAIN, CLASS = Evidence("pkg/a.launch", 3), Evidence("pkg/src/main.cpp", 12), Evidence("pkg/src/half.cpp", 5)
 OWN_NAME = Text((Hole("full name of the node", default="~"),))
@@ -44,10 +45,10 @@ def explicit(node):
 
 
 def test_a_nodelet_is_part_of_the_process_that_loads_it():
-    loaded = load(Text.of(OWN_NAME, "_half"), (Text.of("image"), Text.of("color")), conditions=("on",))
+    loaded = load(Text.of(OWN_NAME, "_half"), (Text.of("image"), Text.of("color")), conditions=(Written("on"),))
     process, half = configuration(loaded, name=Text.of("p")).nodes
     assert (half.name, half.kind, half.container) == ("/front/p_half", "nodelet", "/front/p")
-    assert (half.conditions, half.unit) == (("on",), "pkg.Half")
+    assert (as_written(half.conditions), half.unit) == (("on",), "pkg.Half")
     assert explicit(half) == ["/front/p_half/half", "/front/color"]
     assert process.remaps == ()
 

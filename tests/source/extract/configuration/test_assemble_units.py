@@ -1,6 +1,7 @@
 from roslens.source.extract.configuration.assemble_units import KnownUnits, as_script, meant_by
 from roslens.source.extract.facts.launched import Launched
 from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Target, TargetKind
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Text, unknown
 
 HERE = Evidence("pkg/CMakeLists.txt", 3)
@@ -48,7 +49,7 @@ def test_a_script_may_be_in_a_folder_and_an_installed_target_is_preferred():
 
 def test_conditions_of_the_build_are_kept():
     found = meant([target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",), conditions=("WITH_A",))], [MAIN], "a")
-    assert found.conditions == ("WITH_A",)
+    assert as_written(found.conditions) == ("WITH_A",)
 
 
 def test_what_is_not_found_has_a_reason():

@@ -1,11 +1,11 @@
 from roslens.source.extract.domain.abstract_value import Building, Made, Obj, Unknown
 from roslens.source.extract.domain.evaluation_frame import Frame, join
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, Written, unknown
 
 
 def joined(before, value):
     names = {"a": before}
-    join(names, {"a": value}, "x > 1")
+    join(names, {"a": value}, Written("x > 1"))
     return names["a"]
 
 
@@ -39,7 +39,7 @@ def test_what_was_made_under_a_condition_is_not_there_for_sure():
 
 def test_results_under_conditions():
     frame = Frame("a.cpp", "f")
-    frame.give(Text.of("a"), ["x"])
+    frame.give(Text.of("a"), [Written("x")])
     frame.give(Text.of("b"))
     assert frame.returned
     assert frame.result.known is None

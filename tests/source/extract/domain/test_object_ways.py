@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 BEFORE = """
 class Base { public: explicit Base(rclcpp::Node * n) : node_(n) {} virtual bool init() = 0; rclcpp::Node * node_; };
 class One : public Base { public: using Base::Base;
@@ -20,7 +22,7 @@ SWITCH = (
 @pytest.mark.parametrize("choice", [BRANCH, SWITCH])
 def test_each_object_does_what_its_class_says_under_its_condition(node_of, choice):
     body = f'int kind = declare_parameter("kind", 0);\nstd::shared_ptr<Base> made;\n{choice}\nmade->init();'
-    found = {str(one.name): one.conditions for one in node_of(body, before=BEFORE).endpoints}
+    found = {str(one.name): as_written(one.conditions) for one in node_of(body, before=BEFORE).endpoints}
     assert set(found) == {"one", "two"}
     assert found["one"][0] == "kind == 3"
     assert found["two"][0] == "not kind == 3"
@@ -29,13 +31,13 @@ def test_each_object_does_what_its_class_says_under_its_condition(node_of, choic
 def test_an_object_that_is_known_is_that_one(node_of):
     body = f"int kind = 3;\nstd::shared_ptr<Base> made;\n{BRANCH}\nmade->init();"
     (one,) = node_of(body, before=BEFORE).endpoints
-    assert (str(one.name), one.conditions) == ("one", ())
+    assert (str(one.name), as_written(one.conditions)) == ("one", ())
 
 
 def test_objects_of_one_class_are_not_told_apart(node_of):
     choice = "if (a_) { made = std::make_shared<One>(this); } else { made = std::make_shared<One>(this); }"
     (one,) = node_of(f"std::shared_ptr<Base> made;\n{choice}\nmade->init();", before=BEFORE).endpoints
-    assert (str(one.name), one.conditions) == ("one", ())
+    assert (str(one.name), as_written(one.conditions)) == ("one", ())
 
 
 def test_objects_of_python(units):
@@ -62,6 +64,6 @@ def main():
 if __name__ == '__main__':
     main()
 """
-    found = {str(one.name): one.conditions for facts in units(a_py=text) for one in facts.endpoints}
+    found = {str(one.name): as_written(one.conditions) for facts in units(a_py=text) for one in facts.endpoints}
     assert set(found) == {"one", "two"}
     assert all(found.values())

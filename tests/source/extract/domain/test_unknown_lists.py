@@ -1,6 +1,6 @@
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.domain.unknown_lists import Each, each_of, item_of
-from roslens.source.extract.symbolic.text import Choice, Hole, Text
+from roslens.source.extract.symbolic.text import Choice, Hole, Text, Written
 from roslens.source.extract.symbolic.text_lists import is_list
 
 
@@ -16,10 +16,10 @@ def test_what_decides_a_list_decides_each_item():
 
 
 def test_of_one_of_two_lists_each_item_is_one_of_either():
-    choice = Choice("private", listed(), Text.of("[c]"))
+    choice = Choice(Written("private"), listed(), Text.of("[c]"))
     (hole,) = each_of(Text((Hole("names if private, else c", choice=(choice,)),))).holes
     (one,) = hole.choice
-    assert (one.condition, one.then) == ("private", each_of(listed()))
+    assert (one.condition, one.then) == (Written("private"), each_of(listed()))
     assert str(one.otherwise) == "{each of [c]}"
 
 

@@ -4,6 +4,7 @@ from roslens.source.extract.catalogue.hints import ROLES, endpoint_of
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.gazebo_plugins import plugins
 from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
+from roslens.source.extract.symbolic.condition import as_written
 
 SPAWN = '<node pkg="gazebo_ros" type="spawn_model" name="spawn" args="-urdf -param robot_description -model m"/>'
 DESCRIBE = '<param name="robot_description" command="xacro \'$(find robot)/r.xacro\' ns:=/"/>'
@@ -99,7 +100,7 @@ def test_the_namespace_of_plugins_is_that_of_who_spawns_them():
 def test_conditions_of_the_spawner_and_of_the_description_hold():
     laser = plugin("gazebo_ros_laser", "<topicName>scan</topicName>", '<xacro:if value="$(env A)">{}</xacro:if>')
     found = gazebo(laser, spawn=f'<group if="$(env B)">{SPAWN}</group>')
-    assert found.plugged[0].conditions == ("$(env B)", "$(env A)")
+    assert as_written(found.plugged[0].conditions) == ("$(env B)", "$(env A)")
 
 
 def test_what_is_missing_of_a_description_is_told():

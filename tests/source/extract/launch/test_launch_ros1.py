@@ -11,6 +11,7 @@ import yaml
 
 from roslens.source.extract.facts.files import FolderFiles
 from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
+from roslens.source.extract.symbolic.condition import as_written
 
 ROOT = Path(__file__).parents[3] / "fixtures" / "extract" / "launch_ros1"
 CASES = sorted(path.name for path in (ROOT / "robot" / "launch").iterdir())
@@ -100,11 +101,11 @@ def test_what_depends_on_the_machine_is_a_hole():
         '<node if="$(arg x)" pkg="a" type="b" name="$(anon n)" ns="$(optenv NS left)"/></launch>'
     )
     (node,) = evaluate_ros1("a.launch", files).nodes
-    assert node.conditions == ("$(arg x)",)
+    assert as_written(node.conditions) == ("$(arg x)",)
     assert node.anonymous
     assert node.namespace.usual == "/left"
     (node,) = evaluate_ros1("a.launch", files, environment={"ROBOT": "true"}).nodes
-    assert node.conditions == ()
+    assert as_written(node.conditions) == ()
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import pytest
 
 from roslens.source.extract.facts.files import FolderFiles
 from roslens.source.extract.launch.launch_ros2 import evaluate_ros2, full_name, within
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Text
 
 ROOT = Path(__file__).parents[3] / "fixtures" / "extract" / "launch_ros2"
@@ -34,7 +35,7 @@ def told(node):
         str(node.container),
         {f"{one.node}{' ' * bool(one.node)}{one.name}": str(one.value) for one in node.settings},
         {str(one.source): str(one.target) for one in node.remaps},
-        node.conditions,
+        as_written(node.conditions),
     )
 
 
@@ -104,7 +105,7 @@ def test_both_ways_of_what_is_unknown_keep_their_condition():
         )
     )
     whole = evaluate_ros2("a.py", files)
-    assert [(str(node.executable), node.conditions) for node in whole.nodes] == [
+    assert [(str(node.executable), as_written(node.conditions)) for node in whole.nodes] == [
         ("always", ("not random.random() > 0.5",)),
         ("there", ("not random.random() > 0.5", "os.path.exists('/etc/robot')")),
         ("gone", ("not random.random() > 0.5", "not os.path.exists('/etc/robot')")),
@@ -123,7 +124,7 @@ def test_loops_functions_and_events():
         )
     )
     whole = evaluate_ros2("a.py", files)
-    assert [(node.name.pattern, node.conditions) for node in whole.nodes] == [
+    assert [(node.name.pattern, as_written(node.conditions)) for node in whole.nodes] == [
         ("robot0", ()),
         ("robot1", ()),
         ("robot*", ("for each of os.listdir('/robots')",)),

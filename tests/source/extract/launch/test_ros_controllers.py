@@ -6,7 +6,8 @@ from roslens.source.extract.facts.files import FolderFiles
 from roslens.source.extract.facts.launched import Launch, Launched, Setting
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
 from roslens.source.extract.launch.ros_controllers import controllers, with_controllers
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.text import Text, Written, unknown
 
 START, YAML = Evidence("pkg/a.launch", 3), Evidence("pkg/controllers.yaml", 4)
 SERVICE = Text.of("controller_manager/load_controller")
@@ -43,9 +44,9 @@ VELOCITY = set_to("/base/type", "velocity_controllers/JointVelocityController")
 
 
 def test_a_controller_is_in_the_node_with_its_manager():
-    found = launched(GAZEBO, spawner("base", conditions=("on",)), settings=(VELOCITY,))
+    found = launched(GAZEBO, spawner("base", conditions=(Written("on"),)), settings=(VELOCITY,))
     (one,) = [end for end in found.nodes[0].plugged if end is not LOADS]
-    assert (one.role, str(one.name), one.type.known, one.conditions) == (
+    assert (one.role, str(one.name), one.type.known, as_written(one.conditions)) == (
         Role.SUBSCRIPTION, "/base/command", "std_msgs/Float64", ("on",),
     )  # fmt: skip
     assert (one.evidence.path, one.evidence.line, one.evidence.sure.value) == (YAML.path, 4, "likely")
@@ -75,7 +76,7 @@ def test_parameters_of_a_controller_decide(value, told):
     settings = [set_to("/base/type", "diff_drive_controller/DiffDriveController")]
     settings += [] if value is None else [set_to("/base/publish_cmd", value)]
     found = launched(GAZEBO, spawner("base"), settings=tuple(settings))
-    ends = {one.name.pattern: one.conditions for one in found.nodes[0].plugged}
+    ends = {one.name.pattern: as_written(one.conditions) for one in found.nodes[0].plugged}
     assert ends.get("/base/cmd_vel_out") == told
     assert "/tf" in ends
 

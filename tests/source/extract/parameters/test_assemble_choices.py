@@ -7,7 +7,20 @@ from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Role
 from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_choices import alternatives, as_decided, chosen_of
 from roslens.source.extract.parameters.assemble_parameters import Values
-from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text, unknown
+from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.text import (
+    And,
+    AreEqual,
+    Choice,
+    Hole,
+    IsSet,
+    IsTrue,
+    Not,
+    Or,
+    Text,
+    Written,
+    unknown,
+)
 
 ROS1 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros1")
 ROS2 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros2")
@@ -23,12 +36,12 @@ def parameter(name, default=None):
 
 
 def choice(then, otherwise, test=None, condition="c"):
-    held = Choice(condition, Text.of(then), Text.of(otherwise), () if test is None else (test,))
+    held = Choice(Written(condition), Text.of(then), Text.of(otherwise), () if test is None else (test,))
     return Text((Hole("one or the other", choice=(held,)),))
 
 
 def told(text, held):
-    return [(str(one.text), one.conditions, one.sure) for one in alternatives(text, held)]
+    return [(str(one.text), as_written(one.conditions), one.sure) for one in alternatives(text, held)]
 
 
 def test_both_stand_there_with_their_conditions_where_nothing_decides():
@@ -42,33 +55,33 @@ def test_both_stand_there_with_their_conditions_where_nothing_decides():
 
 
 def test_what_is_set_decides():
-    text = Text.of("x/", choice("a", "b", Asked("true", (parameter("p", "true"),))))
+    text = Text.of("x/", choice("a", "b", IsTrue(parameter("p", "true"))))
     assert told(text, values(p="false")) == [("x/b", (), Sure.CERTAIN)]
     assert told(text, values(p="1")) == [("x/a", (), Sure.CERTAIN)]
     assert told(text, values()) == [("x/a", (), Sure.LIKELY)]
 
 
 def test_comparisons_and_what_is_joined():
-    equal = Asked("equal", (parameter("m"), Text.of("fast")))
-    both = Asked("and", (), (equal, Asked("true", (parameter("p"),)).opposite))
+    equal = AreEqual(parameter("m"), Text.of("fast"))
+    both = And((equal, Not(IsTrue(parameter("p")))))
     assert told(choice("a", "b", equal), values(m="fast"))[0][0] == "a"
-    assert told(choice("a", "b", equal.opposite), values(m="fast"))[0][0] == "b"
+    assert told(choice("a", "b", Not(equal)), values(m="fast"))[0][0] == "b"
     assert told(choice("a", "b", both), values(m="fast", p="no"))[0][0] == "a"
     assert told(choice("a", "b", both), values(m="slow"))[0][0] == "b"
     assert len(told(choice("a", "b", both), values(m="fast"))) == 2
-    assert told(choice("a", "b", Asked("or", (), (equal, both))), values(m="fast"))[0][0] == "a"
-    number = Asked("equal", (parameter("n"), Text.of("2")))
+    assert told(choice("a", "b", Or((equal, both))), values(m="fast"))[0][0] == "a"
+    number = AreEqual(parameter("n"), Text.of("2"))
     assert told(choice("a", "b", number), values(n="2.0"))[0][0] == "a"
 
 
 def test_a_parameter_that_is_set_or_not():
-    text = choice("usual", parameter("~t"), Asked("set", (parameter("~t"),)).opposite)
+    text = choice("usual", parameter("~t"), Not(IsSet(parameter("~t"))))
     assert told(text, values(ROS1))[0] == ("usual", (), Sure.LIKELY)
     (one,) = alternatives(text, values(ROS1, **{"~t": "given"}))
     assert one.text == parameter("~t")
-    declared = choice("a", "b", Asked("set", (parameter("p", "1"),)))
+    declared = choice("a", "b", IsSet(parameter("p", "1")))
     assert told(declared, values())[0][0] == "a"
-    assert len(told(choice("a", "b", Asked("set", (parameter("p"),))), values())) == 2
+    assert len(told(choice("a", "b", IsSet(parameter("p"))), values())) == 2
 
 
 def test_nothing_is_no_name_and_the_same_twice_is_no_choice():
@@ -92,16 +105,18 @@ def test_too_many_are_left_as_a_hole():
 
 
 def test_a_choice_inside_of_a_text_is_filled():
-    text = choice("a", parameter("t"), Asked("true", (parameter("p"),)))
+    text = choice("a", parameter("t"), IsTrue(parameter("p")))
     filled = values(p="false", t="given").fill(text)
     assert (filled.text.known, filled.sure) == ("given", Sure.CERTAIN)
     assert filled.how == ("parameter p, set in a.yaml:1; parameter t, set in a.yaml:1",)
 
 
 def test_an_endpoint_keeps_what_was_chosen():
-    fact = EndpointFact(Role.PUBLISHER, choice("a", "b"), Text.of("m/T"), Evidence("a.cpp", 3), conditions=("x",))
+    fact = EndpointFact(
+        Role.PUBLISHER, choice("a", "b"), Text.of("m/T"), Evidence("a.cpp", 3), conditions=(Written("x"),)
+    )
     first = alternatives(fact.name, values())[0]
-    assert chosen_of(fact, first, first.text).conditions == ("x", "c")
+    assert as_written(chosen_of(fact, first, first.text).conditions) == ("x", "c")
     plain = EndpointFact(Role.PUBLISHER, Text.of("a"), Text.of("m/T"), Evidence("a.cpp", 3))
     assert chosen_of(plain, alternatives(plain.name, values())[0], Text.of("a")) == plain
 
@@ -146,10 +161,15 @@ def test_each_item_of_what_a_function_returns_in_three_places(units):
 
 
 def test_conditions_that_what_is_set_decides():
-    asked = (("on", Asked("true", (parameter("on", "true"),))),)
+    asked = ((Written("on"), IsTrue(parameter("on", "true"))),)
     fact = EndpointFact(
-        Role.PUBLISHER, Text.of("a"), Text.of("m/T"), Evidence("a.cpp", 3), conditions=("x", "on"), asked=asked
+        Role.PUBLISHER,
+        Text.of("a"),
+        Text.of("m/T"),
+        Evidence("a.cpp", 3),
+        conditions=(Written("x"), Written("on")),
+        asked=asked,
     )
-    assert as_decided(fact, values(on="true")).conditions == ("x",)
+    assert as_written(as_decided(fact, values(on="true")).conditions) == ("x",)
     assert as_decided(fact, values(on="false")) is None
     assert as_decided(fact, values()) == fact

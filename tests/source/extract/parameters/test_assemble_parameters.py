@@ -11,7 +11,7 @@ from roslens.source.extract.parameters.assemble_parameters import (
     parameters_of,
     set_outside,
 )
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 
 CODE = Evidence("a.cpp", 3)
 YAML = Evidence("a.yaml", 5)
@@ -112,7 +112,7 @@ def test_a_node_may_declare_whatever_is_set():
     facts = (
         ParameterFact(Text.of("a"), CODE, "read"),
         ParameterFact(Text.of("b"), CODE, "read"),
-        ParameterFact(Text.of("c"), CODE, "declared", conditions=("debug",)),
+        ParameterFact(Text.of("c"), CODE, "declared", conditions=(Written("debug"),)),
     )
     values = Values(ROS2, (setting("a", "1"), setting("c", "3"), setting("d", "4")))
     made = Proof("a.py", 1)

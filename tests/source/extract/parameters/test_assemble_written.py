@@ -3,7 +3,7 @@ import pytest
 from roslens.model.configuration import ConfiguredParameter, Origin, Proof
 from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
 from roslens.source.extract.parameters.assemble_written import Write, after_writes, taken_by_server
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, Written, unknown
 
 PLACE = Evidence("a.cpp", 3)
 LAUNCH = Proof("a.launch", 1, origin=Origin.LAUNCH)
@@ -39,23 +39,23 @@ def test_the_last_one_counts():
     assert (found.value, found.written_by.line) == ("4", 4)
 
 
-@pytest.mark.parametrize("doubt", [{"sure": Sure.LIKELY}, {"conditions": ("armed",)}])
+@pytest.mark.parametrize("doubt", [{"sure": Sure.LIKELY}, {"conditions": (Written("armed"),)}])
 def test_one_that_is_not_sure_leaves_the_value_and_says_so(doubt):
     held = ", only if armed" if "conditions" in doubt else ""
     assert result(SET, write(Text.of("2"), **doubt)) == ("1", "likely", f"`2` may be written{held}")
 
 
 def test_where_nothing_is_set_it_is_what_there_may_be():
-    assert result(NOT_SET, write(Text.of("2"), conditions=("armed",))) == ("2", "likely", "only if armed")
+    assert result(NOT_SET, write(Text.of("2"), conditions=(Written("armed"),))) == ("2", "likely", "only if armed")
 
 
 def test_the_same_value_again_changes_nothing():
-    assert result(SET, write(Text.of("1"), conditions=("armed",))) == ("1", "", "")
+    assert result(SET, write(Text.of("1"), conditions=(Written("armed"),))) == ("1", "", "")
 
 
 def test_an_unknown_value_makes_it_unknown():
     assert result(SET, write(unknown("pose"))) == (None, "possible", "{pose}")
-    assert result(SET, write(unknown("pose"), conditions=("armed",))) == (
+    assert result(SET, write(unknown("pose"), conditions=(Written("armed"),))) == (
         "1", "likely", "`{pose}` may be written, only if armed",
     )  # fmt: skip
 
@@ -89,7 +89,7 @@ def test_a_server_takes_what_was_written_before_it():
 
 
 def test_a_server_that_there_may_be_changes_nothing_for_sure():
-    assert after_writes(SET, [serve(Text.of("7"), between="3..9", conditions=("armed",))]) == SET
+    assert after_writes(SET, [serve(Text.of("7"), between="3..9", conditions=(Written("armed"),))]) == SET
 
 
 def test_a_default_that_is_unknown():

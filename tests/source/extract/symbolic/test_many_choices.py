@@ -9,20 +9,20 @@ from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_choices import alternatives
 from roslens.source.extract.parameters.assemble_parameters import Values
 from roslens.source.extract.symbolic.many_choices import MANY, MOST_WAYS, of_many
-from roslens.source.extract.symbolic.text import Asked, Text, unknown
+from roslens.source.extract.symbolic.text import IsTrue, Text, Written, unknown
 
 
 def chain(length, first=None):
     text = first or Text.of("the_first_of_all_names")
     for number in range(length):
-        text = either(Text.of(f"another_name_{number}"), text, f"the condition no. {number} > 0")
+        text = either(Text.of(f"another_name_{number}"), text, Written(f"the condition no. {number} > 0"))
     return text
 
 
 def doubled(levels, of="name"):
     text = Text.of(of)
     for number in range(levels):
-        text = either(Text.of("a/", text), Text.of("b/", text), f"is_global(name) at level {number}")
+        text = either(Text.of("a/", text), Text.of("b/", text), Written(f"is_global(name) at level {number}"))
     return text
 
 
@@ -38,8 +38,8 @@ def values(**given):
 def test_few_ways_stay_apart():
     text = chain(MOST_WAYS - 1)
     assert text.holes[0].choice
-    assert of_many("c", Text.of("a"), Text.of("b")) is None
-    assert of_many("c", chain(6), chain(6)) is None
+    assert of_many(Written("c"), Text.of("a"), Text.of("b")) is None
+    assert of_many(Written("c"), chain(6), chain(6)) is None
 
 
 def test_choices_in_choices_end_as_one_unknown_part():
@@ -64,8 +64,8 @@ def test_what_decides_and_may_stand_is_said():
 
 
 def test_nothing_that_is_set_makes_one_of_many_known():
-    asked = Asked("true", (unknown("parameter p", parameter="p", default="true"),))
-    text = of_many("p", *(either(chain(5), chain(6), "p", asked) for _ in range(2)))
+    asked = IsTrue(unknown("parameter p", parameter="p", default="true"))
+    text = of_many(Written("p"), *(either(chain(5), chain(6), Written("p"), asked) for _ in range(2)))
     assert text is not None
     assert values(p="true").fill(text).text.known is None
     assert [one.text for one in alternatives(text, values(p="true"))] == [text]
@@ -73,10 +73,10 @@ def test_nothing_that_is_set_makes_one_of_many_known():
 
 
 def test_where_many_may_stand_the_few_others_are_not_told_apart():
-    many = of_many("c", chain(10), chain(10))
+    many = of_many(Written("c"), chain(10), chain(10))
     assert many is not None
-    asked = Asked("true", (unknown("parameter p", parameter="p"),))
-    text = either(Text.of("scan"), many, "p", asked)
+    asked = IsTrue(unknown("parameter p", parameter="p"))
+    text = either(Text.of("scan"), many, Written("p"), asked)
     assert [one.text for one in alternatives(text, values())] == [text]
     assert [one.text for one in alternatives(text, values(p="true"))] == [Text.of("scan")]
     assert [one.text for one in alternatives(text, values(p="false"))] == [text]

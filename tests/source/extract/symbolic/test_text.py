@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Choice, Hole, IsTrue, Not, Text, Written, unknown
 
 HOLES = st.builds(Hole, st.sampled_from(["argument", "parameter"]), default=st.none() | st.text(max_size=3))
 PARTS = st.lists(st.text(max_size=3) | HOLES, max_size=6)
@@ -42,12 +42,12 @@ def test_the_name_of_a_node_counts_with_what_is_below_it_only():
 
 def test_holes_are_changed_in_choices_too():
     hole = Hole("a")
-    test = Asked("not", (), (Asked("true", (Text((hole,)),)),))
-    text = Text((Hole("one or the other", choice=(Choice("c", Text((hole,)), Text.of("b"), (test,)),)),))
+    test = Not(IsTrue(Text((hole,))))
+    text = Text((Hole("one or the other", choice=(Choice(Written("c"), Text((hole,)), Text.of("b"), (test,)),)),))
     changed = text.mapped(lambda one: Text.of("known") if one == hole else one)
     (choice,) = changed.holes[0].choice
     assert (str(choice.then), str(choice.otherwise)) == ("known", "b")
-    assert choice.test[0].opposite.texts == (Text.of("known"),)
+    assert choice.test[0] == Not(IsTrue(Text.of("known")))
     assert Text.of("a").mapped(lambda one: one) == Text.of("a")
 
 

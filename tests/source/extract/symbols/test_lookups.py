@@ -1,4 +1,5 @@
-from roslens.source.extract.ir.program import Name, Opaque, Operation
+from roslens.source.extract.ir.program import NO_EXCEPTION, Name, Opaque, Operation
+from roslens.source.extract.symbolic.text import And, NoException, Not, Or, Written
 from roslens.source.extract.symbols.lookups import Lookups
 
 
@@ -17,5 +18,9 @@ def test_equal_expressions_are_told_apart_by_identity_and_have_equal_texts():
 
 def test_a_condition_is_written_as_people_do():
     lookups = Lookups()
-    assert lookups.condition(Operation("not", (Name("ready_"),))) == "not ready_"
-    assert lookups.condition(Opaque("x < 3")) == "x < 3"
+    assert lookups.condition(Operation("not", (Name("ready_"),))) == Not(Written("ready_"))
+    assert lookups.condition(Opaque("x < 3")) == Written("x < 3")
+    assert str(lookups.condition(Operation("<", (Name("x"), Name("y"))))) == "x < y"
+    both = Operation("or", (Operation("and", (Name("a"), Name("b"))), Name("c")))
+    assert lookups.condition(both) == Or((And((Written("a"), Written("b"))), Written("c")))
+    assert lookups.condition(NO_EXCEPTION) == NoException()

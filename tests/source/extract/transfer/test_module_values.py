@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 HEAD = """
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -34,4 +36,4 @@ class Other:
 )
 def test_what_a_module_makes_of_a_variable(units, module, told):
     (found,) = units(main_py=HEAD.format(module))
-    assert [(one.name.known, one.conditions) for one in found.endpoints] == told
+    assert [(one.name.known, as_written(one.conditions)) for one in found.endpoints] == told

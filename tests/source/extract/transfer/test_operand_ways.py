@@ -1,5 +1,7 @@
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 PUB = "create_publisher<std_msgs::msg::String>({}, 1);"
 SET = 'bool set(std::string & s) { s = "b"; return ask(2); }'
 SET_MEMBER = 'bool set() { s_ = "b"; return ask(2); }\nstd::string s_ = "a";'
@@ -29,9 +31,12 @@ def test_what_it_sets_in_its_object_is_one_too(node_of):
 def test_what_an_operand_makes_has_its_condition(node_of):
     method = f"bool make(std::string s) {{ {PUB.format('s')} return true; }}"
     found = node_of('bool on = ask(1) && make("a");', method).endpoints
-    assert [(str(one.name), one.conditions) for one in found] == [("a", ("ask(1)",))]
+    assert [(str(one.name), as_written(one.conditions)) for one in found] == [("a", ("ask(1)",))]
     found = node_of('ask(1) ? make("a") : make("b");', method).endpoints
-    assert {str(one.name): one.conditions for one in found} == {"a": ("ask(1)",), "b": ("not ask(1)",)}
+    assert {str(one.name): as_written(one.conditions) for one in found} == {
+        "a": ("ask(1)",),
+        "b": ("not ask(1)",),
+    }
 
 
 def test_that_what_came_before_went_well_is_no_condition(node_of):
@@ -39,7 +44,7 @@ def test_that_what_came_before_went_well_is_no_condition(node_of):
         f"bool {name}() {{ {PUB.format(chr(34) + name + chr(34))} return ask(1); }}\n" for name in ("one", "two")
     )
     found = node_of("if (!one() || !two()) { return; }", methods).endpoints
-    assert {str(one.name): one.conditions for one in found} == {"one": (), "two": ()}
+    assert {str(one.name): as_written(one.conditions) for one in found} == {"one": (), "two": ()}
 
 
 def test_what_was_not_known_before_is_what_it_becomes(node_of):

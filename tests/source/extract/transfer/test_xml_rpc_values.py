@@ -1,11 +1,15 @@
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 FILL = 'XmlRpc::XmlRpcValue all; all["size"] = 5; all["name"] = std::string("x");'
 
 
 def writes(facts):
     return [
-        (str(one.name), one.type, str(one.value), one.conditions) for one in facts.parameters if one.access == "written"
+        (str(one.name), one.type, str(one.value), as_written(one.conditions))
+        for one in facts.parameters
+        if one.access == "written"
     ]
 
 

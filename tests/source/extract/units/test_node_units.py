@@ -1,3 +1,4 @@
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.units.node_units import (
     facts_of_class,
@@ -53,7 +54,10 @@ def test_classes_that_are_nodes(index_of):
     reached = Reached()
     (facts,) = facts_of_class(index, defined, generation, kind, reached)
     assert (facts.name.known, facts.namespace.known, facts.kind) == ("own", "space", "lifecycle")
-    assert [(one.name.known, one.conditions) for one in facts.endpoints] == [("out", ()), ("in", ("late() is called",))]
+    assert [(one.name.known, as_written(one.conditions)) for one in facts.endpoints] == [
+        ("out", ()),
+        ("in", ("late() is called",)),
+    ]
     assert ("pkg/a.cpp", 8) in reached
 
 
@@ -94,7 +98,10 @@ class A : public rclcpp::Node { public: A() : Node("a") {
   bool ready_ = false; };
 """
     (facts,) = units(a_cpp=text)
-    assert [(one.name.known, one.conditions) for one in facts.endpoints] == [("in", ()), ("out", ("ready_",))]
+    assert [(one.name.known, as_written(one.conditions)) for one in facts.endpoints] == [
+        ("in", ()),
+        ("out", ("ready_",)),
+    ]
 
 
 def test_members_may_have_changed_when_a_callback_runs(units):

@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.facts.launched import Launch, Launched
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, Written, unknown
 from roslens.source.rules.graph.static_transforms import frames_of, static_transforms
 from roslens.source.rules.graph.surroundings import Transform
 from testbed.configured import configuration, launched, node
@@ -28,7 +28,7 @@ def test_frames_of_command_lines(line, frames):
 
 def publisher(*words, executable="static_transform_publisher"):
     arguments = tuple(Text.of(word) if isinstance(word, str) else word for word in words)
-    return Launched(Text.of("tf2_ros"), Text.of(executable), PLACE, arguments=arguments, conditions=("sim",))
+    return Launched(Text.of("tf2_ros"), Text.of(executable), PLACE, arguments=arguments, conditions=(Written("sim"),))
 
 
 def test_a_publisher_is_named_as_in_the_configuration():

@@ -15,7 +15,7 @@ from roslens.model.errors import UsageError
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, Written, unknown
 from roslens.source.settings import NodeHint
 
 _RELIABLE = ("reliable", "volatile", "keep_last")
@@ -37,6 +37,7 @@ ROLES = {
 }
 _PIECES = re.compile(r"\{([^{}=]+)(?:=([^{}]*))?\}")
 _TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Za-z]\w*|\*")
+_IS_SET = " is set"
 _EXPECTED = 'a text "name package/msg/Type", with "latched", "sensor_data" or a depth after it where it is known'
 
 
@@ -73,8 +74,14 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
         qos_unknown="" if qos is None or qos.reliability else "it is not told",
         queue=int(quality) if generation == "ros1" and number else -1,
         latched=generation == "ros1" and quality == "latched",
-        conditions=(condition.strip(),) if condition.strip() else (),
+        conditions=(_condition(condition.strip()),) if condition.strip() else (),
     )
+
+
+def _condition(written: str) -> Condition:
+    """Return a condition of a line; that a parameter is set is what decides it."""
+    name, ending, rest = written.partition(_IS_SET)
+    return IsSet(Text.of(name)) if ending and not rest else Written(written)
 
 
 def text_of(written: str, words: Sequence[Text] = ()) -> Text:

@@ -13,7 +13,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.parameters.assemble_parameters import Values
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 from roslens.source.extract.symbolic.text_lists import listed
 
 _ROS1, _ROS2 = "ros/ros_comm: tools/topic_tools", "ros-tooling/topic_tools: topic_tools"
@@ -64,7 +64,7 @@ def _end(
     why = "it is that of what it is told" if qos is not None else ""
     evidence = Evidence(source, 0, 0, _HOW, Sure.LIKELY)
     return EndpointFact(
-        role, name, told, evidence, conditions=conditions, qos=qos, qos_unknown=why, queue=queue,
+        role, name, told, evidence, conditions=tuple(map(Written, conditions)), qos=qos, qos_unknown=why, queue=queue,
         latched=latched,
     )  # fmt: skip
 

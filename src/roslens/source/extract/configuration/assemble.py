@@ -33,7 +33,7 @@ from roslens.source.extract.overlays.language.command_words import words_of
 from roslens.source.extract.parameters.assemble_parameters import Values, set_outside
 from roslens.source.extract.parameters.assemble_proof import launch_proof
 from roslens.source.extract.parameters.parameter_file import ros2_parameters
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.call_sites import places_of
 from roslens.source.settings import NodeHint
 
@@ -115,7 +115,7 @@ def _started(target: Target, kind: str) -> Launched:
         executable=Text() if kind != "node" else name,
         evidence=target.evidence,
         plugin=name if kind != "node" else Text(),
-        conditions=target.conditions,
+        conditions=tuple(map(Written, target.conditions)),
         kind=kind,
     )
 

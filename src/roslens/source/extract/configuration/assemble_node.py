@@ -44,11 +44,10 @@ from roslens.source.extract.launch.ros1_nodelet import is_process
 from roslens.source.extract.parameters.assemble_choices import Alternative, alternatives, as_decided, chosen_of, doubt
 from roslens.source.extract.parameters.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
-from roslens.source.extract.symbolic.condition import under_either
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.condition import as_written, under_either
+from roslens.source.extract.symbolic.text import Conditions, Hole, IsSet, Text, unknown
 from roslens.source.settings import NodeHint
 
-_IS_SET = " is set"
 _ITSELF = Alternative(Text())
 _SIM_TIME = {"ros2": "use_sim_time", "ros1": "/use_sim_time"}
 
@@ -162,6 +161,7 @@ class _Node:
         self.used = {number for number, one in enumerate(given.launched.remaps) if one in given.launched.taken}
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
+        self.formulas: dict[tuple[str, ...], Conditions] = {(): ()}
         self.overriding = Overriding(self.values, shared=facts.path.endswith(".py"))
         self.origin = meant.origin
         launched = given.launched
@@ -205,8 +205,8 @@ class _Node:
             self.given.container,
             launched.machine,
             launched.anonymous or any(hole.reason == "random end" for hole in self.place.node.holes),
-            (*launched.conditions, *self.meant.conditions, *facts.conditions),
-            tuple(_distinct(endpoints)),
+            as_written((*launched.conditions, *self.meant.conditions, *facts.conditions)),
+            tuple(self._distinct(endpoints)),
             parameters,
             tuple(self._remaps()),
             tuple(
@@ -242,14 +242,12 @@ class _Node:
             else (one for f in facts for one in each_item(f, self.values))
         )
         for fact in known:
-            if self.origin is Origin.CATALOGUE and any(one.endswith(_IS_SET) for one in fact.conditions):
-                names = [one.removesuffix(_IS_SET) for one in fact.conditions if one.endswith(_IS_SET)]
-                if any(self.values.value(Text.of(private + name)) is None for name in names):
-                    continue
-                others = tuple(one for one in fact.conditions if not one.endswith(_IS_SET))
-                yield msgspec.structs.replace(fact, conditions=others)
-            else:
+            asks = [one for one in fact.conditions if type(one) is IsSet] if self.origin is Origin.CATALOGUE else []
+            if not asks:
                 yield fact
+            elif all(self.values.value(Text.of(private, one.text)) is not None for one in asks):
+                others = tuple(one for one in fact.conditions if one not in asks)
+                yield msgspec.structs.replace(fact, conditions=others)
 
     def _kind(self) -> str:
         kind = self.given.launched.kind
@@ -295,7 +293,8 @@ class _Node:
         fact = self.overriding.take(fact, resolved, sure, looped=looped)
         return ConfiguredEndpoint(
             Endpoint(self.name, fact.role, resolved.pattern, kind.text.known or "", qos=fact.qos),
-            proof, given, not resolved.holes, fact.conditions, None if by is None else launch_proof(by.evidence),
+            proof, given, not resolved.holes, self._words(fact.conditions),
+            None if by is None else launch_proof(by.evidence),
             fact.qos_unknown, fact.queue, fact.latched, fact.callback, fact.group,
             tuple(proof_of(one, self.origin) for one in fact.sites),
             tuple(proof_of(one, self.origin) for one in fact.through),
@@ -328,6 +327,28 @@ class _Node:
             proof = msgspec.structs.replace(one.proof, sure="likely", how="; ".join(words)) if words else one.proof
             remapped.append(msgspec.structs.replace(one, endpoint=endpoint, proof=proof, remapped=remap))
         return remapped
+
+    def _words(self, conditions: Conditions) -> tuple[str, ...]:
+        """Return conditions in words, and remember which they were."""
+        words = as_written(conditions)
+        self.formulas[words] = conditions
+        return words
+
+    def _distinct(self, endpoints: Sequence[ConfiguredEndpoint]) -> list[ConfiguredEndpoint]:
+        """Return endpoints sorted, those of code before the same ones that every node has."""
+        kept: dict[tuple[str, str, str, str, int, bool], ConfiguredEndpoint] = {}
+        for one in sorted(endpoints, key=lambda one: (one.implicit, one.proof.place)):
+            end = one.endpoint
+            place = "" if one.implicit else one.proof.path
+            key = (end.role.value, end.name, end.type, place, 0 if one.implicit else one.proof.line, one.implicit)
+            same = (end.role.value, end.name, end.type)
+            if one.implicit and any(other[:3] == same for other in kept):
+                continue
+            before = kept.setdefault(key, one)
+            if before.conditions != one.conditions:
+                either = under_either(self.formulas[before.conditions], self.formulas[one.conditions])
+                kept[key] = msgspec.structs.replace(before, conditions=self._words(either))
+        return sorted(kept.values(), key=lambda one: (one.endpoint.role.value, one.endpoint.name, one.proof.place))
 
     def _remaps(self) -> list[ConfiguredRemap]:
         # Code that is unknown, or not understood everywhere, may have the name that a remapping is for.
@@ -376,20 +397,3 @@ def container_name(launched: Launched, generation: str) -> str:
 
 def _why(text: Text) -> str:
     return "; ".join(dict.fromkeys(hole.reason for hole in text.holes))
-
-
-def _distinct(endpoints: Sequence[ConfiguredEndpoint]) -> list[ConfiguredEndpoint]:
-    """Return endpoints sorted, those of code before the same ones that every node has."""
-    kept: dict[tuple[str, str, str, str, int, bool], ConfiguredEndpoint] = {}
-    for one in sorted(endpoints, key=lambda one: (one.implicit, one.proof.place)):
-        end = one.endpoint
-        place = "" if one.implicit else one.proof.path
-        key = (end.role.value, end.name, end.type, place, 0 if one.implicit else one.proof.line, one.implicit)
-        same = (end.role.value, end.name, end.type)
-        if one.implicit and any(other[:3] == same for other in kept):
-            continue
-        before = kept.setdefault(key, one)
-        if before.conditions != one.conditions:
-            either = under_either(before.conditions, one.conditions)
-            kept[key] = msgspec.structs.replace(before, conditions=either)
-    return sorted(kept.values(), key=lambda one: (one.endpoint.role.value, one.endpoint.name, one.proof.place))

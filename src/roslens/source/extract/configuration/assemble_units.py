@@ -9,7 +9,7 @@ from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.launched import Launched
 from roslens.source.extract.facts.meant import Meant
 from roslens.source.extract.facts.node_facts import NodeFacts, Target, TargetKind
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Text, Written
 
 _PROGRAMS = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})
 _LOADED = frozenset({TargetKind.COMPONENT, TargetKind.NODELET, TargetKind.PLUGIN})
@@ -165,9 +165,10 @@ def facts_of_target(
     else:
         found = _of_program(target, units, words, chosen)
         what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
+    conditions = tuple(map(Written, target.conditions))
     if not found:
-        return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=target.conditions)
-    return Meant(tuple(found), conditions=target.conditions)
+        return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=conditions)
+    return Meant(tuple(found), conditions=conditions)
 
 
 def _of_program(

@@ -23,7 +23,7 @@ from roslens.source.extract.facts.node_facts import (
     with_texts,
 )
 from roslens.source.extract.ir.program import Function
-from roslens.source.extract.symbolic.text import MAKER, Asked, Hole, Text
+from roslens.source.extract.symbolic.text import MAKER, Condition, Conditions, Hole, IsTrue, Text
 from roslens.source.extract.symbols.workspace_index import Defined
 
 _OF_LIST = ("each of ", "item ")
@@ -33,7 +33,7 @@ class Unknown(msgspec.Struct, frozen=True):
     """A value of which nothing is known but why; ``test`` is what decides whether it is true, where that is known."""
 
     reason: str
-    test: Asked | None = None
+    test: Condition | None = None
 
 
 _OF_NODE = re.compile(r"(.* (?:of|above) the node)(?: no\. (\d+))?|(parameter .*?)(?: of node no\. (\d+))?", re.DOTALL)
@@ -59,7 +59,7 @@ class Building(msgspec.Struct, eq=False):
     settings: list[tuple[Text, Text]] = []
     global_arguments: bool = True
     inherits: Inherits = Inherits.NOTHING
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     options: Any = None
     number: int = 0
     uses: list[str] = []
@@ -127,7 +127,7 @@ class Obj(msgspec.Struct, eq=False):
     node: Building | None = None
     templates: dict[str, str] = {}
     base_templates: dict[str, dict[str, str]] = {}
-    ways: tuple[tuple[tuple[str, ...], Obj], ...] = ()
+    ways: tuple[tuple[Conditions, Obj], ...] = ()
 
     def templates_of(self, class_name: str) -> dict[str, str]:
         """Return what the template parameters stand for in its class, or in a base of it."""
@@ -189,11 +189,11 @@ class Class(msgspec.Struct, frozen=True, eq=False):
     defined: Defined
 
 
-def test_of(value: Any) -> Asked | None:
+def test_of(value: Any) -> Condition | None:
     """Return what decides whether a value is true; None where nothing that is known does."""
     if isinstance(value, Unknown):
         return value.test
-    return Asked("true", (value,)) if isinstance(value, Text) and value.holes else None
+    return IsTrue(value) if isinstance(value, Text) and value.holes else None
 
 
 def as_text(value: Any) -> Text:

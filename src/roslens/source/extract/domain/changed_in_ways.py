@@ -11,13 +11,13 @@ from typing import Any
 from roslens.source.extract.domain.abstract_value import QosValue, Unknown
 from roslens.source.extract.domain.evaluation_frame import join, one_of
 from roslens.source.extract.domain.quality import one_of as one_quality
-from roslens.source.extract.symbolic.text import Asked
+from roslens.source.extract.symbolic.text import Condition
 
 _MISSING = object()
 _ITEMS, _FEWER = object(), object()
 _WHOLE = (_ITEMS, _FEWER)
 
-Test = Asked | None
+Test = Condition | None
 Way = dict[tuple[int, Any], tuple[Any, Any, Any]]
 """What one way changed, by its place: what holds it, under which key, and what it is at the end of the way."""
 
@@ -73,7 +73,7 @@ class Changes:
         return way
 
     def came_to(
-        self, way: Way, since: int, own: Any, gone: tuple[bool, bool], why: tuple[str, str], test: Test
+        self, way: Way, since: int, own: Any, gone: tuple[bool, bool], why: tuple[Condition, Condition], test: Test
     ) -> None:
         """Let hold what either way came to: one that was taken back, and the other one.
 
@@ -109,7 +109,7 @@ class Changes:
         self._done.clear()
         self.count = 0
 
-    def _join(self, way: Way, condition: str, test: Test) -> None:
+    def _join(self, way: Way, condition: Condition, test: Test) -> None:
         for held, key, value in way.values():
             if key in _WHOLE:
                 _join_items(held, value, condition, test, lost=key is _FEWER)
@@ -132,7 +132,7 @@ def _put(held: Any, key: Any, value: Any) -> None:
         held[key] = value
 
 
-def _join_items(held: Any, other: Any, condition: str, test: Test, *, lost: bool) -> None:
+def _join_items(held: Any, other: Any, condition: Condition, test: Test, *, lost: bool) -> None:
     if other == held:
         return
     reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
@@ -146,7 +146,7 @@ def _join_items(held: Any, other: Any, condition: str, test: Test, *, lost: bool
         held[:] = both
 
 
-def _join_refined(held: Any, key: Any, value: Any, condition: str) -> None:
+def _join_refined(held: Any, key: Any, value: Any, condition: Condition) -> None:
     """Let what shared qualities of service became be one of two: each is kept with what it was."""
     now = held.get(key, _MISSING)
     before = (value if now is _MISSING else now)[0]

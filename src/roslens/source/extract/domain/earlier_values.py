@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import as_text
-from roslens.source.extract.symbolic.text import Asked, Hole, Text
+from roslens.source.extract.symbolic.text import And, Condition, Hole, IsSet, Not, Or, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.evaluation_frame import Frame
@@ -27,7 +27,7 @@ def else_before(value: Any, before: Any) -> Any:
     return Text((msgspec.structs.replace(hole, default=earlier),))
 
 
-def forget_defaults(frame: Frame, test: Asked | None) -> None:
+def forget_defaults(frame: Frame, test: Condition | None) -> None:
     """Let names and members of a function be what they are where a test holds: what is read there is set."""
     there = frozenset(() if test is None else _set(test, holds=True))
     for held in (frame.names, frame.members or {}) if there else ():
@@ -36,7 +36,7 @@ def forget_defaults(frame: Frame, test: Asked | None) -> None:
                 held[name] = _without(value, there)
 
 
-def without_defaults(name: Text, asked: Iterable[tuple[str, Asked]]) -> Text:
+def without_defaults(name: Text, asked: Iterable[tuple[Condition, Condition]]) -> Text:
     """Return a name as it is where these conditions hold: a parameter that is set there has no default."""
     there = frozenset(one for _, test in asked for one in _set(test, holds=True))
     return _without(name, there) if there else name
@@ -46,11 +46,15 @@ def _without(name: Text, there: frozenset[str]) -> Text:
     return name.mapped(lambda hole: msgspec.structs.replace(hole, default=None) if hole.parameter in there else hole)
 
 
-def _set(test: Asked, *, holds: bool) -> Iterator[str]:
-    if test.kind == "set" and holds:
-        yield from (hole.parameter for hole in test.texts[0].holes)
-    elif test.kind == "not":
-        yield from _set(test.tests[0], holds=not holds)
-    elif test.kind == ("and" if holds else "or"):
-        for one in test.tests:
-            yield from _set(one, holds=holds)
+def _set(test: Condition, *, holds: bool) -> Iterator[str]:
+    match test:
+        case IsSet(text=text) if holds:
+            yield from (hole.parameter for hole in text.holes)
+        case Not(of=one):
+            yield from _set(one, holds=not holds)
+        case And(of=parts) if holds:
+            yield from (name for one in parts for name in _set(one, holds=holds))
+        case Or(of=parts) if not holds:
+            yield from (name for one in parts for name in _set(one, holds=holds))
+        case _:
+            return

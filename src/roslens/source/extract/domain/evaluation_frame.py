@@ -15,9 +15,19 @@ from roslens.source.extract.domain.perhaps import perhaps
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.ir.program import Expression, Function
-from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.condition import ALWAYS, all_of, any_of, negated
 from roslens.source.extract.symbolic.many_choices import of_many
-from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text, unknown
+from roslens.source.extract.symbolic.text import (
+    And,
+    Choice,
+    Condition,
+    Conditions,
+    Hole,
+    NoException,
+    Or,
+    Text,
+    unknown,
+)
 
 Held = tuple[dict[str, Any], dict[str, Any]]
 """What names and members of the object hold."""
@@ -43,7 +53,7 @@ class WayOut(msgspec.Struct, frozen=True):
         again: whether only the turn is left.
     """
 
-    conditions: tuple[str, ...]
+    conditions: Conditions
     turn: int
     held: Held
     again: bool
@@ -79,7 +89,7 @@ class Frame:
         depth: conditions around the call, of which a return in it does not depend.
         passed: how many of the conditions hold because the function was not left before.
         plainly: whether the last return told no failure.
-        tests: what decides the conditions of branches, as written, where that is known.
+        tests: what decides the conditions of branches, where that is known.
         kept: variables that live on between calls, and their places.
         left: what ways that left the function changed in members of the object, and their conditions.
     """
@@ -100,62 +110,63 @@ class Frame:
         self.depth = 0
         self.passed = 0
         self.plainly = False
-        self.tests: dict[str, Asked] = {}
+        self.tests: dict[Condition, Condition] = {}
         self.kept: dict[str, tuple[object, ...]] = _NONE
-        self.left: list[tuple[dict[str, Any], str]] = []
-        self._given = ""
-        self._given_test: Asked | None = None
+        self.left: list[tuple[dict[str, Any], Condition]] = []
+        self._given: Condition | None = None
+        self._given_test: Condition | None = None
 
-    def give(self, value: Any, conditions: Sequence[str] = ()) -> None:
+    def give(self, value: Any, conditions: Sequence[Condition] = ()) -> None:
         """Return a value, under conditions that are open or for sure where there are none."""
-        self.result = self._or_else(value) if self._given else value
-        condition, test = " and ".join(conditions), self.test_of(conditions) if conditions else None
-        if condition and self._given:
-            # What was returned until now is returned where either condition holds, whatever comes next.
-            condition = f"{self._given} or {condition}"
-            both = None if test is None else self._given_test
-            test = None if both is None or test is None else Asked("or", (), (both, test))
-        if condition:
+        self.result = value if self._given is None else self._or_else(value, self._given)
+        if conditions:
+            condition, test = all_of(conditions), self.test_of(conditions)
+            if self._given is not None:
+                # What was returned until now is returned where either condition holds, whatever comes next.
+                condition = any_of(self._given, condition)
+                both = None if test is None else self._given_test
+                test = None if both is None or test is None else Or((both, test))
             self._given, self._given_test = condition, test
-        self._given = self._given or "always"
+        elif self._given is None:
+            self._given = ALWAYS
         self.returned = True
 
     def outcome(self) -> Any:
         """Return what the call returned, which is None where its end was reached, and may be where it may have been."""
-        if not self.returned and self._given:
-            self.result = self._or_else(None)
+        if not self.returned and self._given is not None:
+            self.result = self._or_else(None, self._given)
         return self.result
 
-    def know(self, condition: str, otherwise: str, test: Asked | None) -> None:
+    def know(self, condition: Condition, otherwise: Condition, test: Condition | None) -> None:
         """Remember what decides a condition and its opposite."""
         if test is not None:
-            self.tests[condition], self.tests[otherwise] = test, test.opposite
+            self.tests[condition], self.tests[otherwise] = test, negated(test)
         else:
             self.tests.pop(condition, None)
             self.tests.pop(otherwise, None)
 
-    def test_of(self, conditions: Sequence[str]) -> Asked | None:
+    def test_of(self, conditions: Sequence[Condition]) -> Condition | None:
         """Return what decides whether all of several conditions hold; None where that is not known of each."""
         tests = [self.tests[one] for one in conditions if one in self.tests]
         if not tests or len(tests) < len(conditions):
             return None
-        return tests[0] if len(tests) == 1 else Asked("and", (), tuple(tests))
+        return tests[0] if len(tests) == 1 else And(tuple(tests))
 
-    def _or_else(self, value: Any) -> Any:
+    def _or_else(self, value: Any, given: Condition) -> Any:
         """Return what is known where a function returns one value or another one."""
         before = self.result
         if before is None or value is None:
-            return one_or_none(before, value, self._given, self._given_test)
+            return one_or_none(before, value, given, self._given_test)
         texts = [unknown(one.reason) if isinstance(one, Unknown) else one for one in (before, value)]
         one, other = texts
         if isinstance(one, Text) and isinstance(other, Text):
             known = isinstance(before, Text) or isinstance(value, Text)
-            return either(one, other, self._given, self._given_test) if known else before
-        both = one_of(before, value, self._given, self._given_test)
+            return either(one, other, given, self._given_test) if known else before
+        both = one_of(before, value, given, self._given_test)
         if both is not None:
             return both
         if isinstance(before, _DECIDES) and isinstance(value, _DECIDES) and value != before:
-            return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
+            return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {given}")
         return value if isinstance(before, Unknown) else before
 
     def snapshot(self) -> Held:
@@ -167,7 +178,7 @@ class Frame:
         """What the members of the object hold; None of none."""
         return self.self.fields if isinstance(self.self, Obj) else None
 
-    def leave(self, fields: dict[str, Any], before: dict[str, Any], condition: str) -> None:
+    def leave(self, fields: dict[str, Any], before: dict[str, Any], condition: Condition) -> None:
         """Remember what members of the object a way that leaves the function came to, for when it has ended."""
         changed = {name: value for name, value in fields.items() if before.get(name) is not value}
         if changed:
@@ -192,7 +203,7 @@ class Frame:
             fields.clear()
             fields |= before[1]
 
-    def join(self, other: Held, condition: str) -> None:
+    def join(self, other: Held, condition: Condition) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""
         test = self.tests.get(condition)
         join(self.names, other[0], condition, test)
@@ -200,7 +211,7 @@ class Frame:
             join(self.self.fields, other[1], condition, test)
 
 
-def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Asked | None = None) -> None:
+def join(names: dict[str, Any], other: dict[str, Any], condition: Condition, test: Condition | None = None) -> None:
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     known = names.get
     for name, value in [item for item in other.items() if known(item[0]) is not item[1]]:
@@ -221,7 +232,7 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
             names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
 
 
-def one_or_none(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+def one_or_none(value: Any, other: Any, condition: Condition, test: Condition | None = None) -> Any:
     """Return what is known of two values of which one is None: of a text that it may be missing.
 
     Of an object it is taken that it is there where it is used; an endpoint is there, but perhaps not for sure.
@@ -234,7 +245,7 @@ def one_or_none(value: Any, other: Any, condition: str, test: Asked | None = Non
     return msgspec.structs.replace(found, certain=False) if isinstance(found, Made) else found
 
 
-def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+def one_of(value: Any, other: Any, condition: Condition, test: Condition | None = None) -> Any:
     """Return what is known of two values that are no texts, of which a condition chooses; None where either may stand.
 
     Which object of one class or of ROS it is makes no difference in most code: the first one stands for both.
@@ -255,12 +266,12 @@ def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) ->
     return None
 
 
-def _one_list(value: list[Any], other: list[Any], condition: str, test: Asked | None) -> Any:
+def _one_list(value: list[Any], other: list[Any], condition: Condition, test: Condition | None) -> Any:
     """Return the longer list where one goes on where the other ends, as one that is filled does."""
     less, more = sorted((value, other), key=len)
     if more[: len(less)] == less:
         filled = more is value
-        opposite = None if test is None else test.opposite
+        opposite = None if test is None else negated(test)
         rest = perhaps(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
         return [*less, *rest]
     if not any(isinstance(one, Text) for one in (*less, *more)):
@@ -270,7 +281,7 @@ def _one_list(value: list[Any], other: list[Any], condition: str, test: Asked | 
     return [either(one, two, condition, test) for one, two in zip(value, other, strict=True)]
 
 
-def _one_of(value: Any, before: Any, condition: str, test: Asked | None) -> Any:
+def _one_of(value: Any, before: Any, condition: Condition, test: Condition | None) -> Any:
     """Return what is known of a value that is one thing where a condition holds, and another one else."""
     if isinstance(value, Text) and isinstance(before, Text):
         return either(value, before, condition, test)
@@ -300,12 +311,12 @@ def _but_for_slashes(one: Text, other: Text) -> Text | None:
     return None
 
 
-def _below(one: Text, other: Text, condition: str) -> Text | None:
+def _below(one: Text, other: Text, condition: Condition) -> Text | None:
     """Return a name that is below a namespace where it is relative: ``topic[0] != '/' ? ns + "/" + topic : topic``."""
     if len(other.parts) != 1 or len(one.parts) != 3 or one.parts[1] != "/" or one.parts[2] != other.parts[0]:
         return None
     space, name = one.parts[0], other.parts[0]
-    if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in condition:
+    if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in str(condition):
         return None
     if not space.reason.startswith("namespace "):
         return None
@@ -316,11 +327,11 @@ def _deciding(text: Text) -> list[str]:
     return [hole.parameter or hole.reason for hole in text.holes]
 
 
-def either(one: Text, other: Text, condition: str, test: Asked | None = None) -> Text:
+def either(one: Text, other: Text, condition: Condition, test: Condition | None = None) -> Text:
     """Return the text that is one where a condition holds, and the other one where it does not."""
     if one == other:
         return one
-    if condition == "no exception" and not (one.parts and other.parts):
+    if type(condition) is NoException and not (one.parts and other.parts):
         return one if one.parts else other
     if one.parts and other.parts:
         if one.pattern == other.pattern and _deciding(one) == _deciding(other) and not _chooses(one, other):
@@ -332,7 +343,7 @@ def either(one: Text, other: Text, condition: str, test: Asked | None = None) ->
         if below is not None:
             return below
     shown = [str(text) if text.parts else "nothing" for text in (one, other)]
-    reason = f"{shown[0]} if {condition[:60]}, else {shown[1]}"
+    reason = f"{shown[0]} if {str(condition)[:60]}, else {shown[1]}"
     many = of_many(condition, one, other) if len(reason) > _LONG else None
     if many is not None:
         return many

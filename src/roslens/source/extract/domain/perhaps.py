@@ -6,7 +6,8 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.symbolic.text import Asked
+from roslens.source.extract.symbolic.condition import all_of
+from roslens.source.extract.symbolic.text import And, Condition
 
 
 class Perhaps(msgspec.Struct, frozen=True):
@@ -16,17 +17,17 @@ class Perhaps(msgspec.Struct, frozen=True):
     """
 
     value: Any
-    condition: str
-    test: Asked | None = None
+    condition: Condition
+    test: Condition | None = None
 
 
-def perhaps(items: list[Any], condition: str, test: Asked | None) -> list[Any]:
+def perhaps(items: list[Any], condition: Condition, test: Condition | None) -> list[Any]:
     """Return items that are there if a condition holds; those that are there under another one keep it too."""
     found: list[Any] = []
     for one in items:
         if isinstance(one, Perhaps):
-            both = None if test is None or one.test is None else Asked("and", (), (test, one.test))
-            found.append(Perhaps(one.value, f"{condition} and {one.condition}"[:200], both))
+            both = None if test is None or one.test is None else And((test, one.test))
+            found.append(Perhaps(one.value, all_of((condition, one.condition)), both))
         else:
             found.append(Perhaps(one, condition, test))
     return found

@@ -10,7 +10,7 @@ from roslens.source.extract.domain.abstract_value import Unknown, as_text
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
-from roslens.source.extract.symbolic.text import Asked, Hole, Text, unknown
+from roslens.source.extract.symbolic.text import AreEqual, Hole, Text, unknown
 
 SAME = frozenset(
     {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "encode", "decode",
@@ -93,7 +93,7 @@ def _of_edge(of: Text, name: str) -> Any:
     if name == "empty":
         if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
             return False
-        return Unknown(f"whether {of} is empty", Asked("equal", (of, Text()))) if of.parts else True
+        return Unknown(f"whether {of} is empty", AreEqual(of, Text())) if of.parts else True
     edge = of.parts[0 if name in ("front", "begin") else -1] if of.parts else ""
     if isinstance(edge, str) and edge:
         return Text.of(edge[0 if name == "front" else -1])

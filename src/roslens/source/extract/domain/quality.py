@@ -9,7 +9,7 @@ import msgspec
 
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Condition, Text
 
 PRESETS = {
     "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
@@ -157,7 +157,7 @@ def history_of(history: Any, depth: Any) -> QosValue:
     return changed(changed(DEFAULT_QUALITY, "history", history), "depth", depth)
 
 
-def one_of(value: Any, other: Any, condition: str) -> QosValue | None:
+def one_of(value: Any, other: Any, condition: Condition) -> QosValue | None:
     """Return what two qualities of service have in common, of which a condition chooses; None where neither is one."""
     if not isinstance(value, QosValue) and not isinstance(other, QosValue) and not _presets(value, other):
         return None

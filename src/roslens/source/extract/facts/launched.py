@@ -9,7 +9,7 @@ from __future__ import annotations
 import msgspec
 
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 
 class Setting(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -60,7 +60,7 @@ class Controller(msgspec.Struct, frozen=True):
     evidence: Evidence
     made: tuple[EndpointFact, ...] = ()
     why: str = ""
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -96,7 +96,7 @@ class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
     settings: tuple[Setting, ...] = ()
     remaps: tuple[Remap, ...] = ()
     arguments: tuple[Text, ...] = ()
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     kind: str = "node"
     machine: str = ""
     anonymous: bool = False

@@ -6,6 +6,7 @@ import msgspec
 
 from roslens.model.configuration import Origin
 from roslens.source.extract.facts.node_facts import NodeFacts
+from roslens.source.extract.symbolic.text import Conditions
 
 
 class Meant(msgspec.Struct, frozen=True):
@@ -14,5 +15,5 @@ class Meant(msgspec.Struct, frozen=True):
     facts: tuple[NodeFacts, ...] = ()
     reason: str = ""
     origin: Origin = Origin.CODE
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     kind: str = ""

@@ -13,7 +13,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
-from roslens.source.extract.symbolic.text import Asked, Text
+from roslens.source.extract.symbolic.text import Condition, Conditions, Text
 
 
 class Sure(str, Enum):
@@ -61,7 +61,7 @@ class Overrides(msgspec.Struct, frozen=True, array_like=True):
     policies: tuple[str, ...]
     id: str = ""
     unknown: str = ""
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -96,11 +96,11 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     latched: bool = False
     callback: str = ""
     group: str = ""
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     sites: tuple[Evidence, ...] = ()
     through: tuple[Evidence, ...] = ()
     overrides: Overrides | None = None
-    asked: tuple[tuple[str, Asked], ...] = ()
+    asked: tuple[tuple[Condition, Condition], ...] = ()
 
 
 def led_to(fact: EndpointFact, site: Evidence) -> EndpointFact:
@@ -153,7 +153,7 @@ class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
     type: str = ""
     default: Text | None = None
     range: str = ""
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     description: str = ""
     value: Text | None = None
     writer: Evidence | None = None
@@ -184,7 +184,7 @@ class LoadFact(msgspec.Struct, frozen=True, omit_defaults=True):
     type: Text
     evidence: Evidence
     remaps: tuple[tuple[Text, Text], ...] = ()
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 class PluginFact(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -247,7 +247,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     settings: tuple[tuple[Text, Text], ...] = ()
     global_arguments: bool = True
     inherits: Inherits = Inherits.NOTHING
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     number: int = 0
     uses: tuple[str, ...] = ()
     unresolved: tuple[tuple[Evidence, str], ...] = ()

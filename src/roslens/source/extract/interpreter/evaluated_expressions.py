@@ -30,7 +30,8 @@ from roslens.source.extract.ir.program import (
     Operation,
     Sequence,
 )
-from roslens.source.extract.symbolic.text import Asked, Text, unknown
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.text import And, AreEqual, Condition, Or, Text, unknown
 from roslens.source.extract.transfer.captured import names_around
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
 from roslens.source.extract.transfer.context import Context
@@ -236,7 +237,7 @@ class Expressions(Context):
             if holds is not None:
                 return not holds
             test = test_of(values[0])
-            return self._open(expression, None if test is None else test.opposite)
+            return self._open(expression, None if test is None else negated(test))
         return self._computed(operator, values, expression)
 
     def _either(self, expression: Operation, decides: Any) -> Any:
@@ -289,10 +290,10 @@ class Expressions(Context):
         if engine.truth(value) is stops:
             return stops if not python or isinstance(value, bool) else self._open(expression)
         tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
-        test = tests[0] if len(tests) == 1 else Asked(operator, (), tuple(tests))
+        test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
         return self._open(expression, test if len(tests) == len(open_) else None)
 
-    def _open(self, expression: Expression, test: Asked | None = None) -> Unknown:
+    def _open(self, expression: Expression, test: Condition | None = None) -> Unknown:
         engine: Context = self
         return Unknown(engine.index.lookups.text(expression), test)
 
@@ -414,13 +415,13 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     return "", None, None
 
 
-def _compared(operator: str, values: list[Any]) -> Asked | None:
+def _compared(operator: str, values: list[Any]) -> Condition | None:
     """Return what decides a comparison that is open, where texts are compared."""
     texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
     if len(texts) < len(values) or not any(one.holes for one in texts):
         return None
-    test = Asked("equal", tuple(texts))
-    return test if operator == "==" else test.opposite
+    test = AreEqual(texts[0], texts[1])
+    return test if operator == "==" else negated(test)
 
 
 def _comparable(value: Any) -> Any:

@@ -25,8 +25,8 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.ir.read_first import is_read_first
-from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
+from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
 from roslens.source.extract.transfer.filled_lists import count_of_filled
 from roslens.source.extract.transfer.plugin_held import plugged_in
 from roslens.source.extract.transfer.set_by_methods import forget_set_by_methods
@@ -69,10 +69,10 @@ def block_of_loop(engine: Context, body: tuple[Statement, ...]) -> None:
         without_ways_out(engine, known)
 
 
-def _hold_not(engine: Context, conditions: tuple[str, ...]) -> None:
+def _hold_not(engine: Context, conditions: Conditions) -> None:
     if not conditions:
         return
-    note = negated(" and ".join(conditions))
+    note = negated(all_of(conditions))
     if note not in engine.conditions:
         engine.under(note)
         engine.frame.passed += 1
@@ -91,7 +91,7 @@ def looped(engine: Context, statement: Loop) -> None:
         frame.stopped = False
     for way in ways.out:
         if not way.again and len(way.conditions) > way.turn:
-            frame.join(way.held, " and ".join(way.conditions[way.turn :]))
+            frame.join(way.held, all_of(way.conditions[way.turn :]))
 
 
 def _followed(engine: Context, statement: Loop) -> None:
@@ -150,7 +150,7 @@ def _turn_for_all(engine: Context, statement: Loop, over: Any, *, once: bool) ->
     _perhaps_turned(engine, statement, over)
     if changes.count > since and not once:
         way = changes.taken_back(since, frame.members)
-        why = (_written(engine, statement), "")
+        why = (_written(engine, statement), ALWAYS)
         changes.came_to(way, changes.count, frame.members, (False, False), why, None)
     changes.open -= 1
     if not changes.open and changes.count:
@@ -164,7 +164,7 @@ def _perhaps_turned(engine: Context, statement: Loop, over: Any) -> None:
     """
     written = _written(engine, statement)
     always = statement.over is None or (engine.truth(over) is True and statement.target is None)
-    if always or isinstance(over, Each | Text) or _RUNS.search(written):
+    if always or isinstance(over, Each | Text) or _RUNS.search(written.text):
         _turn(engine, statement)
         return
     here = len(engine.conditions)
@@ -206,9 +206,9 @@ def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
             names[name] = value
 
 
-def _written(engine: Context, statement: Loop) -> str:
+def _written(engine: Context, statement: Loop) -> Written:
     text = engine.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
-    return text if statement.target is None else f"there is any of {text}"
+    return Written(text if statement.target is None else f"there is any of {text}")
 
 
 def _turn(engine: Context, statement: Loop) -> bool:
@@ -227,7 +227,7 @@ def _turn(engine: Context, statement: Loop) -> bool:
     for way in found:
         conditions = way.conditions[here:]
         if way.again and conditions:
-            frame.join(way.held, " and ".join(conditions))
+            frame.join(way.held, all_of(conditions))
         elif not way.again:
             # There is no turn after one that left the loop.
             _hold_not(engine, conditions)

@@ -45,7 +45,7 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.ir.set_again import forget_set_again
 from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Condition, NoException, Text, unknown
 from roslens.source.extract.symbols.declared_field import declared_field
 from roslens.source.extract.symbols.workspace_index import type_arguments, type_name
 from roslens.source.extract.transfer.changed_values import is_open, put_item
@@ -278,7 +278,7 @@ def _branched(engine: Context, statement: Branch) -> None:
     since = changes.count
     changes.open += 1
     frame.know(written, otherwise, test_of(decides))
-    if written == "no exception":
+    if type(written) is NoException:
         block(engine, statement.then)
     else:
         _noted(engine, written, statement.then)
@@ -288,7 +288,7 @@ def _branched(engine: Context, statement: Branch) -> None:
     second = changes.count
     way = changes.taken_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
-    if statement.otherwise and written == "no exception" and after is not before:
+    if statement.otherwise and type(written) is NoException and after is not before:
         _handled(engine, statement, (before, after), (written, otherwise))
     elif statement.otherwise:
         _noted(engine, otherwise, statement.otherwise)
@@ -317,7 +317,7 @@ def _branched(engine: Context, statement: Branch) -> None:
     without_ways_out(engine, ways)
 
 
-def _handled(engine: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[str, str]) -> None:
+def _handled(engine: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[Condition, Condition]) -> None:
     """Follow handlers of exceptions: in them may hold what was set until the exception came."""
     frame, (before, after) = engine.frame, held
     frame.join(after, notes[0])
@@ -344,7 +344,7 @@ def _asks_parameter(engine: Context, condition: Expression) -> bool:
     return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
 
 
-def _noted(engine: Context, note: str, body: tuple[Statement, ...]) -> None:
+def _noted(engine: Context, note: Condition, body: tuple[Statement, ...]) -> None:
     """Follow statements under a condition."""
     engine.under(note, engine.frame.tests.get(note))
     try:

@@ -34,7 +34,7 @@ from roslens.source.extract.interpreter.evaluation_bounds import MOST_DEPTH, MOS
 from roslens.source.extract.ir.controller_handles import is_of_controller
 from roslens.source.extract.ir.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.ir.program import Call, Expression, Function, Parameter, Statement
-from roslens.source.extract.symbolic.text import Asked, Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Text, unknown
 from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.node_bases import NODE_BASES
 from roslens.source.extract.symbols.reached_functions import Reached
@@ -96,15 +96,15 @@ class Evaluation(Objects):
         self.plugin_names = plugin_names
         self.plugged: list[tuple[Obj, Building]] = []
         self.others: list[Building] = []
-        self.conditions: list[str] = []
+        self.conditions: list[Condition] = []
         self.changes = Changes()
         self.refined = self.changes.refined
-        self.asked: dict[int, tuple[str, Asked | None]] = {}
+        self.asked: dict[int, tuple[Condition, Condition | None]] = {}
         self.frame = Frame(node.path, "")
         self.words: Words | None = None
         self.running = False
         self.made: list[Obj] = []
-        self.later: list[tuple[Callable, str]] = []
+        self.later: list[tuple[Callable, Condition | None]] = []
         self.reached = Reached()
         self.globals: dict[str, Any] = {}
         self.once: dict[tuple[object, ...], Any] = {}
@@ -154,7 +154,7 @@ class Evaluation(Objects):
             callback, note = self.later.pop(0)
             key = (callback.path, callback.function.line)
             if key not in self.reached:
-                with_note = [note] if note else []
+                with_note = [] if note is None else [note]
                 self.conditions += with_note
                 before, self.running = self.running, True
                 self.call(callback, [], {})
@@ -165,14 +165,14 @@ class Evaluation(Objects):
         """Put a value where an expression says."""
         assign(self, target, value)
 
-    def under(self, condition: str, test: Asked | None = None) -> None:
+    def under(self, condition: Condition, test: Condition | None = None) -> None:
         """Let a condition hold for what follows, until it is taken away again."""
         self.asked[len(self.conditions)] = (condition, test)
         self.conditions.append(condition)
 
-    def asked_now(self) -> tuple[tuple[str, Asked], ...]:
+    def asked_now(self) -> tuple[tuple[Condition, Condition], ...]:
         """Return those of the conditions that parameters decide."""
-        found = (self.asked.get(place, ("", None)) for place in range(len(self.conditions)))
+        found = (self.asked.get(place, (None, None)) for place in range(len(self.conditions)))
         pairs = zip(self.conditions, found, strict=True)
         return tuple(dict.fromkeys((one, test) for one, (known, test) in pairs if one == known and test is not None))
 
@@ -466,7 +466,7 @@ class Evaluation(Objects):
 
     # Values by type
 
-    def called_outer(self, callback: Any, note: str = "") -> str:
+    def called_outer(self, callback: Any, note: Condition | None = None) -> str:
         """Remember that a callback was given away; return its name."""
         if isinstance(callback, Callable):
             # What was followed already is not followed later.

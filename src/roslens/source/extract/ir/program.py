@@ -114,6 +114,9 @@ class Opaque(msgspec.Struct, frozen=True, array_like=True, tag="opaque", gc=Fals
 
 Expression = Literal | Name | Member | Item | Call | Operation | Sequence | Mapping | Format | Lambda | Opaque
 
+NO_EXCEPTION = Opaque("no exception")
+"""The condition of ``try``: its block has run to its end."""
+
 
 class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):
     """``target = value``, a declaration with a value or constructor arguments included.
@@ -149,7 +152,7 @@ class Branch(msgspec.Struct, frozen=True, array_like=True, tag="if"):
     """``if``, and what decides likewise.
 
     A ``switch`` is one branch a case with the condition ``subject == label``; of ``try`` the handlers are ``otherwise``
-    and the condition is ``Opaque("no exception")``; of ``#if`` inside functions it is ``Opaque`` with the directive.
+    and the condition is ``NO_EXCEPTION``; of ``#if`` inside functions it is ``Opaque`` with the directive.
     """
 
     condition: Expression

@@ -22,7 +22,7 @@ from roslens.source.extract.facts.launched import Launch, Launched, Unresolved
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.facts.resolve_name import Place, Rule, absolute, expand, resolve
 from roslens.source.extract.launch.robot_description import Described, read_description
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 SERVERS = frozenset({"gzserver", "gazebo", "debug", "perf"})
 _SPAWNERS = frozenset({"spawn_model", "spawn_model.py"})
@@ -56,7 +56,7 @@ class _Spawned(msgspec.Struct, frozen=True):
     path: str
     arguments: dict[str, Text]
     space: Text
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 def is_simulator(launched: Launched) -> bool:

@@ -29,7 +29,7 @@ from roslens.source.extract.launch.ros1_substitution import (
 )
 from roslens.source.extract.launch.ros1_words import words_of
 from roslens.source.extract.launch.ros_controllers import with_controllers
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
 MOST_FILES = 200
@@ -44,7 +44,7 @@ class _Space(msgspec.Struct, frozen=True):
     """What holds at a place of a file: the namespace, remappings and conditions around it."""
 
     namespace: Text
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     private: tuple[Setting, ...] = ()
     """Parameters with ``~`` outside of nodes, which later nodes get."""
     around: tuple[Doubt, ...] = ()
@@ -330,10 +330,8 @@ class _File:
                 self._miss(element, f'{attribute}="{written}"', str(error))
                 holds = None
             if holds is None:
-                own = (
-                    *space.own,
-                    Doubt(written if wanted else f"not {written}", None if usual is None else usual is wanted),
-                )
+                condition = Written(written) if wanted else Not(Written(written))
+                own = (*space.own, Doubt(condition, None if usual is None else usual is wanted))
                 space = msgspec.structs.replace(
                     space, own=own, around=(*space.around, own[-1]), conditions=(*space.conditions, own[-1].condition)
                 )

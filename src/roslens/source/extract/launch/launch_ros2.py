@@ -19,7 +19,7 @@ from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch_python.deferred import Scope, Value, resolve, truth
 from roslens.source.extract.launch_python.launch_action import Action, Condition, Parameter
 from roslens.source.extract.parameters.ros2_values import type_in_launch
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
 
 MOST_FILES = 200
 MOST_DEPTH = 30
@@ -33,7 +33,7 @@ class _Space(msgspec.Struct):
     namespace: Text = Text(("/",))
     settings: tuple[Setting, ...] = ()
     remaps: tuple[Remap, ...] = ()
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 def evaluate_ros2(
@@ -154,7 +154,7 @@ class _Whole:
                 inner = msgspec.structs.replace(space, conditions=(*space.conditions, *condition))
                 self._visit(action, scope, space, inner)
 
-    def _condition(self, action: Action, scope: Scope) -> tuple[str, ...] | None:
+    def _condition(self, action: Action, scope: Scope) -> Conditions | None:
         """Return conditions that stay open; None where the action is not visited."""
         condition = action.condition
         if condition is None:
@@ -163,7 +163,7 @@ class _Whole:
         try:
             holds = truth(value)
         except ValueError as error:
-            self.miss(_written(condition), action.evidence, str(error))
+            self.miss(str(_written(condition)), action.evidence, str(error))
             holds = None
         if holds is None:
             return (_written(condition),)
@@ -230,7 +230,7 @@ class _Whole:
 
     def _sequence(self, children: tuple[Action, ...], note: str, scope: Scope, inner: _Space) -> None:
         if note:
-            inner.conditions = (*inner.conditions, note)
+            inner.conditions = (*inner.conditions, Written(note))
         self._all(children, scope, inner)
 
     def _include(self, action: Action, scope: Scope, inner: _Space) -> None:
@@ -331,9 +331,9 @@ def _remaps(action: Action, scope: Scope) -> list[Remap]:
     return [Remap(resolve(source, scope), resolve(target, scope), action.evidence) for source, target in action.remaps]
 
 
-def _written(condition: Condition) -> str:
-    text = condition.written or _shown(condition.value)
-    return text if condition.wanted else f"not {text}"
+def _written(condition: Condition) -> Written | Not:
+    text = Written(condition.written or _shown(condition.value))
+    return text if condition.wanted else Not(text)
 
 
 def _shown(value: Value) -> str:

@@ -17,7 +17,7 @@ from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.ros1_substitution import Scope, SubstitutionError, substitute
 from roslens.source.extract.symbolic.python_expression import Plain, UnknownError, evaluate
-from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, Hole, Not, Text, Written, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
 MOST_ELEMENTS = 30_000
@@ -47,7 +47,7 @@ class Described(msgspec.Struct, frozen=True):
     text: Text
     children: tuple[Described, ...]
     evidence: Evidence
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
     def walk(self) -> Iterator[tuple[Described, ...]]:
         """Yield the path to this element and to each one below it, outermost first."""
@@ -134,14 +134,14 @@ class _Place(msgspec.Struct, frozen=True):
     document: Document
     path: str
     space: _Space
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
     def evidence(self, element: Element) -> Evidence:
         """Return where an element stands."""
         return Evidence(self.path, *self.document.place(element.start))
 
 
-def _file(path: str, space: _Space, conditions: tuple[str, ...] = ()) -> tuple[Described, ...]:
+def _file(path: str, space: _Space, conditions: Conditions = ()) -> tuple[Described, ...]:
     content = space.whole.files.content(path)
     if content is None or space.depth > MOST_DEPTH:
         return ()
@@ -275,7 +275,7 @@ def _conditional(element: Element, place: _Place, *, wanted: bool) -> tuple[Desc
     written = element.attributes.get("value", "")
     known = _text(written, place).known
     if known is None:
-        condition = written if wanted else f"not {written}"
+        condition = Written(written) if wanted else Not(Written(written))
         return _children(element, msgspec.structs.replace(place, conditions=(*place.conditions, condition)))
     value = _converted(known)
     holds = bool(value) if not isinstance(value, str) else value.strip().lower() not in ("", "false")

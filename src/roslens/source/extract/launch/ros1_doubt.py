@@ -5,13 +5,13 @@ from __future__ import annotations
 import msgspec
 
 from roslens.source.extract.facts.launched import Setting
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Text, unknown
 
 
 class Doubt(msgspec.Struct, frozen=True):
     """A condition that cannot be decided, and what it comes to where the machine says nothing; None where unknown."""
 
-    condition: str
+    condition: Condition
     usual: bool | None = None
 
 
@@ -24,7 +24,7 @@ def only_if(doubts: tuple[Doubt, ...], found: Text, before: Text | None = None) 
         default = None if before is None else before.usual
     else:
         default = None if None in usually else found.usual
-    return unknown(f"{found}, if {' and '.join(one.condition for one in doubts)}", default=default)
+    return unknown(f"{found}, if {' and '.join(str(one.condition) for one in doubts)}", default=default)
 
 
 def setting_if(doubts: tuple[Doubt, ...], setting: Setting) -> Setting:

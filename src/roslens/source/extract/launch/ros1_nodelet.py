@@ -13,7 +13,8 @@ import msgspec
 from roslens.model.configuration import ConfiguredEndpoint, ConfiguredNode, Origin, Proof
 from roslens.model.graph import Endpoint, Role
 from roslens.source.extract.facts.launched import Launched
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 _PROGRAM = ("nodelet", "nodelet")
 _NO_BOND = "--no-bond"
@@ -58,24 +59,24 @@ class Bond(msgspec.Struct, frozen=True, order=True):
 
     loader: str
     manager: str
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 def with_bonds(nodes: Iterable[ConfiguredNode], bonds: Iterable[Bond]) -> list[ConfiguredNode]:
     """Return nodes with what bonds make of them: each end tells, and listens."""
-    ends: dict[str, dict[str, tuple[str, ...]]] = {}
+    ends: dict[str, dict[str, Conditions]] = {}
     for one in sorted(bonds, key=lambda bond: (len(bond.conditions), bond)):
         ends.setdefault(one.loader, {})[f"{one.manager}/bond"] = ()
         ends.setdefault(one.manager, {}).setdefault(f"{one.manager}/bond", one.conditions)
     return [_bound(node, ends.get(node.name, {})) for node in nodes]
 
 
-def _bound(node: ConfiguredNode, ends: Mapping[str, tuple[str, ...]]) -> ConfiguredNode:
+def _bound(node: ConfiguredNode, ends: Mapping[str, Conditions]) -> ConfiguredNode:
     if not ends or node.kind not in ("nodelet", "container"):
         return node
     proof = Proof(how="what loads a nodelet has a bond with its manager", origin=Origin.IMPLICIT)
     made = [
-        ConfiguredEndpoint(Endpoint(node.name, role, name, _BOND), proof, name, "*" not in name, conditions)
+        ConfiguredEndpoint(Endpoint(node.name, role, name, _BOND), proof, name, "*" not in name, as_written(conditions))
         for name, conditions in ends.items()
         for role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     ]

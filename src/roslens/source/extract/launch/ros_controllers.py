@@ -23,7 +23,7 @@ from roslens.source.extract.facts.launched import Controller, Launch, Launched, 
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.facts.resolve_name import Place, absolute, expand
 from roslens.source.extract.parameters.parameter_file import ros1_parameters
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 _PACKAGE, _SPAWNER = "controller_manager", "spawner"
 _LOADS = "controller_manager/load_controller"
@@ -154,11 +154,11 @@ def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting])
     return found, ""
 
 
-def _open(conditions: Iterable[str], own: str, settings: Mapping[str, Setting]) -> tuple[str, ...] | None:
+def _open(conditions: Conditions, own: str, settings: Mapping[str, Setting]) -> Conditions | None:
     """Return the conditions that nobody can decide; None where one does not hold."""
     left = []
     for one in conditions:
-        match = _DEFAULT.fullmatch(one)
+        match = _DEFAULT.fullmatch(str(one))
         setting = settings.get(f"{own}/{match[1]}") if match else None
         value = match[2] if match and setting is None else setting.value.known if setting is not None else None
         if value is None:

@@ -10,7 +10,21 @@ import msgspec
 from roslens.source.extract.facts.node_facts import EndpointFact, Sure
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.many_choices import MANY
-from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text
+from roslens.source.extract.symbolic.text import (
+    And,
+    AreEqual,
+    Choice,
+    Condition,
+    Conditions,
+    Hole,
+    IsSet,
+    IsTrue,
+    NoException,
+    Not,
+    Or,
+    Text,
+    Written,
+)
 
 MOST = 8
 """So many alternatives of one text are told; of more it is a text with holes."""
@@ -30,7 +44,7 @@ class Alternative(msgspec.Struct, frozen=True):
     """A text without choices, the conditions under which it stands there, and how sure it is that it does."""
 
     text: Text
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
     sure: Sure = Sure.CERTAIN
     how: tuple[str, ...] = ()
 
@@ -82,7 +96,7 @@ def chosen_of(fact: EndpointFact, one: Alternative, name: Text) -> EndpointFact:
 
 def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
     """Return an endpoint without the conditions that what is set for its node fulfils; None where it forbids one."""
-    met = set()
+    met: set[Condition] = set()
     for condition, asked in fact.asked:
         decided = _decided(asked, values)
         if decided.holds is None or decided.sure is not Sure.CERTAIN:
@@ -136,28 +150,34 @@ def decided_by(choice: Choice, values: Values) -> Decided:
     return _decided(choice.test[0], values) if choice.test else Decided()
 
 
-def _decided(test: Asked, values: Values) -> Decided:
-    if test.kind in ("and", "or"):
-        return _joined(test, values)
-    if test.kind == "not":
-        inner = _decided(test.tests[0], values)
-        return inner if inner.holds is None else msgspec.structs.replace(inner, holds=not inner.holds)
-    if test.kind == "set":
-        return _set(test.texts[0], values)
-    filled = [values.fill(one) for one in test.texts]
-    known = [one.text.known for one in filled]
-    texts = [one for one in known if one is not None]
-    if len(texts) < len(known):
+def _decided(test: Condition, values: Values) -> Decided:
+    match test:
+        case And(of=parts) | Or(of=parts):
+            return _joined(parts, values, stops=type(test) is Or)
+        case Not(of=one):
+            inner = _decided(one, values)
+            return inner if inner.holds is None else msgspec.structs.replace(inner, holds=not inner.holds)
+        case IsSet(text=text):
+            return _set(text, values)
+        case IsTrue(text=text):
+            filled = values.fill(text)
+            known = filled.text.known
+            return Decided() if known is None else Decided(known.strip().lower() not in _NO, filled.sure, filled.how)
+        case AreEqual(one=one, other=other):
+            return _equal(values.fill(one), values.fill(other))
+        case Written() | NoException():
+            return Decided()
+
+
+def _equal(one: Filled, other: Filled) -> Decided:
+    first, second = one.text.known, other.text.known
+    if first is None or second is None:
         return Decided()
-    sure, how = doubt(*(one.sure for one in filled)), tuple(words for one in filled for words in one.how)
-    if test.kind == "true":
-        return Decided(texts[0].strip().lower() not in _NO, sure, how)
-    return Decided(_comparable(texts[0]) == _comparable(texts[1]), sure, how)
+    return Decided(_comparable(first) == _comparable(second), doubt(one.sure, other.sure), (*one.how, *other.how))
 
 
-def _joined(test: Asked, values: Values) -> Decided:
-    inner = [_decided(one, values) for one in test.tests]
-    stops = test.kind == "or"
+def _joined(tests: Conditions, values: Values, *, stops: bool) -> Decided:
+    inner = [_decided(one, values) for one in tests]
     for one in inner:
         if one.holds is stops:
             return one

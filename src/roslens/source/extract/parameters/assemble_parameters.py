@@ -19,6 +19,7 @@ from roslens.source.extract.parameters.assemble_lists import each_of, items_amon
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.parameters.assemble_written import Write, after_writes
 from roslens.source.extract.parameters.ros2_values import LIST
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import MAKER, Choice, Hole, Text
 
 _NAME_OF_NODE = "name of the node"
@@ -204,7 +205,7 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
         found[name] = _with(
             ConfiguredParameter(
                 name, default, fact.type, default, fact.range, fact.access, _proof(fact, filled),
-                conditions=fact.conditions, **_terms_of(fact),
+                conditions=as_written(fact.conditions), **_terms_of(fact),
             ),
             setting,
         )  # fmt: skip

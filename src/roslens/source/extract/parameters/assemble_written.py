@@ -8,14 +8,14 @@ less sure. A server of dynamic_reconfigure takes what is set as far as it fits, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 import msgspec
 
 from roslens.model.configuration import ConfiguredParameter, Origin, Proof
 from roslens.source.extract.facts.node_facts import ParameterFact, Sure
 from roslens.source.extract.parameters.assemble_proof import proof_of
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 _NUMBERS = frozenset({"int", "double"})
 _HALF = 0.5
@@ -73,8 +73,8 @@ def _written(parameter: ConfiguredParameter, write: Write) -> ConfiguredParamete
     )
 
 
-def _conditional(how: str, conditions: Sequence[str]) -> str:
-    held = f"only if {' and '.join(conditions)}" if conditions else ""
+def _conditional(how: str, conditions: Conditions) -> str:
+    held = f"only if {' and '.join(map(str, conditions))}" if conditions else ""
     return ", ".join(piece for piece in (how, held) if piece)
 
 

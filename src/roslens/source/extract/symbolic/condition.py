@@ -1,22 +1,26 @@
-"""Conditions as they are written in code, and what holds where one or another of them does.
+"""What holds where one condition or another does: opposites, and rules of Boole that shorten what is joined.
 
-They are texts. Joined by ``and`` and ``or`` they are read as formulas of what stands between, which is not looked into:
-``a``, ``not a``, ``a and (b or c)``. Rules of Boole then shorten them; what is too long for that is shown in part.
+Written conditions are not looked into. Formulas of them are brought into terms of which one holds, the terms are
+shortened, and what they have in common is told apart from what is left of each.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
+from roslens.source.extract.symbolic.text import And, Atom, Condition, Conditions, NoException, Not, Or, Written
+
+NO_EXCEPTION = NoException()
+ALWAYS = And(())
+NEVER = Or(())
 _LONG = 150
 """So many signs of one of several conditions are shown."""
 _MOST_TERMS = 12
-_MOST_READ = 2000
+_MOST_ATOMS = 200
+"""A condition of more is not looked into: what is found by turns of loops may double with each."""
 _CUT = "…"
-_PAIRS = {"(": ")", "[": "]", "{": "}"}
-_OPPOSITES = {"no exception": "an exception"}
 
-Literal = tuple[str, bool]
+Literal = tuple[Atom, bool]
 """A condition that is not looked into, and whether it holds."""
 Term = tuple[Literal, ...]
 """Conditions that hold together, each once, in the order in which they were written."""
@@ -24,87 +28,117 @@ Terms = tuple[Term, ...]
 """Of these one holds at least: none of it is never, one that is empty is always."""
 
 
-def negated(condition: str) -> str:
-    """Return the opposite of a condition as written."""
-    for one, other in _OPPOSITES.items():
-        if condition in (one, other):
-            return other if condition == one else one
-    if condition.startswith("not (") and _closes(condition, 4) == len(condition) - 1:
-        return condition[5:-1]
-    if " and " in condition or " or " in condition:
-        return f"not ({condition})"
-    return condition.removeprefix("not ") if condition.startswith("not ") else f"not {condition}"
+def negated(condition: Condition) -> Condition:
+    """Return the opposite of a condition."""
+    return condition.of if type(condition) is Not else Not(condition)
 
 
-def under_either(first: Sequence[str], second: Sequence[str]) -> tuple[str, ...]:
+def all_of(conditions: Sequence[Condition]) -> Condition:
+    """Return the condition that all of several hold; of one it is that."""
+    return conditions[0] if len(conditions) == 1 else bounded(And(tuple(_flat(And, conditions))))
+
+
+def any_of(*conditions: Condition) -> Condition:
+    """Return the condition that one of several holds."""
+    return conditions[0] if len(conditions) == 1 else bounded(Or(tuple(_flat(Or, conditions))))
+
+
+def as_written(conditions: Iterable[Condition]) -> tuple[str, ...]:
+    """Return conditions as reports show them; what is too long is shown in part."""
+    return tuple(map(_shown, conditions))
+
+
+def bounded(condition: Condition) -> Condition:
+    """Return a condition, and in place of one that is too large what is shown of it, which is not looked into."""
+    return condition if _size(condition) <= _MOST_ATOMS else Written(_shown(condition)[: 2 * _LONG] + _CUT)
+
+
+def under_either(first: Conditions, second: Conditions) -> Conditions:
     """Return what holds wherever all of these conditions or all of those do."""
     common = tuple(one for one in first if one in second)
     rests = [[one for one in whole if one not in common] for whole in (first, second)]
     if not all(rests):
         return common
-    terms = _shortened((*_read_all(rests[0]), *_read_all(rests[1]))) if _readable(rests) else None
+    terms = _shortened((*_read_all(rests[0]), *_read_all(rests[1])))
     if terms is None:
-        joined = [_joined(rest) for rest in rests]
-        return *common, " or ".join(one if len(one) <= _LONG else f"{one[:_LONG]}{_CUT}" for one in joined)
-    return tuple(dict.fromkeys((*common, *written(terms))))
+        return *common, any_of(*map(all_of, rests))
+    return tuple(dict.fromkeys((*common, *formulas_of(terms))))
 
 
-def written(terms: Terms) -> tuple[str, ...]:
-    """Return conditions as texts that hold together: what all terms have in common, and what is left of each."""
+def formulas_of(terms: Terms) -> Conditions:
+    """Return conditions that hold together: what all terms have in common, and what is left of each."""
     if not terms or () in terms:
-        return () if terms else ("never",)
+        return () if terms else (NEVER,)
     shared = [one for one in terms[0] if all(one in term for term in terms)]
-    rests = [[_said(one) for one in term if one not in shared] for term in terms]
-    either = " or ".join(" and ".join(rest) for rest in rests) if all(rests) else ""
-    if len(either) > 2 * _LONG:
-        either = f"{either[: 2 * _LONG]}{_CUT}"
-    said = tuple(_said(one) for one in shared)
-    return (*said, either) if either else said
+    rests = [[_formula(one) for one in term if one not in shared] for term in terms]
+    found = tuple(map(_formula, shared))
+    return (*found, any_of(*map(all_of, rests))) if all(rests) else found
 
 
-def terms_of(condition: str) -> Terms | None:
+def terms_of(condition: Condition) -> Terms | None:
     """Return a condition as terms of which one holds; None where they are too many."""
-    if len(condition) > _MOST_READ:
-        return None
-    return _read(condition.strip(), holds=True)
+    return _read(condition, holds=True)
 
 
-def _readable(rests: Iterable[Sequence[str]]) -> bool:
-    return all(_CUT not in one and terms_of(one) is not None for rest in rests for one in rest)
+def atoms_of(condition: Condition) -> Iterator[Atom]:
+    """Yield what a condition is made of, in the order in which it is written."""
+    match condition:
+        case And(of=parts) | Or(of=parts):
+            for one in parts:
+                yield from atoms_of(one)
+        case Not(of=one):
+            yield from atoms_of(one)
+        case _:
+            yield condition
 
 
-def _read_all(conditions: Sequence[str]) -> Terms:
-    """Return terms of conditions that hold together; what would be too many is one that is not looked into."""
+def _size(condition: Condition) -> int:
+    return sum(1 for _ in atoms_of(condition))
+
+
+def _flat(kind: type[And | Or], conditions: Iterable[Condition]) -> Iterator[Condition]:
+    for one in conditions:
+        if isinstance(one, kind):
+            yield from one.of
+        else:
+            yield one
+
+
+def _shown(condition: Condition) -> str:
+    if type(condition) is not Or:
+        return str(condition)
+    whole = str(condition)
+    return whole if len(whole) <= 2 * _LONG else f"{whole[: 2 * _LONG]}{_CUT}"
+
+
+def _read_all(conditions: Sequence[Condition]) -> Terms:
+    """Return terms of conditions that hold together; what would be too many is left out, and so may hold or not."""
     found: Terms = ((),)
     for one in conditions:
-        found = _both(found, terms_of(one) or (((one, True),),)) or (((_joined(conditions), True),),)
+        found = _both(found, terms_of(one) or ((_opaque(one),),)) or ((_opaque(all_of(conditions)),),)
     return found
 
 
-def _joined(conditions: Sequence[str]) -> str:
-    many = len(conditions) > 1
-    return " and ".join(f"({one})" if many and len(_parts(one, " or ")) > 1 else one for one in conditions)
+def _opaque(condition: Condition) -> Literal:
+    """Return a condition as one that is not looked into."""
+    return (Written(str(condition)), True)
 
 
-def _read(text: str, *, holds: bool) -> Terms | None:
-    either = _parts(text, " or ")
-    pieces = either if len(either) > 1 else _parts(text, " and ")
-    if len(pieces) > 1:
-        read = [_read(piece, holds=holds) for piece in pieces]
-        found: Terms | None = () if (len(either) > 1) is holds else ((),)
-        for terms in read:
-            if terms is None or found is None:
-                return None
-            found = _limited((*found, *terms)) if (len(either) > 1) is holds else _both(found, terms)
-        return found
-    if text.startswith("not "):
-        return _read(text[4:].strip(), holds=not holds)
-    if text.startswith("(") and _closes(text, 0) == len(text) - 1:
-        return _read(text[1:-1].strip(), holds=holds)
-    for one, other in _OPPOSITES.items():
-        if text == other:
-            text, holds = one, not holds
-    return (((text, holds),),)
+def _read(condition: Condition, *, holds: bool) -> Terms | None:
+    match condition:
+        case Not(of=inner):
+            return _read(inner, holds=not holds)
+        case And(of=parts) | Or(of=parts):
+            either = (type(condition) is Or) is holds
+            found: Terms | None = () if either else ((),)
+            for one in parts:
+                terms = _read(one, holds=holds)
+                if terms is None or found is None:
+                    return None
+                found = _limited((*found, *terms)) if either else _both(found, terms)
+            return found
+        case _:
+            return (((condition, holds),),)
 
 
 def _both(one: Terms, other: Terms) -> Terms | None:
@@ -119,7 +153,7 @@ def _limited(terms: Terms) -> Terms | None:
 
 
 def _possible(term: Term) -> bool:
-    return not any((text, not holds) in term for text, holds in term)
+    return not any((atom, not holds) in term for atom, holds in term)
 
 
 def _shortened(terms: Terms) -> Terms | None:
@@ -160,45 +194,5 @@ def _without_opposite(term: Term, other: Term) -> Term:
     return tuple(one for one in term if one != opposite)
 
 
-def _said(literal: Literal) -> str:
-    return literal[0] if literal[1] else negated(literal[0])
-
-
-def _parts(text: str, separator: str) -> list[str]:
-    """Return the parts of a text between words that stand outside of brackets and quotes."""
-    if separator not in text:
-        return [text]
-    found, begin, place = [], 0, 0
-    while place < len(text):
-        sign = text[place]
-        if sign in _PAIRS or sign == '"':
-            place = _closes(text, place) + 1
-            if not place:
-                return [text]
-        elif text.startswith(separator, place):
-            found.append(text[begin:place].strip())
-            begin = place = place + len(separator)
-        else:
-            place += 1
-    return [*found, text[begin:].strip()]
-
-
-def _closes(text: str, begin: int) -> int:
-    """Return where the bracket or quote that opens at a place is closed; -1 where it is not."""
-    if text[begin] == '"':
-        return text.find('"', begin + 1)
-    open_, place = [], begin
-    while place < len(text):
-        sign = text[place]
-        if sign == '"':
-            place = text.find('"', place + 1)
-            if place < 0:
-                return -1
-        elif sign in _PAIRS:
-            open_.append(_PAIRS[sign])
-        elif open_ and sign == open_[-1]:
-            open_.pop()
-            if not open_:
-                return place
-        place += 1
-    return -1
+def _formula(literal: Literal) -> Condition:
+    return literal[0] if literal[1] else Not(literal[0])

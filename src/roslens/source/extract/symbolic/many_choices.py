@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Condition, Hole, Text
 
 MOST_WAYS = 16
 """Ways through the conditions of one text that are kept apart."""
@@ -17,7 +17,7 @@ _MOST_SHOWN = 4
 _MOST_LENGTH = 60
 
 
-def of_many(condition: str, *texts: Text) -> Text | None:
+def of_many(condition: Condition, *texts: Text) -> Text | None:
     """Return an unknown text in place of texts of which a condition chooses; None where few enough may stand there.
 
     It has no choice and no deciding parameter: nothing that is set makes it known.
@@ -44,7 +44,7 @@ def _ways(text: Text, most: int) -> int:
     return found or 1
 
 
-def _reason(condition: str, texts: tuple[Text, ...]) -> str:
+def _reason(condition: Condition, texts: tuple[Text, ...]) -> str:
     shown: dict[str, None] = {}
     parameters: dict[str, None] = {}
     for part in _parts(texts):
@@ -55,7 +55,7 @@ def _reason(condition: str, texts: tuple[Text, ...]) -> str:
                 parameters[part.parameter] = None
         elif part.strip("~/"):
             shown[part] = None
-    reason = f"{MANY}, by {condition[:_MOST_LENGTH]}"
+    reason = f"{MANY}, by {str(condition)[:_MOST_LENGTH]}"
     if parameters:
         reason += f" and parameters {_some(list(parameters))}"
     return f"{reason}; among their parts: {_some(list(shown))}" if shown else reason

@@ -98,37 +98,149 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
         return "".join(part if isinstance(part, str) else f"{{{part.reason}}}" for part in self.parts)
 
 
-class Asked(msgspec.Struct, frozen=True, array_like=True, order=True, tag="asked", gc=False):
-    """A condition that parameters decide.
+class Formula(msgspec.Struct, frozen=True, array_like=True, gc=False):
+    """What may hold or not: a base of the classes of :data:`Condition`, which is closed.
 
-    Attributes:
-        kind: ``true`` (the text is), ``set`` (the parameter of the text is), ``equal`` (both texts are), ``not``,
-            ``and`` or ``or``.
-        texts: that are asked.
-        tests: that are joined or turned round.
+    Conditions are ordered as their texts are, so that what is sorted by them has one order.
     """
 
-    kind: str
-    texts: tuple[Text, ...] = ()
-    tests: tuple[Asked, ...] = ()
+    def __lt__(self, other: object) -> bool:
+        """Compare texts."""
+        return str(self) < str(other)
 
-    def changed(self, change: Callable[[Text], Text]) -> Asked:
-        """Return a test with each of its texts changed."""
-        return Asked(self.kind, tuple(map(change, self.texts)), tuple(one.changed(change) for one in self.tests))
+    def __gt__(self, other: object) -> bool:
+        """Compare texts."""
+        return str(self) > str(other)
 
-    @property
-    def opposite(self) -> Asked:
-        """The test that holds where this one does not."""
-        return self.tests[0] if self.kind == "not" else Asked("not", (), (self,))
+
+class Written(Formula, frozen=True, tag="written"):
+    """A condition that is not looked into, as source has it."""
+
+    text: str
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:  # noqa: ARG002 - it asks about no text
+        """Return it as it is."""
+        return self
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return self.text
+
+
+class NoException(Formula, frozen=True, tag="no exception"):
+    """A block has run to its end."""
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:  # noqa: ARG002 - it asks about no text
+        """Return it as it is."""
+        return self
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return "no exception"
+
+
+class IsTrue(Formula, frozen=True, tag="true"):
+    """A text says something true, as parameters do."""
+
+    text: Text
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its text changed."""
+        return IsTrue(change(self.text))
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return str(self.text)
+
+
+class IsSet(Formula, frozen=True, tag="set"):
+    """The parameter that a text stands for is set."""
+
+    text: Text
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its text changed."""
+        return IsSet(change(self.text))
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"{self.text} is set"
+
+
+class AreEqual(Formula, frozen=True, tag="equal"):
+    """Two texts are equal."""
+
+    one: Text
+    other: Text
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its texts changed."""
+        return AreEqual(change(self.one), change(self.other))
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"{self.one} == {self.other}"
+
+
+class Not(Formula, frozen=True, tag="not"):
+    """Another condition does not hold. See :func:`~roslens.source.extract.symbolic.condition.negated`."""
+
+    of: Condition
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its texts changed."""
+        return Not(self.of.changed(change))
+
+    def __str__(self) -> str:
+        """Write it for people: in brackets what would be read otherwise."""
+        if type(self.of) is NoException:
+            return "an exception"
+        written = str(self.of)
+        return f"not ({written})" if " and " in written or " or " in written else f"not {written}"
+
+
+class And(Formula, frozen=True, tag="and"):
+    """All of several conditions hold; of none: always."""
+
+    of: tuple[Condition, ...]
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its texts changed."""
+        return And(tuple(one.changed(change) for one in self.of))
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return " and ".join(f"({one})" if type(one) is Or else str(one) for one in self.of) if self.of else "always"
+
+
+class Or(Formula, frozen=True, tag="or"):
+    """One of several conditions holds at least; of none: never."""
+
+    of: tuple[Condition, ...]
+
+    def changed(self, change: Callable[[Text], Text]) -> Condition:
+        """Return the condition with its texts changed."""
+        return Or(tuple(one.changed(change) for one in self.of))
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return " or ".join(map(str, self.of)) if self.of else "never"
+
+
+Atom = Written | NoException | IsTrue | IsSet | AreEqual
+Condition = Atom | Not | And | Or
+"""A condition of code, and what decides one: the two have the same form."""
+Conditions = tuple[Condition, ...]
+"""Conditions that hold together, outermost first."""
 
 
 class Choice(msgspec.Struct, frozen=True, array_like=True, order=True, tag="choice", gc=False):
     """One text where a condition holds, another one else; ``test`` is what decides it, none or one."""
 
-    condition: str
+    condition: Condition
     then: Text
     otherwise: Text
-    test: tuple[Asked, ...] = ()
+    test: tuple[Condition, ...] = ()
 
 
 def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:

@@ -10,9 +10,12 @@ from __future__ import annotations
 from typing import Any
 
 from roslens.source.extract.ir.makes_endpoints import calls_that_make
-from roslens.source.extract.ir.program import Call, Expression, Field, Function, Statement
+from roslens.source.extract.ir.program import NO_EXCEPTION, Call, Expression, Field, Function, Operation, Statement
 from roslens.source.extract.ir.program_text import expression_text
+from roslens.source.extract.symbolic.condition import all_of, any_of, negated
+from roslens.source.extract.symbolic.text import Condition, NoException, Written
 
+_LOGIC = frozenset({"and", "or", "not"})
 Found = tuple[Function, str] | None
 """A function and the path of its file."""
 
@@ -56,6 +59,7 @@ class Lookups:
         self.function_names: set[str] | None = None
         self.set_in_turns: dict[tuple[int, int], tuple[Statement, tuple[str, ...]]] = {}
         self._texts: dict[int, tuple[Expression, str]] = {}
+        self._conditions: dict[int, tuple[Expression, Condition]] = {}
 
     def calls_that_make(self, function: Function) -> tuple[Call, ...]:
         """Return the calls in a function that make an endpoint, by their name."""
@@ -72,7 +76,26 @@ class Lookups:
             known = self._texts[id(expression)] = (expression, expression_text(expression))
         return known[1]
 
-    def condition(self, expression: Expression) -> str:
-        """Return a condition as people write it."""
-        written = self.text(expression).strip("`")
-        return written[1:-1] if written.startswith("(") and written.endswith(")") else written
+    def condition(self, expression: Expression) -> Condition:
+        """Return a condition of a program, looked into as far as ``and``, ``or`` and ``not`` go."""
+        known = self._conditions.get(id(expression))
+        if known is None or known[0] is not expression:
+            known = self._conditions[id(expression)] = (expression, self._condition(expression))
+        return known[1]
+
+    def _condition(self, expression: Expression) -> Condition:
+        if expression == NO_EXCEPTION:
+            return NoException()
+        if not isinstance(expression, Operation):
+            return Written(self.text(expression).strip("`"))
+        parts = [self._condition(one) for one in expression.operands] if expression.operator in _LOGIC else []
+        match expression.operator, parts:
+            case "not", [one]:
+                return negated(one)
+            case "and", [_, _, *_]:
+                return all_of(parts)
+            case "or", [_, _, *_]:
+                return any_of(*parts)
+            case _:
+                # Without the brackets around.
+                return Written(self.text(expression)[1:-1])

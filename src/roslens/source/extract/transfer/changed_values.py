@@ -11,7 +11,7 @@ from roslens.source.extract.domain.abstract_value import Unknown, as_text
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Text, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -49,10 +49,10 @@ def changed_by(
     return None
 
 
-def is_open(engine: Context) -> str:
-    """Return the innermost condition of the function that nobody can decide; empty where there is none."""
+def is_open(engine: Context) -> Condition | None:
+    """Return the innermost condition of the function that nobody can decide; None where there is none."""
     frame = engine.frame
-    return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else ""
+    return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else None
 
 
 def put_item(engine: Context, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:

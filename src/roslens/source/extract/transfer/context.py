@@ -16,7 +16,7 @@ from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.program import Call, Expression, Function, Statement
-from roslens.source.extract.symbolic.text import Asked, Text
+from roslens.source.extract.symbolic.text import Condition, Text
 from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index
@@ -37,7 +37,7 @@ class Context(Protocol):
     plugin_names: Mapping[str, str]
     plugged: list[tuple[Obj, Building]]
     preparing: list[str]
-    conditions: list[str]
+    conditions: list[Condition]
     changes: Changes
     refined: dict[int, tuple[QosValue, QosValue]]
     frame: Frame
@@ -50,7 +50,7 @@ class Context(Protocol):
     running: bool
     steps: int
     most_steps: int
-    later: list[tuple[Callable, str]]
+    later: list[tuple[Callable, Condition | None]]
     reached: Reached
     site: Evidence
     written: tuple[Expression, ...]
@@ -136,10 +136,10 @@ class Context(Protocol):
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""
 
-    def under(self, condition: str, test: Asked | None = None) -> None:
+    def under(self, condition: Condition, test: Condition | None = None) -> None:
         """Let a condition hold for what follows, until it is taken away again."""
 
-    def asked_now(self) -> tuple[tuple[str, Asked], ...]:
+    def asked_now(self) -> tuple[tuple[Condition, Condition], ...]:
         """Return those of the conditions that parameters decide."""
 
     def block(self, body: tuple[Statement, ...]) -> None:
@@ -176,5 +176,5 @@ class Context(Protocol):
     def callable_type(self, function: Callable, place: int) -> str:
         """Return the declared type of a parameter of a callback; empty where it has none."""
 
-    def called_outer(self, callback: Any, note: str = "") -> str:
+    def called_outer(self, callback: Any, note: Condition | None = None) -> str:
         """Remember that a callback was given away; return its name."""

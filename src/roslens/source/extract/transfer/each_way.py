@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.symbolic.text import Conditions
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -23,7 +24,7 @@ def each_way(engine: Context, several: Obj, called: Function1[[Obj], Any]) -> An
 
 
 @contextmanager
-def _conditions(engine: Context, conditions: tuple[str, ...]) -> Iterator[None]:
+def _conditions(engine: Context, conditions: Conditions) -> Iterator[None]:
     for one in conditions:
         engine.under(one)
     try:

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.domain.abstract_value import Callable, QosValue, test_of
 from roslens.source.extract.domain.evaluation_frame import join
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation, Sequence
-from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import Asked, Text
+from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
+from roslens.source.extract.symbolic.text import And, Condition, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -64,7 +64,9 @@ def _called(operand: Expression) -> tuple[str, ...]:
     return tuple(sorted(found))
 
 
-def value_if(engine: Context, operand: Expression, condition: str, test: Asked | None, noted: str = "") -> Any:
+def value_if(
+    engine: Context, operand: Expression, condition: Condition, test: Condition | None, *, noted: bool = True
+) -> Any:
     """Return the value of an operand that is evaluated where a condition holds.
 
     Args:
@@ -72,13 +74,13 @@ def value_if(engine: Context, operand: Expression, condition: str, test: Asked |
         operand: whose value is asked for.
         condition: under which it is evaluated.
         test: what decides that, where it is known.
-        noted: the condition that what is made in it keeps; empty where it keeps none.
+        noted: whether what is made in it keeps the condition.
     """
     frame, changes, here = engine.frame, engine.changes, len(engine.conditions)
     before, since = frame.snapshot(), changes.count
     changes.open += 1
     if noted:
-        engine.under(noted, test)
+        engine.under(condition, test)
     try:
         value = engine.value(operand)
     finally:
@@ -90,18 +92,18 @@ def value_if(engine: Context, operand: Expression, condition: str, test: Asked |
             _may_be_as(frame.members, before[1], condition, test)
     if changes.count > since:
         way = changes.taken_back(since, frame.members)
-        changes.came_to(way, changes.count, frame.members, (False, False), (condition, ""), test)
+        changes.came_to(way, changes.count, frame.members, (False, False), (condition, ALWAYS), test)
     if not changes.open and changes.count:
         changes.ended()
     return value
 
 
-def way_of(engine: Context, operand: Expression, condition: str, decides: Any, *, opposite: bool = False) -> Any:
+def way_of(engine: Context, operand: Expression, condition: Condition, decides: Any, *, opposite: bool = False) -> Any:
     """Return the value of one of two operands of which a condition chooses; the second one with ``opposite``."""
     test = test_of(decides)
     if opposite:
-        condition, test = negated(condition), None if test is None else test.opposite
-    return value_if(engine, operand, condition, test, condition)
+        condition, test = negated(condition), None if test is None else negated(test)
+    return value_if(engine, operand, condition, test)
 
 
 def after_others(
@@ -114,16 +116,15 @@ def after_others(
     conditions = [engine.index.lookups.condition(one) for _, one in others]
     if operator == "or":
         conditions = [negated(one) for one in conditions]
-    tests = [test if operator == "and" else test.opposite for value, _ in others if (test := test_of(value))]
+    tests = [test if operator == "and" else negated(test) for value, _ in others if (test := test_of(value))]
     test = None
     if len(tests) == len(others):
-        test = tests[0] if len(tests) == 1 else Asked("and", (), tuple(tests))
-    whole = " and ".join(conditions)
+        test = tests[0] if len(tests) == 1 else And(tuple(tests))
     asks = not any(does_something(engine, one) for _, one in others)
-    return value_if(engine, operand, whole, test, whole if asks else "")
+    return value_if(engine, operand, all_of(conditions), test, noted=asks)
 
 
-def _may_be_as(now: dict[str, Any], before: dict[str, Any], condition: str, test: Asked | None) -> None:
+def _may_be_as(now: dict[str, Any], before: dict[str, Any], condition: Condition, test: Condition | None) -> None:
     """Let names hold what they were, or what they are now where a condition holds; what was not known stays as now."""
     changed = {
         name: value

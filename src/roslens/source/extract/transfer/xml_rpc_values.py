@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Obj
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 XML_RPC = frozenset({"XmlRpc.XmlRpcValue", "XmlRpcValue"})
 _PARTS = "its parts"
 
-Parts = dict[str, tuple[Any, tuple[str, ...]]]
+Parts = dict[str, tuple[Any, Conditions]]
 """Items by name, each with the conditions under which it was put there."""
 
 

@@ -29,7 +29,7 @@ from roslens.source.extract.ir.program import (
     Operation,
     Statement,
 )
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
@@ -265,7 +265,8 @@ def _run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None
         if engine.index.package(one.path) == home:
             for found in engine.index.methods_of(one):
                 if isinstance(found.what, Function) and not _made_by(found.what, one):
-                    engine.later.append((Callable(found.what, found.path, thing), f"{found.what.name}() is called"))
+                    called = Written(f"{found.what.name}() is called")
+                    engine.later.append((Callable(found.what, found.path, thing), called))
     engine.run_later()
 
 

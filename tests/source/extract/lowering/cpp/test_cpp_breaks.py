@@ -1,10 +1,12 @@
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 PUB = "create_publisher<std_msgs::msg::String>({}, 1);"
 
 
 def said(node_of, body: str) -> dict[str, tuple[str, ...]]:
-    return {str(one.name): one.conditions for one in node_of(body).endpoints}
+    return {str(one.name): as_written(one.conditions) for one in node_of(body).endpoints}
 
 
 def test_what_follows_a_break_under_a_condition_is_made_where_it_does_not_hold(node_of):

@@ -2,6 +2,7 @@ import pytest
 
 from roslens.source.extract.ir.program_text import program_text
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.syntax.macros import load_macros
 
 MACROS = load_macros()
@@ -50,7 +51,7 @@ def test_a_case_without_break_is_followed_by_the_next(node_of, names):
     for one in "abcd":
         body = body.replace(f"{{{one}}}", f'create_publisher<std_msgs::msg::String>("{one}", 1);')
     facts = node_of(body)
-    assert {str(one.name): one.conditions for one in facts.endpoints} == {
+    assert {str(one.name): as_written(one.conditions) for one in facts.endpoints} == {
         "a": ("ask() == 1",),
         "b": ("ask() == 1 or ask() == 2",),
         "c": ("not ask() == 1", "not ask() == 2", "ask() == 3"),

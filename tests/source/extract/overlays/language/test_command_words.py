@@ -3,6 +3,7 @@ import pytest
 from roslens.source.extract.facts.launched import Launched, Remap
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.overlays.language.command_words import reads_words, without_ros, words_of
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.units.node_units import facts_of_main, facts_of_module
 
@@ -51,7 +52,7 @@ def test_words_without_those_of_ros():
 
 def endpoints(index_of, body, words=WORDS):
     (found,) = facts_of_main(index_of(a_cpp=f"{MAIN}{body}\n}}"), "pkg/a.cpp", words=words)
-    return [(str(one.name), one.conditions) for one in found.endpoints]
+    return [(str(one.name), as_written(one.conditions)) for one in found.endpoints]
 
 
 @pytest.mark.parametrize(
@@ -101,7 +102,7 @@ def test_a_word_that_nobody_gave_stays_unknown(index_of):
 def test_a_program_of_python_with_its_words(index_of, body, told):
     text = "import sys\nimport rospy\nfrom sys import argv\nfrom std_msgs.msg import String\nrospy.init_node('a')\n"
     (found,) = facts_of_module(index_of(a_py=text + body), "pkg/a.py", words=WORDS)
-    assert [(str(one.name), one.conditions) for one in found.endpoints] == told
+    assert [(str(one.name), as_written(one.conditions)) for one in found.endpoints] == told
 
 
 @pytest.mark.parametrize(
@@ -143,7 +144,7 @@ int main(int argc, char ** argv) {
 def test_a_program_of_rclcpp_with_its_words(index_of, before, topic, name):
     body = f'{before}\nrclcpp::Node n("a"); auto p = n.create_publisher<std_msgs::msg::String>({topic}, 1);'
     (found,) = facts_of_main(index_of(a_cpp=f"{MAIN2}{body}\n}}"), "pkg/a.cpp", words=ROS2)
-    assert [(str(one.name), one.conditions) for one in found.endpoints] == [(name, ())]
+    assert [(str(one.name), as_written(one.conditions)) for one in found.endpoints] == [(name, ())]
 
 
 PYTHON2 = """
@@ -172,7 +173,7 @@ def main(args=sys.argv[1:]):
 def test_a_program_of_rclpy_with_its_words(index_of, line, told):
     index = index_of(a_py=f"{PYTHON2}    {line}\n    node.create_timer(1, main)\n")
     (found,) = facts_of_module(index, "pkg/a.py", "main", words=ROS2)
-    assert [(str(one.name), one.conditions) for one in found.endpoints] == told
+    assert [(str(one.name), as_written(one.conditions)) for one in found.endpoints] == told
 
 
 @pytest.mark.parametrize("line", ["sys.argv[-1]", "sys.argv[7]", "sys.argv[1:-1][0]", "args[9]"])

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.units.node_units import facts_of_module
 
@@ -26,7 +27,7 @@ def names(index_of, lines, words):
     text = BEFORE + "".join(f"    {line}\n" for line in lines)
     given_ = None if words is None else tuple(Text.of(one) for one in ("/bin/a", *words.split(), "--ros-args"))
     found = facts_of_module(index_of(a_py=text), "pkg/a.py", "main", words=given_)
-    return [(str(one.name), one.conditions) for facts in found for one in facts.endpoints]
+    return [(str(one.name), as_written(one.conditions)) for facts in found for one in facts.endpoints]
 
 
 PARSE = "args = parser.parse_args(remove_ros_args()[1:])"
@@ -172,4 +173,6 @@ if __name__ == '__main__':
     main()
 """
     (facts,) = units(a_py=text)
-    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("arm", ("the command line asks for it",))]
+    assert [(str(one.name), as_written(one.conditions)) for one in facts.endpoints] == [
+        ("arm", ("the command line asks for it",))
+    ]

@@ -1,6 +1,7 @@
 import pytest
 
 from roslens.source.extract.overlays.ros.reconfigure_file import read_reconfigure_file, reconfigure_files
+from roslens.source.extract.symbolic.condition import as_written
 
 MODULE = "dynamic_reconfigure.parameter_generator_catkin"
 HEAD = f"#!/usr/bin/env python\nfrom {MODULE} import *\ngen = ParameterGenerator()\n"
@@ -119,7 +120,7 @@ def test_what_only_a_run_decides_keeps_its_condition(read):
 
 def test_only_where_it_is_started(read):
     text = 'gen.add("a", int_t, 0, "")\nif __name__ == "__main__":\n    gen.add("b", int_t, 0, "")'
-    assert [(str(one.name), one.conditions) for one in read(text)] == [("a", ()), ("b", ())]
+    assert [(str(one.name), as_written(one.conditions)) for one in read(text)] == [("a", ()), ("b", ())]
 
 
 def test_files_are_found_by_the_name_of_their_class(index_of):

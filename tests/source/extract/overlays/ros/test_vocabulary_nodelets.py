@@ -1,11 +1,14 @@
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 BEFORE = "#include <nodelet/loader.h>"
 
 
 def loads(facts):
     return [
-        (str(one.name), str(one.type), [(str(a), str(b)) for a, b in one.remaps], one.conditions) for one in facts.loads
+        (str(one.name), str(one.type), [(str(a), str(b)) for a, b in one.remaps], as_written(one.conditions))
+        for one in facts.loads
     ]
 
 

@@ -3,6 +3,7 @@
 import pytest
 
 from roslens.source.extract.facts.node_facts import Overrides
+from roslens.source.extract.symbolic.text import Written
 
 USUAL = ("history", "depth", "reliability")
 PYTHON = """
@@ -82,5 +83,5 @@ def test_under_a_condition(node_of):
     if (allow) { o.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies(); }
     pub_ = create_publisher<std_msgs::msg::String>("a", 3, o);"""
     (one,) = node_of(body).endpoints
-    assert one.overrides == Overrides(USUAL, conditions=("allow",))
+    assert one.overrides == Overrides(USUAL, conditions=(Written("allow"),))
     assert one.conditions == ()

@@ -1,5 +1,7 @@
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 
 @pytest.mark.parametrize(
     ("statement", "told"),
@@ -171,4 +173,4 @@ public:
         ("out", "std_msgs/String"),
         ("in", "std_msgs/String"),
     ]
-    assert facts.endpoints[1].conditions[0] == "somebody subscribes"
+    assert as_written(facts.endpoints[1].conditions)[0] == "somebody subscribes"

@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.symbolic.condition import as_written
+
 ROS1 = """
 import rospy
 import tf2_ros
@@ -28,7 +30,7 @@ class Buffer:
 
 def services(facts):
     found = [one for one in facts.endpoints if one.role.value == "service_server"]
-    return [(str(one.name), str(one.type), one.conditions) for one in found]
+    return [(str(one.name), str(one.type), as_written(one.conditions)) for one in found]
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from tree_sitter import Node
 
 from roslens.source.extract.ir.program import (
+    NO_EXCEPTION,
     Assign,
     Branch,
     Class,
@@ -15,7 +16,6 @@ from roslens.source.extract.ir.program import (
     Field,
     Function,
     Lambda,
-    Opaque,
     Statement,
 )
 from roslens.source.extract.ir.ros_switch import holds
@@ -262,7 +262,7 @@ class Definitions:
         inner = tried.child_by_field_name("body")
         then = self._statements.body(inner) if inner is not None else ()
         handlers = self._statements.handlers(tried)
-        return (Branch(Opaque("no exception"), then, handlers, tried.start_point.row + 1),)
+        return (Branch(NO_EXCEPTION, then, handlers, tried.start_point.row + 1),)
 
     def _lambda(self, node: Node) -> Expression:
         lowered = self._lowered

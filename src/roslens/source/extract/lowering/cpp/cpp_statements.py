@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from tree_sitter import Node
 
 from roslens.source.extract.ir.program import (
+    NO_EXCEPTION,
     Assign,
     Branch,
     Call,
@@ -342,7 +343,7 @@ class StatementLowering:
         self._lowered.depth += 1
         then = self.block(node.child_by_field_name("body"))
         line = node.start_point.row + 1
-        out.append(Branch(Opaque("no exception"), then, self.handlers(node), line))
+        out.append(Branch(NO_EXCEPTION, then, self.handlers(node), line))
         self._lowered.depth -= 1
 
     def handlers(self, node: Node) -> tuple[Statement, ...]:

@@ -21,6 +21,7 @@ import re
 from tree_sitter import Node
 
 from roslens.source.extract.ir.program import (
+    NO_EXCEPTION,
     Assign,
     Branch,
     Call,
@@ -48,7 +49,6 @@ from roslens.source.syntax.python_names import base_names, definition_name
 from roslens.source.syntax.python_tree import LANGUAGE
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
-_NO_EXCEPTION = Opaque("no exception")
 _NO_BREAK = Opaque("no break")
 _KEPT_OPERATORS = frozenset(("-", "*", "/", "%"))
 _CLASS_METHODS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
@@ -337,7 +337,7 @@ class Statements(Patterns):
         self._depth = depth
         otherwise = self._handled(handlers, self.line(node))
         if then or otherwise:
-            self.pending.append(Branch(_NO_EXCEPTION, then, otherwise, self.line(node)))
+            self.pending.append(Branch(NO_EXCEPTION, then, otherwise, self.line(node)))
         self.pending += last
 
     def _handled(self, handlers: list[tuple[str, tuple[Statement, ...]]], line: int) -> tuple[Statement, ...]:

@@ -9,7 +9,7 @@ import msgspec
 
 from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Hole, Text, Written
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -77,7 +77,7 @@ def defaults(engine: Context, thing: Any, called: Called) -> Any:
     if isinstance(thing, Obj):
         thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
     for one in called.keywords.values():
-        engine.called_outer(one, "the command line asks for it")
+        engine.called_outer(one, Written("the command line asks for it"))
     return None
 
 

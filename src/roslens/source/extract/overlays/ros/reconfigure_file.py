@@ -18,7 +18,7 @@ from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, Text, unknown
 from roslens.source.extract.symbols.workspace_index import Index
 from roslens.source.extract.transfer.context import Context
 
@@ -49,7 +49,7 @@ class Declaration(msgspec.Struct, frozen=True):
     range: str
     description: str
     evidence: Evidence
-    conditions: tuple[str, ...] = ()
+    conditions: Conditions = ()
 
 
 class ReconfigureFile(msgspec.Struct, frozen=True):

@@ -33,7 +33,7 @@ from roslens.source.extract.facts.node_facts import (
 from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
 from roslens.source.extract.ir.program import Call, Name
 from roslens.source.extract.symbolic.condition import under_either
-from roslens.source.extract.symbolic.text import Asked, Hole, Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, unknown
 from roslens.source.extract.symbols.interface_name import (
     included_interface,
     interface_name,
@@ -118,7 +118,7 @@ def _under_either(known: EndpointFact, other: EndpointFact) -> EndpointFact:
     return msgspec.structs.replace(known, conditions=under_either(known.conditions, other.conditions), asked=asked)
 
 
-def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | None:
+def _beyond(overrides: Overrides | None, conditions: list[Condition]) -> Overrides | None:
     """Return overrides without the conditions that hold for their endpoint anyway."""
     if overrides is None or not overrides.conditions:
         return overrides
@@ -315,12 +315,12 @@ def _type_by_default(node: Building, default: Any, *, python: bool) -> str:
     return type_of_value(default, python=python and node.generation == "ros2")
 
 
-def is_set(value: Any) -> Asked | None:
+def is_set(value: Any) -> Condition | None:
     """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
     if not isinstance(value, Text):
         return None
     hole = value.parts[0] if len(value.parts) == 1 else None
-    return Asked("set", (value,)) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
+    return IsSet(value) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
 
 
 def value_text(value: Any) -> Text:

@@ -11,7 +11,7 @@ from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
 from roslens.source.extract.overlays.ros.record import value_text
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Conditions, Text
 from roslens.source.extract.transfer.xml_rpc_values import parts_of
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def write_parameter(
-    engine: Context, receiver: Any, called: Called, name: Any, value: Any, conditions: tuple[str, ...] = ()
+    engine: Context, receiver: Any, called: Called, name: Any, value: Any, conditions: Conditions = ()
 ) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
 

@@ -12,7 +12,7 @@ from roslens.source.extract.domain.abstract_value import Class, Handle, Named, O
 from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, origin
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, Text, unknown
 from roslens.source.extract.symbols.workspace_index import dotted
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def _declare(engine: Context, handle: Handle, called: Called, kind: str) -> None
             node.parameters.append(fact)
 
 
-def _fact(one: Declaration, name: Text, place: Evidence, conditions: tuple[str, ...], sure: Sure) -> ParameterFact:
+def _fact(one: Declaration, name: Text, place: Evidence, conditions: Conditions, sure: Sure) -> ParameterFact:
     how = f"written by the server of dynamic_reconfigure at {place.path}:{place.line}"
     evidence = msgspec.structs.replace(one.evidence, how=how, sure=sure)
     writer = msgspec.structs.replace(place, how="default, which the callback may change", sure=Sure.LIKELY)

@@ -11,7 +11,7 @@ from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Hole, Text, Written
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -35,7 +35,7 @@ def handle_of(engine: Context, called: Called) -> Any:
 def follow_visitors(engine: Context, called: Called, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
-        engine.called_outer(one, "somebody subscribes" if isinstance(one, Callable) else "")
+        engine.called_outer(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")

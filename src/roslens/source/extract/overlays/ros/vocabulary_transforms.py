@@ -9,7 +9,7 @@ from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.overlays.ros.record import endpoint
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Text, Written
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -34,7 +34,7 @@ def buffer(engine: Context, thing: Any, called: Called) -> Any:
     holds, name = engine.truth(debug), Text.of("~", _FRAMES)
     if holds is False or any(one.name == name for one in engine.node.endpoints):
         return found
-    note = [] if holds else ["its buffer of transforms is made with debug"]
+    note = [] if holds else [Written("its buffer of transforms is made with debug")]
     engine.conditions += note
     endpoint(engine, Handle(engine.node), called, Role.SERVICE_SERVER, name, _TYPE)
     del engine.conditions[len(engine.conditions) - len(note) :]

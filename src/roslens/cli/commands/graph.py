@@ -195,7 +195,7 @@ def _writer(form: str) -> Callable[[Configuration], str]:
     from importlib import import_module
 
     module, name = _WRITERS[form]
-    found: Callable[[Configuration], str] = getattr(import_module(f"roslens.report.{module}"), name)
+    found: Callable[[Configuration], str] = getattr(import_module(f"roslens.report.graph.{module}"), name)
     return found
 
 

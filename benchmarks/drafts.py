@@ -36,12 +36,12 @@ from roslens.live.adapters.bag.block import Ints
 from roslens.live.adapters.bag.open_bag import open_bag
 from roslens.live.adapters.bag.steps import Lane, Steps
 from roslens.live.adapters.bag.topic import BagTopic
-from roslens.live.alarms import Alarm, AlarmLog
-from roslens.live.draft import Observed
-from roslens.live.draft_groups import grouped
-from roslens.live.draft_text import draft_text
-from roslens.live.replay import replay
-from roslens.live.signals import BY_KEY
+from roslens.live.drafting.draft import Observed
+from roslens.live.drafting.draft_groups import grouped
+from roslens.live.drafting.draft_text import draft_text
+from roslens.live.replay.alarms import Alarm, AlarmLog
+from roslens.live.replay.replay import replay
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Graph, Role

@@ -24,9 +24,9 @@ from urllib.parse import urlsplit
 from roslens.cli.watch_page import PageSource
 from roslens.dashboard.live.serving import LivePage
 from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame

@@ -10,7 +10,6 @@ SOURCE = Path(__file__).parents[2] / "src" / "roslens"
 MOST = 25
 CROWDED = {
     "cli": 102,
-    "live": 79,
     "source/tools": 39,
     "source/rules/graph": 38,
     "dashboard": 38,
@@ -20,13 +19,12 @@ CROWDED = {
     "source": 32,
     "live/adapters/ros1": 31,
     "source/rules/cpp/functions": 30,
-    "live/react": 30,
     "source/syntax": 29,
     "cli/commands": 29,
 }
 """Modules of folders that are too large still: whoever divides one lowers its number, and no number rises."""
 
-HOUSES = [SOURCE / name for name in ("source/extract", "source/metrics", "judge", "report")]
+HOUSES = [SOURCE / name for name in ("source/extract", "source/metrics", "judge", "live", "report")]
 """Packages that are divided into rooms."""
 
 ENTRANCES = {SOURCE / "source" / "metrics"}

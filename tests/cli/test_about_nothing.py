@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from roslens.cli.about_nothing import MOST, about_nothing, errors_about_nothing, kinds_of, lines_of
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.note import Note, NoteKind
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.join.note import Note, NoteKind
+from roslens.live.join.session import Session
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph, Node
 from roslens.model.wire import VERSION, Frame

@@ -5,7 +5,7 @@ import pytest
 
 from roslens.cli.main import main
 from roslens.cli.param_reference import reference_argument, reference_sources
-from roslens.live import parameter_source
+from roslens.live.observe import parameter_source
 from roslens.model.errors import UsageError
 
 DOCUMENT = "kind: reference\nname: rover\nconstraints: []\n"

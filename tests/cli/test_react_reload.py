@@ -8,9 +8,9 @@ import pytest
 
 from roslens.cli.react_reload import Renewal
 from roslens.cli.watch_reload import ReferenceFiles
+from roslens.live.join.session import Session, Step
 from roslens.live.react.prepared import Prepared
 from roslens.live.react.reactor import Reactor
-from roslens.live.session import Session, Step
 from roslens.model.order import VERSION, Reply, Verb
 
 HEAD = "kind: reference\nname: r\nconstraints: [{node: /a, expected: always}]\nreactions:\n"

@@ -10,8 +10,8 @@ import pytest
 
 from roslens.cli.never_judged import JudgedOnce, summary_of
 from roslens.cli.watch_output import Teller
-from roslens.live.note import Note, NoteKind
-from roslens.live.session import Step
+from roslens.live.join.note import Note, NoteKind
+from roslens.live.join.session import Step
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event

@@ -19,7 +19,7 @@ from roslens.cli.watch_screen import value_text
 from roslens.cli.watch_serve import address_of
 from roslens.dashboard.computation.picture import MANY
 from roslens.dashboard.live.snapshot import Row
-from roslens.live.session import Step
+from roslens.live.join.session import Step
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import UsageError
 from roslens.model.graph import Change, Event, Graph

@@ -9,9 +9,9 @@ from roslens.cli.main import main
 from roslens.cli.watch_live import _serve
 from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.judge.reference.expectation import Presence, PresenceMode, Reference, Selector, Told
-from roslens.live.child_source import ChildSource, Publishes
+from roslens.live.join.session import Session
+from roslens.live.observe.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import PERIOD_S
-from roslens.live.session import Session
 from roslens.model.entity import EntityKind
 from roslens.model.errors import UsageError
 from roslens.model.outgoing import MAX_BYTES, OutgoingReader

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.watch_reload import ReferenceFiles
-from roslens.live.note import NoteKind
-from roslens.live.session import Session
+from roslens.live.join.note import NoteKind
+from roslens.live.join.session import Session
 from roslens.model.errors import DocumentError
 from roslens.model.tally import Moments, Tally
 from roslens.model.verdict import State

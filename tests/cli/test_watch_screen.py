@@ -4,7 +4,7 @@ import msgspec
 import pytest
 
 from roslens.cli.watch_screen import screen
-from roslens.live.tree import SystemView
+from roslens.live.system.tree import SystemView
 from roslens.model.verdict import State
 from roslens.report.writing.terminal import Terminal
 

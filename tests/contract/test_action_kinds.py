@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.live.react import actions
+from roslens.live.act import actions
 from roslens.model.action_kind import ACTION_KINDS, By
 
 FOLDER = Path(actions.__file__).parent
@@ -20,7 +20,7 @@ TRIED_IN = {
 
 @pytest.mark.parametrize("kind", ACTION_KINDS, ids=lambda one: one.key)
 def test_a_kind_has_a_file_of_its_name_that_carries_it_out(kind):
-    module = import_module(f"roslens.live.react.actions.{kind.key}")
+    module = import_module(f"roslens.live.act.actions.{kind.key}")
     assert module.__doc__.startswith(f"``{kind.key}``: ")
     parameters = list(inspect.signature(module.act).parameters)
     assert parameters == PARAMETERS.get(kind.by, parameters)

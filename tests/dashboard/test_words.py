@@ -15,7 +15,7 @@ from roslens.dashboard.computation.system import VERB
 from roslens.dashboard.server import create_app
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.ranges.range import Range
-from roslens.live.tree import SystemView
+from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Role
 

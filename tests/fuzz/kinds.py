@@ -146,7 +146,7 @@ def _yaml(content: bytes) -> None:
     from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
     from roslens.judge.reading.read_reference import GivenText, load_reference
     from roslens.judge.reading.read_time_line import parse_time_lines
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.errors import RoslensError
     from roslens.source.extract.parameters.parameter_file import ros1_parameters, ros2_parameters
 
@@ -218,8 +218,8 @@ def _frames(content: bytes) -> None:
 
 def _session_takes(frame) -> None:
     from roslens.judge.reading.read_reference import GivenText, load_reference
-    from roslens.live.session import Session
-    from roslens.live.signals import BY_KEY
+    from roslens.live.join.session import Session
+    from roslens.live.window.signals import BY_KEY
 
     reference = (EXAMPLES / "robot" / "rover.yaml").read_bytes()
     session = Session(load_reference([GivenText("rover.yaml", reference)], BY_KEY), start=0.0)

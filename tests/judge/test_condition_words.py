@@ -6,7 +6,7 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.condition_words import condition_words
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 CASES = [
     ("{node: /lidar, is: gone}", "node /lidar is gone"),

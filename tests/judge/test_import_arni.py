@@ -13,7 +13,7 @@ from roslens.judge.documents.yaml_tree import read_tree
 from roslens.judge.ranges.range import Range
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.expectation import Reference, Selector
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 

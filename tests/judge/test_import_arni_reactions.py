@@ -10,7 +10,7 @@ import pytest
 from roslens.judge.arni.import_arni import Outcome, import_arni, imported
 from roslens.judge.documents.yaml_tree import read_tree
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 FIXTURE = Path(__file__).parents[1] / "fixtures" / "arni" / "countermeasures.yaml"
 

@@ -16,7 +16,7 @@ from roslens.judge.reference.contradiction import meeting_name
 from roslens.judge.reference.expectation import Reference, Selector
 from roslens.judge.reference.merge_references import merge_references, sentences_of
 from roslens.judge.reference.pattern_index import CompiledSelector
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 

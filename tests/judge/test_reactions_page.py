@@ -4,7 +4,7 @@ from roslens.judge.pages.reactions_page import EXAMPLE, reactions_page
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, REACTION_KEYS, STEP_KEYS
 from roslens.judge.reference.template import FIELDS
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 from .test_references_page import accepted
 

@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.condition import About, AllOf, AnyOf, AtLeast, Matching, Not, OverTime, Stated
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import DocumentError

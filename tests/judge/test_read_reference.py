@@ -14,7 +14,7 @@ from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.expectation import FieldCondition, Presence, PresenceMode, Reference, Selector, Timing
 from roslens.judge.reference.merge_references import sentences_of
 from roslens.judge.reference.reference_keys import SELECTOR_KEYS, TOLD_KEYS
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Severity

@@ -11,7 +11,7 @@ from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, read_t
 from roslens.judge.pages.references_page import EXAMPLE, reference_schema, references_page
 from roslens.judge.reading.read_reference import GivenText, load_reference, read_references
 from roslens.judge.reference.reference_keys import CHAIN_KEYS, FIELD_KEYS, REFERENCE_KEYS, WHEN_KEYS, constraint_keys
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import DocumentError
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "references"

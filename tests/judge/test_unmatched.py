@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 

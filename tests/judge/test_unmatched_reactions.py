@@ -5,7 +5,7 @@ import pytest
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.unmatched import Subject
 from roslens.judge.reference.unmatched_reactions import refuse_unknown_targets, unmatched_statements
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 

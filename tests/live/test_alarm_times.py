@@ -19,8 +19,8 @@ from roslens.live.adapters.ros2.__main__ import COUNT_EVERY_S as BESIDE_S
 from roslens.live.agent.work import COUNT_EVERY_S
 from roslens.live.inside.ros1_statistics import PERIOD_S
 from roslens.live.inside.sequence import SETTLE_NS
-from roslens.live.monitor import Monitor
-from roslens.live.waiting import SHORTEST_S
+from roslens.live.join.waiting import SHORTEST_S
+from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityKind
 from roslens.model.tally import NOTHING, Moments, Observer, Tally
 from roslens.model.verdict import State

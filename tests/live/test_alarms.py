@@ -1,7 +1,7 @@
 import pytest
 
-from roslens.live.alarms import AlarmLog
-from roslens.live.expected_alarms import ExpectedAlarm, ExpectedAlarms, Others, compare, read_expected
+from roslens.live.replay.alarms import AlarmLog
+from roslens.live.replay.expected_alarms import ExpectedAlarm, ExpectedAlarms, Others, compare, read_expected
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.verdict import State, Verdict

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.live.attention import PAUSE_S, SETTLE_S, Attention
+from roslens.live.reported.attention import PAUSE_S, SETTLE_S, Attention
 
 
 def test_who_was_stopped_does_not_vouch_for_what_waited():

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.bucket import Bucket, Sums, joined
+from roslens.live.window.bucket import Bucket, Sums, joined
 from roslens.model.tally import NOTHING, Moments, Tally
 
 VALUES = st.lists(st.floats(0.001, 10), min_size=1, max_size=5)

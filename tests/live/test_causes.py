@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.causes import first_causes
+from roslens.live.explain.causes import first_causes
 from roslens.model.entity import EntityId, EntityKind
 
 

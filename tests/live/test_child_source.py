@@ -2,8 +2,8 @@ import sys
 
 import pytest
 
-from roslens.live import child_source
-from roslens.live.child_source import Publishes, ros1_source, ros2_source
+from roslens.live.observe import child_source
+from roslens.live.observe.child_source import Publishes, ros1_source, ros2_source
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.live.clock_watch import ClockWatch, Course
+from roslens.live.window.clock_watch import ClockWatch, Course
 
 
 def courses(times, start=0.0):

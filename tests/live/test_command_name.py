@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.live.command_name import command_name
+from roslens.live.system.command_name import command_name
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.connection_name import connection_ends, connection_id
+from roslens.live.system.connection_name import connection_ends, connection_id
 from roslens.model.entity import EntityId, EntityKind
 
 NAMES = st.text("ab/>?\\ \n", max_size=8)

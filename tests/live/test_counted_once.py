@@ -1,4 +1,4 @@
-from roslens.live.counted_once import GIVEN_UP_S, CountedOnce
+from roslens.live.join.counted_once import GIVEN_UP_S, CountedOnce
 
 
 def test_the_first_who_tells_of_a_place_is_believed():

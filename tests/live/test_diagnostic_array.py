@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
-from roslens.live.diagnostic_array import ArrayError, read_array
-from roslens.live.reported_levels import Report
+from roslens.live.reported.diagnostic_array import ArrayError, read_array
+from roslens.live.reported.reported_levels import Report
 
 ROS1, ROS2 = get_typestore(Stores.ROS1_NOETIC), get_typestore(Stores.ROS2_HUMBLE)
 NAME = "diagnostic_msgs/msg/DiagnosticArray"

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.range import Range
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.draft import Observed
-from roslens.live.draft_groups import grouped, pattern_of
-from roslens.live.draft_lines import rounded
-from roslens.live.draft_presence import There
-from roslens.live.draft_text import draft_text
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.drafting.draft import Observed
+from roslens.live.drafting.draft_groups import grouped, pattern_of
+from roslens.live.drafting.draft_lines import rounded
+from roslens.live.drafting.draft_presence import There
+from roslens.live.drafting.draft_text import draft_text
+from roslens.live.join.session import Session
+from roslens.live.window.signals import BY_KEY
 from roslens.model.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
 

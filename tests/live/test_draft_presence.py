@@ -6,10 +6,10 @@ import msgspec
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.draft_presence import Attendance, There, there_in, types_in
-from roslens.live.draft_session import DraftSession
-from roslens.live.draft_text import draft_text
-from roslens.live.signals import BY_KEY
+from roslens.live.drafting.draft_presence import Attendance, There, there_in, types_in
+from roslens.live.drafting.draft_session import DraftSession
+from roslens.live.drafting.draft_text import draft_text
+from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.tally import BY_GID, Moments, Tally
 from roslens.model.wire import VERSION, Frame

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from live.random_traffic import of, told
 from live.time_line import reference
 
-from roslens.live import lookout as lookout_file
-from roslens.live.monitor import Monitor
-from roslens.live.plausible_tally import plausible_tally
-from roslens.live.round import Round
+from roslens.live.rate import lookout as lookout_file
+from roslens.live.rate.monitor import Monitor
+from roslens.live.window.plausible_tally import plausible_tally
+from roslens.live.window.round import Round
 from roslens.model.tally import Moments, Observer, Tally
 from roslens.model.tally_columns import row_of
 from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame

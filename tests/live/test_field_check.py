@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.monitor import Monitor
-from roslens.live.replay import wanted_fields
-from roslens.live.signals import BY_KEY
+from roslens.live.rate.monitor import Monitor
+from roslens.live.replay.replay import wanted_fields
+from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.verdict import State
 

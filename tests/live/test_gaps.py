@@ -5,8 +5,8 @@ from live.time_line import Played
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
-from roslens.live.bucket import Bucket
-from roslens.live.replay import SHORTEST_STEP_S, STEP_S, usual_step
+from roslens.live.replay.replay import SHORTEST_STEP_S, STEP_S, usual_step
+from roslens.live.window.bucket import Bucket
 from roslens.model.entity import EntityKind
 from roslens.model.tally import Moments, Tally
 

@@ -1,7 +1,7 @@
 import msgspec
 import pytest
 
-from roslens.live.gid_names import KEPT_S, MOST_WAITING, WAIT_S, GidNames
+from roslens.live.join.gid_names import KEPT_S, MOST_WAITING, WAIT_S, GidNames
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.tally import BY_GID, Tally
 

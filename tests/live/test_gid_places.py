@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.live.gid_places import GidPlaces
+from roslens.live.join.gid_places import GidPlaces
 from roslens.model.graph import Endpoint, Graph, Process, Role
 
 CONTEXT = "010faaaa0900000000000000"

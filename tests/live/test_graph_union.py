@@ -1,4 +1,4 @@
-from roslens.live.graph_union import GraphUnion
+from roslens.live.join.graph_union import GraphUnion
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.qos import Qos
 

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.host_clocks import HostClocks
+from roslens.live.window.host_clocks import HostClocks
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.sample import Sample
 from roslens.model.tally import NOTHING, Moments, Tally

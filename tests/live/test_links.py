@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from live.time_line import Played, read
 
-from roslens.live.links import MOST_VISITED, links, links_text
+from roslens.live.explain.links import MOST_VISITED, links, links_text
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Link
 

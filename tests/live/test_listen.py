@@ -10,7 +10,7 @@ from roslens.live.agent.host import HostSampler
 from roslens.live.agent.link import Channel
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.agent.work import Agent
-from roslens.live.listen import MOST_UNPROVEN, MOST_UNPROVEN_OF_A_HOST, PROOF_S, SILENT_S, Listener
+from roslens.live.observe.listen import MOST_UNPROVEN, MOST_UNPROVEN_OF_A_HOST, PROOF_S, SILENT_S, Listener
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.sample import Sample

@@ -9,7 +9,7 @@ from roslens.live.agent.processes import ProcessSampler
 from roslens.live.inside import slots
 from roslens.live.inside.host_counters import HostCounters, place_of
 from roslens.live.inside.slots import VARIABLE, CounterFile
-from roslens.live.local_host import LocalHost
+from roslens.live.observe.local_host import LocalHost
 from roslens.model.graph import Change
 
 

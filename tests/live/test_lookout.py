@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from live.time_line import reference, tallies
 
-from roslens.live.monitor import Monitor
+from roslens.live.rate.monitor import Monitor
 from roslens.model.verdict import State
 
 RATE = {"id": "rate", "name": "/scan", "quantity": "rate", "range": "15..30", "grace": 0.5}

@@ -1,7 +1,7 @@
 import pytest
 
-from roslens.live import misfit as fit
-from roslens.live.misfit import MOST_PAIRS, incompatible, misfits
+from roslens.live.system import misfit as fit
+from roslens.live.system.misfit import MOST_PAIRS, incompatible, misfits
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from live.time_line import moments, reference, tallies
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.monitor import Monitor
-from roslens.live.signals import BY_KEY
-from roslens.live.window import MAX_BUCKETS
-from roslens.live.worth_a_row import badge, not_judged
+from roslens.live.rate.monitor import Monitor
+from roslens.live.system.worth_a_row import badge, not_judged
+from roslens.live.window.signals import BY_KEY
+from roslens.live.window.window import MAX_BUCKETS
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role

@@ -3,10 +3,10 @@
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.newest import MOST_GONE, keep_newest
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
-from roslens.live.world import FORGET_GONE_S
+from roslens.live.join.session import Session
+from roslens.live.system.world import FORGET_GONE_S
+from roslens.live.window.newest import MOST_GONE, keep_newest
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.sample import Sample

@@ -1,5 +1,5 @@
-from roslens.live.newest import MOST_GONE
-from roslens.live.node_processes import NodeProcesses
+from roslens.live.join.node_processes import NodeProcesses
+from roslens.live.window.newest import MOST_GONE
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node
 from roslens.model.sample import Sample

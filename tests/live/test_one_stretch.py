@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.one_stretch import OneStretch
+from roslens.live.join.one_stretch import OneStretch
 from roslens.model.tally import Tally
 
 

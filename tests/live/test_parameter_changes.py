@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.parameter_changes import MOST_EVENTS, parameter_events
+from roslens.live.reported.parameter_changes import MOST_EVENTS, parameter_events
 from roslens.model.graph import Change, Event
 
 

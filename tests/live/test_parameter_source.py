@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from ros2_domain import own_domain
 
-from roslens.live.parameter_source import ros1_parameter, ros2_parameter, split_name
+from roslens.live.observe.parameter_source import ros1_parameter, ros2_parameter, split_name
 from roslens.model.errors import UsageError
 
 WHEELS = Path(__file__).parents[2] / "build" / "ros2" / "bin" / "python"

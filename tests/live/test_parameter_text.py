@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.parameter_text import HIDDEN, LONGEST, is_secret, value_text
+from roslens.live.reported.parameter_text import HIDDEN, LONGEST, is_secret, value_text
 
 
 @pytest.mark.parametrize(

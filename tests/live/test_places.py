@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.places import Places
+from roslens.live.join.places import Places
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.live.read_rosgraph import read_rosgraph
+from roslens.live.observe.read_rosgraph import read_rosgraph
 from roslens.model.errors import DocumentError
 from roslens.model.graph import Endpoint, Graph, Node, Role
 

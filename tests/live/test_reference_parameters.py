@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.judge.reading.read_reference import load_reference
-from roslens.live.reference_parameters import parameter_documents
-from roslens.live.signals import BY_KEY
+from roslens.live.observe.reference_parameters import parameter_documents
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import DocumentError
 
 WHERE = "the parameter server at http://robot:11311"

@@ -2,7 +2,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.publish.diagnostics import diagnostics
-from roslens.live.reported_levels import FLAP_S, FLAPS, MOST, SAID, Report, ReportedLevels
+from roslens.live.reported.reported_levels import FLAP_S, FLAPS, MOST, SAID, Report, ReportedLevels
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event

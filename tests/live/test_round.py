@@ -1,6 +1,6 @@
 """A tick ends a round for all who share it."""
 
-from roslens.live.round import Round
+from roslens.live.window.round import Round
 
 
 def test_a_round_goes_on_until_a_tick_ends_it():

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from roslens.judge.reference.unmatched import Subject
-from roslens.live import seen
-from roslens.live.seen import Seen
-from roslens.live.world import World
+from roslens.live.join import seen
+from roslens.live.join.seen import Seen
+from roslens.live.system.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.tally import Tally

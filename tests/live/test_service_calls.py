@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.live.service_calls import EVERY_S, STALE_S, ServiceCalls
+from roslens.live.join.service_calls import EVERY_S, STALE_S, ServiceCalls
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.sample import Sample
 

@@ -2,8 +2,8 @@ import msgspec
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.session import BEGIN_S, Session, Step, run
-from roslens.live.signals import BY_KEY
+from roslens.live.join.session import BEGIN_S, Session, Step, run
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role

@@ -16,8 +16,8 @@ from roslens.live.inside import rclpy_hook, slots
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.host_counters import HostCounters
 from roslens.live.inside.slots import VARIABLE, CounterFile
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.join.session import Session
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role

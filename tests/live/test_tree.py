@@ -1,11 +1,11 @@
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.connection import Connection
-from roslens.live.monitor import Monitor
-from roslens.live.signals import BY_KEY
-from roslens.live.topic import ENDS
-from roslens.live.traffic import MEASURES
+from roslens.live.rate.monitor import Monitor
+from roslens.live.system.connection import Connection
+from roslens.live.system.topic import ENDS
+from roslens.live.window.signals import BY_KEY
+from roslens.live.window.traffic import MEASURES
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.sample import Sample

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslens.judge.reference.expectation import Timing
-from roslens.live.verdict_state import NEVER, VerdictState
+from roslens.live.standing.verdict_state import NEVER, VerdictState
 from roslens.model.verdict import State
 
 

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.live.voice import LEAST_PATIENCE_S, Voice, Voices
+from roslens.live.window.voice import LEAST_PATIENCE_S, Voice, Voices
 
 
 def speaking(voice, start, end, every=0.2, offset=0.0):

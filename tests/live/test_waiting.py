@@ -1,7 +1,7 @@
 import os
 import time
 
-from roslens.live.waiting import Waiting
+from roslens.live.join.waiting import Waiting
 
 
 class Reads:

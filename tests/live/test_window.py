@@ -8,8 +8,8 @@ import msgspec
 import pytest
 from live.random_traffic import of
 
-from roslens.live.round import Round
-from roslens.live.window import Window
+from roslens.live.window.round import Round
+from roslens.live.window.window import Window
 from roslens.model.tally import NOTHING, Observer, Tally
 from roslens.model.tally_columns import row_of
 

@@ -1,7 +1,7 @@
 import pytest
 
-from roslens.live.tree import SystemView
-from roslens.live.worth_a_row import worth_a_row
+from roslens.live.system.tree import SystemView
+from roslens.live.system.worth_a_row import worth_a_row
 
 
 @pytest.mark.parametrize(

@@ -32,8 +32,8 @@ from roslens.judge.reference.expectation import (
     Timing,
     Told,
 )
-from roslens.live.monitor import Monitor
-from roslens.live.session import Step
+from roslens.live.join.session import Step
+from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role

@@ -25,7 +25,7 @@ PARTS = (
     ),
     Part(
         "window",
-        ("src/roslens/live/window.py",),
+        ("src/roslens/live/window/window.py",),
         (
             "tests/live/test_window_cases.py", "tests/live/test_window.py",
             "tests/live/test_gaps.py", "tests/live/test_one_stretch.py",
@@ -35,7 +35,7 @@ PARTS = (
     Part("store", ("src/roslens/store/*.py",), ("tests/store", "tests/cli/test_own_results.py")),
     Part(
         "agent",
-        ("src/roslens/live/agent/*.py", "src/roslens/live/listen.py", "src/roslens/live/host_keys.py"),
+        ("src/roslens/live/agent/*.py", "src/roslens/live/observe/listen.py", "src/roslens/live/observe/host_keys.py"),
         ("tests/live/agent", "tests/live/test_listen.py", "tests/cli/test_agent.py"),
     ),
     Part(

@@ -6,7 +6,7 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roslens.live.read_rosgraph import read_rosgraph
+from roslens.live.observe.read_rosgraph import read_rosgraph
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.qos import Qos
 from roslens.report.graph.to_rosgraph import to_rosgraph

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.judge.reference.unmatched import unmatched
-from roslens.live.note import Note, NoteKind
+from roslens.live.join.note import Note, NoteKind
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection
 
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.session import Session
+    from roslens.live.join.session import Session
 
 RECORDED = (EntityKind.TOPIC,)
 """What a recording tells of; who sends and receives is in some of them, on which host in none."""

@@ -17,7 +17,7 @@ from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_reload import ReferenceFiles
 from roslens.cli.watch_screen import time_of_day
 from roslens.cli.watch_serve import page_of
-from roslens.live.session import Session, Step, run
+from roslens.live.join.session import Session, Step, run
 
 _END_S = 10.0
 

@@ -48,8 +48,8 @@ def reference_sources(given: Iterable[str | Path], options: argparse.Namespace) 
 
 def _documents(name: str, options: argparse.Namespace) -> list[GivenText]:
     """Return the documents of a parameter in every ROS that is asked for, or found."""
-    from roslens.live.parameter_source import ros1_parameter, ros2_parameter
-    from roslens.live.reference_parameters import parameter_documents
+    from roslens.live.observe.parameter_source import ros1_parameter, ros2_parameter
+    from roslens.live.observe.reference_parameters import parameter_documents
 
     if options.bag:
         raise UsageError(f"--reference {PREFIX}{name} with --bag", expected="a file", advice="A bag has no parameters")

@@ -24,8 +24,8 @@ from roslens.cli.until_stopped import when_stopped
 from roslens.cli.user_folder import state_folder
 from roslens.cli.watch_live import length_of, sources_of
 from roslens.cli.watch_screen import time_of_day
+from roslens.live.join.session import Session, Step, run
 from roslens.live.publish.json_lines import verdict_line
-from roslens.live.session import Session, Step, run
 from roslens.model.errors import DocumentError, UsageError
 
 if TYPE_CHECKING:
@@ -169,7 +169,7 @@ class _Reacting:
 
     def run(self, length: float | None) -> int:
         """React; return the exit code."""
-        from roslens.live.child_source import ChildSource
+        from roslens.live.observe.child_source import ChildSource
 
         started = time.time()
         session = self._session = Session(self._reference, start=started)
@@ -292,7 +292,7 @@ class _Reacting:
 
     def _by_monitor(self, decision: Decision) -> Callable[[], str]:
         """Look at what an action of the monitor itself needs, and return what carries it out."""
-        from roslens.live.react.actions import snapshot, webhook
+        from roslens.live.act.actions import snapshot, webhook
 
         if decision.action.kind == "webhook":
             return partial(webhook.act, decision)

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from roslens.dashboard.access.audit import Entry
     from roslens.dashboard.journal.questions import Questions
     from roslens.dashboard.live.further import Further
+    from roslens.live.join.session import Session, Step
     from roslens.live.react.actor import Asker
-    from roslens.live.session import Session, Step
     from roslens.model.reaction import Decision, Reaction
 
 _REFUSED = 400

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import msgspec
 
-from roslens.live.note import Note, NoteKind
+from roslens.live.join.note import Note, NoteKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from roslens.cli.watch_reload import ReferenceFiles
     from roslens.judge.reference.expectation import Reference
+    from roslens.live.join.session import Session, Step
     from roslens.live.react.prepared import Prepared
     from roslens.live.react.reactor import Reactor
-    from roslens.live.session import Session, Step
     from roslens.model.reaction import Reaction
 
 _READY_WITHIN_S = 30.0

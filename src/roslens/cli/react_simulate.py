@@ -13,8 +13,8 @@ from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
+    from roslens.live.join.session import Step
     from roslens.live.react.simulation import Simulation
-    from roslens.live.session import Step
     from roslens.model.reaction import Because, Decision
 
 EXAMPLES = """\
@@ -44,7 +44,7 @@ def simulate(
         UsageError: there is nothing to simulate along, or no reaction.
     """
     from roslens.judge.reading.read_reference import load_reference
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.errors import UsageError
 
     if bool(bag) is bool(timeline):
@@ -77,7 +77,7 @@ _Run = tuple[str, float, float, "Simulation", bool]
 def _along_bag(reference: Reference, files: Sequence[Path], quiet: bool) -> _Run:
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.react.simulation import Simulation
-    from roslens.live.replay import replay
+    from roslens.live.replay.replay import replay
 
     bag = open_bag(list(files))
     simulation = Simulation(reference.reactions, start=bag.start)

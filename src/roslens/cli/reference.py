@@ -15,7 +15,7 @@ def pages() -> Mapping[str, str]:
     from roslens.judge.pages.reactions_page import reactions_page
     from roslens.judge.pages.references_page import reference_schema, references_page
     from roslens.judge.quality.quality_model import builtin_models, load_model
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.report.graph.conformance_document import conformance_schema
     from roslens.report.graph.graph_document import graph_schema
     from roslens.source.history.describe import process_page

@@ -19,7 +19,7 @@ def found_wrong(reference: Reference, bag: Sequence[Path], entity: EntityId) -> 
         UsageError: there is no recording.
     """
     from roslens.live.adapters.bag.open_bag import open_bag
-    from roslens.live.replay import replay
+    from roslens.live.replay.replay import replay
 
     opened = open_bag(list(bag))
     found: list[Verdict] = []
@@ -39,7 +39,7 @@ def found_wrong(reference: Reference, bag: Sequence[Path], entity: EntityId) -> 
 
 def lines(start: float, found: Sequence[Verdict]) -> list[str]:
     """Return what was wrong, when, and why."""
-    from roslens.live.links import links_text
+    from roslens.live.explain.links import links_text
 
     rows = []
     for one in found:

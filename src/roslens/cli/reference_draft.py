@@ -15,7 +15,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.live.adapters.bag.bag import Bag
-    from roslens.live.draft_session import DraftSession
+    from roslens.live.drafting.draft_session import DraftSession
     from roslens.model.failure import Failure
 
 TEXT = "Draft a reference from a recording, what runs now, or a graph, each line with what speaks for it."
@@ -80,9 +80,9 @@ def draft(options: argparse.Namespace) -> int:
 
 def _of_bag(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
     from roslens.live.adapters.bag.open_bag import open_bag
-    from roslens.live.draft import Observed
-    from roslens.live.draft_groups import grouped
-    from roslens.live.draft_text import draft_text
+    from roslens.live.drafting.draft import Observed
+    from roslens.live.drafting.draft_groups import grouped
+    from roslens.live.drafting.draft_text import draft_text
 
     bag = open_bag(options.bag)
     observed = Observed()
@@ -100,9 +100,9 @@ def _raised(text: str, bag: Bag) -> list[str]:
     """Return the alarms that a draft raises on the recording that it was drafted from."""
     from roslens.cli.reference_test import line_of
     from roslens.judge.reading.read_reference import GivenText, load_reference
-    from roslens.live.alarms import AlarmLog
-    from roslens.live.replay import replay
-    from roslens.live.signals import BY_KEY
+    from roslens.live.replay.alarms import AlarmLog
+    from roslens.live.replay.replay import replay
+    from roslens.live.window.signals import BY_KEY
 
     reference = load_reference([GivenText("draft", text.encode())], BY_KEY)
     log = AlarmLog()
@@ -115,9 +115,9 @@ def _raised(text: str, bag: Bag) -> list[str]:
 
 def _of_graph(options: argparse.Namespace) -> str:
     from roslens.cli.run_graph import graph_of_run, names_run
-    from roslens.live.draft_presence import there_in
-    from roslens.live.draft_text import draft_text
-    from roslens.live.read_rosgraph import read_rosgraph
+    from roslens.live.drafting.draft_presence import there_in
+    from roslens.live.drafting.draft_text import draft_text
+    from roslens.live.observe.read_rosgraph import read_rosgraph
 
     if names_run(options.graph):
         found = graph_of_run(options.graph)
@@ -130,8 +130,8 @@ def _of_graph(options: argparse.Namespace) -> str:
 
 
 def _of_what_runs(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
-    from roslens.live.draft_groups import grouped
-    from roslens.live.draft_text import draft_text
+    from roslens.live.drafting.draft_groups import grouped
+    from roslens.live.drafting.draft_text import draft_text
 
     begun = time.time()
     session = _watched(options)
@@ -154,8 +154,8 @@ def _watched(options: argparse.Namespace) -> DraftSession:
     from roslens.cli.stretch import Stretch
     from roslens.cli.until_stopped import when_stopped
     from roslens.cli.watch_live import length_of, sources_of
-    from roslens.live.draft_session import DraftSession
-    from roslens.live.session import run
+    from roslens.live.drafting.draft_session import DraftSession
+    from roslens.live.join.session import run
 
     length = length_of(options.live, "--live")
     session = DraftSession(start=time.time())

@@ -50,7 +50,7 @@ def export(options: argparse.Namespace) -> int:
     """
     from roslens.cli.streams import write_result
     from roslens.judge.reading.read_reference import load_reference
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
 
     reference = load_reference([Path(file) for file in options.files], BY_KEY)
     text, left = _made(reference, options)

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
     from roslens.judge.reference.expectation import Reference
     from roslens.live.adapters.bag.excerpt import Kept
-    from roslens.live.alarms import Alarm
     from roslens.live.mutation.fault import Fault
     from roslens.live.mutation.score import Cell, Score
     from roslens.live.mutation.trial import Trial
+    from roslens.live.replay.alarms import Alarm
 
 TEXT = "Put known faults into a healthy recording, and say which of them references see: a score to raise."
 EXAMPLES = """\
@@ -59,8 +59,8 @@ def mutate(options: argparse.Namespace) -> int:
     from roslens.judge.reading.read_reference import load_reference
     from roslens.live.adapters.bag.excerpt import Kept
     from roslens.live.adapters.bag.open_bag import open_bag
-    from roslens.live.replay import wanted_fields, wanted_stamps
-    from roslens.live.signals import BY_KEY
+    from roslens.live.replay.replay import wanted_fields, wanted_stamps
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.errors import UsageError
 
     try:
@@ -89,10 +89,10 @@ def mutate(options: argparse.Namespace) -> int:
 
 
 def _tried(options: argparse.Namespace, reference: Reference, kept: Kept, budget_s: float) -> Score:
-    from roslens.live.alarms import AlarmLog
     from roslens.live.mutation.score import score
     from roslens.live.mutation.trial import margins, planned
-    from roslens.live.replay import replay
+    from roslens.live.replay.alarms import AlarmLog
+    from roslens.live.replay.replay import replay
     from roslens.model.errors import UsageError
 
     lanes = _lanes(options.topic or (), kept)

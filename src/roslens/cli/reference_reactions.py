@@ -46,6 +46,6 @@ def given_graph(text: str) -> Graph:
         UsageError: there is no such run.
     """
     from roslens.cli.run_graph import graph_of_run, names_run
-    from roslens.live.read_rosgraph import read_rosgraph
+    from roslens.live.observe.read_rosgraph import read_rosgraph
 
     return graph_of_run(text).graph if names_run(text) else read_rosgraph(Path(text))

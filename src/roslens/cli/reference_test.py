@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 
 if TYPE_CHECKING:
-    from roslens.live.alarms import Alarm
-    from roslens.live.expected_alarms import ExpectedAlarm
+    from roslens.live.replay.alarms import Alarm
+    from roslens.live.replay.expected_alarms import ExpectedAlarm
 
 TEXT = (
     "Say what references would have raised on a recording, with --expect whether that is right; and whether reactions "
@@ -63,10 +63,10 @@ def _test_bag(options: argparse.Namespace) -> int:
     from roslens.cli.about_nothing import RECORDED, about_nothing
     from roslens.judge.reading.read_reference import load_reference
     from roslens.live.adapters.bag.open_bag import open_bag
-    from roslens.live.alarms import AlarmLog
-    from roslens.live.expected_alarms import ExpectedAlarms, compare, read_expected
-    from roslens.live.replay import replay
-    from roslens.live.signals import BY_KEY
+    from roslens.live.replay.alarms import AlarmLog
+    from roslens.live.replay.expected_alarms import ExpectedAlarms, compare, read_expected
+    from roslens.live.replay.replay import replay
+    from roslens.live.window.signals import BY_KEY
 
     expected = read_expected(options.expect) if options.expect else ExpectedAlarms(())
     reference = load_reference([Path(file) for file in options.files], BY_KEY)

@@ -28,7 +28,7 @@ def run_time_lines(files: Sequence[str], paths: Sequence[Path]) -> bool:
     from roslens.judge.reading.read_reference import load_reference
     from roslens.judge.reading.read_time_line import read_time_lines
     from roslens.live.react.simulation import compare, simulate
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.errors import UsageError
 
     reference = load_reference([Path(file) for file in files], BY_KEY)

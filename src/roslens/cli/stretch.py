@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
-    from roslens.live.session import Session
+    from roslens.live.join.session import Session
 
 
 class Stretch:

@@ -9,10 +9,10 @@ from roslens.cli.page.half_lines import encodable
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
 from roslens.judge.ranges.amount import parse_limits
-from roslens.live.links import links_text
-from roslens.live.signals import BY_KEY
-from roslens.live.tree import SystemView
-from roslens.live.worth_a_row import badge
+from roslens.live.explain.links import links_text
+from roslens.live.system.tree import SystemView
+from roslens.live.system.worth_a_row import badge
+from roslens.live.window.signals import BY_KEY
 from roslens.model.verdict import State, Verdict
 
 OBSERVED = {

@@ -20,15 +20,15 @@ from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.cli.watch_screen import screen, time_of_day
+from roslens.live.join.session import Session, Source, Step, run
 from roslens.live.past.keeper import Keeper
-from roslens.live.reported_levels import is_reported
-from roslens.live.session import Session, Source, Step, run
+from roslens.live.reported.reported_levels import is_reported
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
     from roslens.cli.watch_reload import ReferenceFiles
-    from roslens.live.child_source import Publishes
+    from roslens.live.observe.child_source import Publishes
     from roslens.store.history import History
 
 _REDRAW_S = 1.0
@@ -138,9 +138,9 @@ def _sources(options: argparse.Namespace, publishes: Publishes | None) -> list[S
     from roslens.live.agent.host import HostSampler
     from roslens.live.agent.identity import own_identities
     from roslens.live.agent.processes import ProcessSampler
-    from roslens.live.child_source import ChildSource
     from roslens.live.inside.host_counters import HostCounters
-    from roslens.live.local_host import LocalHost
+    from roslens.live.observe.child_source import ChildSource
+    from roslens.live.observe.local_host import LocalHost
 
     name = platform.node()
     of_ros = _of_ros(options, publishes)
@@ -157,7 +157,7 @@ def _sources(options: argparse.Namespace, publishes: Publishes | None) -> list[S
 
 def _of_ros(options: argparse.Namespace, publishes: Publishes | None) -> list[Source]:
     """Return the observers that were asked for; without a word about it, of every ROS that is found here."""
-    from roslens.live.child_source import ros1_source, ros2_source
+    from roslens.live.observe.child_source import ros1_source, ros2_source
 
     asked = options.ros1 or options.ros2
     taps = options.tap
@@ -201,7 +201,7 @@ def _listener(options: argparse.Namespace) -> Source:
     from roslens.cli.commands.agent import address_of
     from roslens.live.agent.key_file import read_key
     from roslens.live.agent.link import LinkError
-    from roslens.live.listen import Listener
+    from roslens.live.observe.listen import Listener
 
     if not options.key_file:
         raise UsageError(

@@ -14,16 +14,16 @@ from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.never_judged import JudgedOnce, failures_of, summary_of
 from roslens.cli.streams import wants_color, width_of
 from roslens.cli.watch_screen import alert_line, cause_text, event_text, screen
-from roslens.live.note import Note, NoteKind
+from roslens.live.join.note import Note, NoteKind
+from roslens.live.join.session import Step
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
 from roslens.live.publish.spells import Spells, key_of
-from roslens.live.reported_levels import is_reported
-from roslens.live.session import Step
+from roslens.live.reported.reported_levels import is_reported
 from roslens.model.verdict import State, Verdict
 from roslens.report.writing.terminal import Terminal
 
 if TYPE_CHECKING:
-    from roslens.live.session import Session
+    from roslens.live.join.session import Session
 
 _ENDLESS = 10_000
 _KEPT = 20

@@ -21,8 +21,8 @@ from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening,
 from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.publish.graph_json import graph_bytes
-from roslens.live.signals import BY_KEY
-from roslens.live.worth_a_row import badge, not_judged, worth_a_row
+from roslens.live.system.worth_a_row import badge, not_judged, worth_a_row
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event, Graph
@@ -32,8 +32,8 @@ from roslens.store.handled import HandledAlerts
 if TYPE_CHECKING:
     from roslens.cli.page.past_page import PastPage
     from roslens.dashboard.computation.picture import Grounds
-    from roslens.live.session import Session, Step
-    from roslens.live.tree import SystemView
+    from roslens.live.join.session import Session, Step
+    from roslens.live.system.tree import SystemView
     from roslens.model.reaction import Reaction
     from roslens.store.past.recall import Recall
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from roslens.live.child_source import ChildSource, Publishes
+from roslens.live.observe.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import Turns
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
@@ -16,8 +16,8 @@ from roslens.model.outgoing import OutgoingError, encode_outgoing
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
+    from roslens.live.join.session import Session, Step
     from roslens.live.publish.downlink import Downlink
-    from roslens.live.session import Session, Step
 
 _TOPIC = re.compile(r"(/[A-Za-z][A-Za-z0-9_]*)+\Z")
 _LONGEST_TOPIC = 200

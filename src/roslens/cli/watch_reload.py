@@ -11,13 +11,13 @@ import msgspec
 
 from roslens.intake.bounded_file import read_bounded
 from roslens.judge.reading.read_reference import Source, load_reference
-from roslens.live.note import Note, NoteKind
-from roslens.live.signals import BY_KEY
+from roslens.live.join.note import Note, NoteKind
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import DocumentError
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.session import Session, Step
+    from roslens.live.join.session import Session, Step
 
 PACE_S = 1.0
 """Files are looked at this often; one that is being written is read when it was the same twice."""

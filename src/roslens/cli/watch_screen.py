@@ -6,12 +6,12 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from roslens.judge.ranges.amount import amount_text
-from roslens.live.connection_name import connection_ends
 from roslens.live.publish.diagnostics import sentence
-from roslens.live.reported_levels import is_reported
-from roslens.live.signals import BY_KEY
-from roslens.live.tree import SystemView
-from roslens.live.worth_a_row import badge, not_judged, worth_a_row
+from roslens.live.reported.reported_levels import is_reported
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.tree import SystemView
+from roslens.live.system.worth_a_row import badge, not_judged, worth_a_row
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict

@@ -20,7 +20,7 @@ from roslens.store.history import History
 if TYPE_CHECKING:
     from roslens.cli.served.door import Door
     from roslens.dashboard.live.further import Further
-    from roslens.live.session import Session, Step
+    from roslens.live.join.session import Session, Step
     from roslens.store.handled import HandledAlerts
     from roslens.store.past.recall import Recall
 

@@ -1,7 +1,7 @@
 """What can be done about a fault: the kinds of action that a reference may call for, and what each is told.
 
 Documents are checked against :data:`ACTION_KINDS`, pages and the schema of references are made of it, and each kind
-has a file of its name in ``live/react/actions``, or is carried out by the agent of the host (``by`` says who does it).
+has a file of its name in ``live/act/actions``, or is carried out by the agent of the host (``by`` says who does it).
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from roslens.cli.page.board_page import MOST_ALERTS, notes_beside
 from roslens.cli.watch_page import PageSource, bounded
 from roslens.dashboard.live.snapshot import Alert, Snapshot
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import StoreError
 from roslens.store.handled import Handled, HandledAlerts, How
 

@@ -4,7 +4,7 @@ from roslens.compare.conformance.join import conformance
 from roslens.compare.conformance.observed import running_side
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.configuration import Configuration, ConfiguredNode, Proof
 from roslens.model.finding import Severity
 from roslens.model.graph import Endpoint, Graph, Node, Role

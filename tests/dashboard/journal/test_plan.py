@@ -12,7 +12,7 @@ from roslens.dashboard.journal.routes import journal_links, journal_routes
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.server import create_app
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.store.journal import Journal
 
 REFERENCE = """

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from roslens.cli.watch_page import PageSource
 from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role

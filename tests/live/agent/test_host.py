@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from roslens.live.agent.host import HostSampler
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 
 FILES = {

@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from roslens.live.agent.processes import IN_TURN, ProcessSampler
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Change
 

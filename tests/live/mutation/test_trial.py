@@ -16,7 +16,7 @@ from roslens.live.adapters.bag.topic import BagTopic
 from roslens.live.mutation.fault import Fault, FaultKind
 from roslens.live.mutation.score import score
 from roslens.live.mutation.trial import LENGTH_S, Trials, margins, planned
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Graph
 
 SECOND = 1_000_000_000

@@ -1,5 +1,5 @@
-from roslens.live.connection_name import connection_id
 from roslens.live.publish.placed import Placed
+from roslens.live.system.connection_name import connection_id
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Role
 

@@ -3,9 +3,9 @@ import re
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.connection_name import connection_id
 from roslens.live.publish.prometheus import prometheus_text
-from roslens.live.signals import SIGNALS
+from roslens.live.system.connection_name import connection_id
+from roslens.live.window.signals import SIGNALS
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State, Verdict
 

@@ -4,8 +4,8 @@ import pytest
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
-from roslens.live.connection_name import connection_id
 from roslens.live.publish.turns import MOST_AT_ONCE, Turns
+from roslens.live.system.connection_name import connection_id
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node
 from roslens.model.verdict import State, Verdict

@@ -1,9 +1,9 @@
 import msgspec
 import pytest
 
+from roslens.live.join.session import Step
 from roslens.live.react.actor import ANSWER_WITHIN_S, Actor, CarriedOut
 from roslens.live.react.gate import Gate, Limits
-from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.reaction import ActionCall, Checked, Decision, Mode, Result, Verification
 

@@ -6,7 +6,7 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.react.definitions import folders_of, unchecked_types
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import DocumentError
 
 

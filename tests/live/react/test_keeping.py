@@ -2,9 +2,9 @@ import threading
 
 import pytest
 
+from roslens.live.act.keeping import Keeping, Topic
+from roslens.live.act.ros import ActionError
 from roslens.live.adapters.bag.open_bag import open_bag
-from roslens.live.react.keeping import Keeping, Topic
-from roslens.live.react.ros import ActionError
 
 TEXT = "bool data\n"
 STOP = Topic("/stop", "std_msgs/msg/Bool", "ros2msg", TEXT, "cdr")

@@ -4,9 +4,9 @@ import threading
 
 import pytest
 
-from roslens.live.react.orders import Orders
-from roslens.live.react.ros import ActionError
-from roslens.live.react.told_line import serve
+from roslens.live.act.orders import Orders
+from roslens.live.act.ros import ActionError
+from roslens.live.act.told_line import serve
 from roslens.model.order import VERSION, Order, OrderReader, Reply, Verb, encode_order
 
 WAIT_S = 20.0

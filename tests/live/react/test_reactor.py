@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.live.join.session import Step
 from roslens.live.react.reactor import Reactor
 from roslens.live.react.wellness import BEGINNING_S
-from roslens.live.session import Step
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.reaction import Checked, Decision, Outcome, Result, Verification
 from roslens.model.verdict import State, Verdict

@@ -11,7 +11,7 @@ from roslens.judge.pages.reactions_page import EXAMPLE, TIME_LINE
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reading.read_time_line import parse_time_lines
 from roslens.live.react.simulation import compare, simulate
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 LINES = sorted((Path(__file__).parent / "time_lines").glob("*.yaml"))
 

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.agent.link import Channel, LinkError, read_frame
-from roslens.live.listen import Listener
+from roslens.live.join.session import Session
+from roslens.live.observe.listen import Listener
 from roslens.live.publish.json_lines import event_line, failure_line, verdict_line
 from roslens.live.publish.prometheus import prometheus_text
-from roslens.live.session import Session
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role

@@ -68,7 +68,7 @@ def run(options: argparse.Namespace) -> int:
         UsageError: an option makes no sense, or nothing that was kept matches.
         StoreError: a file is no history.
     """
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
 
     if options.every is not None:
         return analyse_past(options, _workspace(options))

@@ -142,7 +142,7 @@ def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
 def _explain(options: argparse.Namespace) -> int:
     from roslens.cli.reference_causes import found_wrong, lines, rows
     from roslens.judge.reference.explain_entity import combined, explain_entity
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.entity import EntityId
 
     subject = _subject(options)
@@ -190,7 +190,7 @@ def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[d
 
 def _import(options: argparse.Namespace) -> int:
     from roslens.judge.arni.import_arni import Outcome, import_arni
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
     from roslens.model.errors import UsageError
 
     target = Path(options.output) if options.output else None
@@ -211,7 +211,7 @@ def _import(options: argparse.Namespace) -> int:
 def _merged(files: Sequence[str]) -> Merged:
     from roslens.judge.reading.read_reference import read_references
     from roslens.judge.reference.merge_references import merge_references
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
 
     return merge_references(read_references([Path(file) for file in files], BY_KEY))
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from roslens.cli.watch_serve import PageAfter
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.session import Step
+    from roslens.live.join.session import Step
 
 TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."
 EXAMPLES = """\
@@ -104,7 +104,7 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     from roslens.cli.watch_output import Teller
     from roslens.cli.watch_screen import since_start
     from roslens.live.adapters.bag.open_bag import open_bag
-    from roslens.live.replay import replay
+    from roslens.live.replay.replay import replay
 
     for name in ("listen", "prometheus", "history", "diagnostics", "publish_statistics", "master", "domain", "length"):
         if getattr(options, name) is not None:

@@ -17,7 +17,7 @@ from roslens.model.errors import UsageError
 from roslens.model.graph import Graph
 
 if TYPE_CHECKING:
-    from roslens.live.session import Session
+    from roslens.live.join.session import Session
 
 QUIET_S = 3.0
 """A graph that stays as it is for so long is taken for the whole of it, in seconds."""
@@ -38,7 +38,7 @@ def live_side(options: argparse.Namespace) -> Side:
     from roslens.cli.until_stopped import when_stopped
     from roslens.cli.watch_live import length_of, sources_of
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.session import Session, run
+    from roslens.live.join.session import Session, run
 
     length = length_of(options.length, "--for") if options.length else LONGEST_S
     session = Session(Reference("nothing"), start=time.time())
@@ -112,7 +112,7 @@ def written_side(path: str) -> Side:
     Raises:
         DocumentError: the file is none.
     """
-    from roslens.live.read_rosgraph import read_rosgraph
+    from roslens.live.observe.read_rosgraph import read_rosgraph
 
     return running_side(read_rosgraph(Path(path)), Path(path).name, parameters=False)
 
@@ -138,6 +138,6 @@ def reference_side(path: str) -> Side:
         DocumentError: it is wrong.
     """
     from roslens.judge.reading.read_reference import load_reference
-    from roslens.live.signals import BY_KEY
+    from roslens.live.window.signals import BY_KEY
 
     return Side(SideKind.REFERENCE, Path(path).name, reference=load_reference([Path(path)], BY_KEY))

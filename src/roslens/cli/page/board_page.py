@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from roslens.dashboard.live.board import References
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.tree import SystemView
+    from roslens.live.system.tree import SystemView
     from roslens.model.graph import Graph
     from roslens.model.verdict import Verdict
     from roslens.store.past.recall import Recall

@@ -8,7 +8,7 @@ from functools import lru_cache
 import msgspec
 
 from roslens.dashboard.live.snapshot import UNJUDGED, Row
-from roslens.live.connection_name import connection_ends
+from roslens.live.system.connection_name import connection_ends
 from roslens.model.entity import EntityId
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.verdict import State

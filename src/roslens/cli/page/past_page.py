@@ -17,12 +17,12 @@ from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.past import Changed, Compared, Mark, Plots, Series, Timeline
 from roslens.dashboard.live.snapshot import UNJUDGED, Row, Snapshot
 from roslens.live.past.then import tree_then
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.verdict import State, Verdict
 from roslens.store.past.stretch import Piece, gaps
 
 if TYPE_CHECKING:
-    from roslens.live.tree import SystemView
+    from roslens.live.system.tree import SystemView
     from roslens.store.past.moment import Moment
     from roslens.store.past.recall import Recall
 

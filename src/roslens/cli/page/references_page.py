@@ -15,14 +15,14 @@ from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.merge_references import sentences_of
 from roslens.judge.reference.sentence_words import expected_words, subject_words
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
-from roslens.live.draft_lines import LESS, MORE, rounded
-from roslens.live.worth_a_row import worth_a_row
+from roslens.live.drafting.draft_lines import LESS, MORE, rounded
+from roslens.live.system.worth_a_row import worth_a_row
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Verdict
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
-    from roslens.live.tree import SystemView
+    from roslens.live.system.tree import SystemView
     from roslens.model.graph import Graph
     from roslens.store.past.recall import Recall
     from roslens.store.past.stretch import Piece

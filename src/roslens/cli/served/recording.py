@@ -13,9 +13,9 @@ from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_reload import ReferenceFiles
 from roslens.cli.watch_screen import since_start
 from roslens.live.adapters.bag.open_bag import open_bag
+from roslens.live.join.session import Session, Step
 from roslens.live.past.keeper import Keeper, in_memory
-from roslens.live.replay import replay
-from roslens.live.session import Session, Step
+from roslens.live.replay.replay import replay
 from roslens.model.errors import RoslensError
 from roslens.model.failure import Failure
 

@@ -16,10 +16,10 @@ from typing import cast
 import msgspec
 
 from roslens.children.detached import run_words, start_detached
+from roslens.live.act.host import Carrying, Known
+from roslens.live.act.ros import ActionError
 from roslens.live.agent.allow_list import AllowList
 from roslens.live.agent.process_record import ProcessRecords, Recorded
-from roslens.live.react.host import Carrying, Known
-from roslens.live.react.ros import ActionError
 from roslens.model.action_kind import By, action_kind
 from roslens.model.host_request import HostRequest
 
@@ -223,7 +223,7 @@ class HostHand:
             except Exception as error:  # noqa: BLE001 - what cannot be announced is not done
                 refused = True
                 raise ActionError(f"it could not be announced: {error}") from None
-            module = cast("Carrying", import_module(f"roslens.live.react.actions.{request.kind}"))
+            module = cast("Carrying", import_module(f"roslens.live.act.actions.{request.kind}"))
             text, done = module.act(self, request), True
         except ActionError as error:
             text = str(error)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import msgspec
 
-from roslens.live.alarms import Alarm
 from roslens.live.mutation.fault import FaultKind
 from roslens.live.mutation.trial import Trial
+from roslens.live.replay.alarms import Alarm
 
 
 class Cell(msgspec.Struct, frozen=True):

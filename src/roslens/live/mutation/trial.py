@@ -8,10 +8,10 @@ import msgspec
 
 from roslens.judge.reference.expectation import Reference
 from roslens.judge.reference.merge_references import sentences_of
-from roslens.live.alarms import Alarm, AlarmLog
-from roslens.live.connection_name import connection_ends
 from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind, graphs
-from roslens.live.replay import Recording, replay
+from roslens.live.replay.alarms import Alarm, AlarmLog
+from roslens.live.replay.replay import Recording, replay
+from roslens.live.system.connection_name import connection_ends
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph
 

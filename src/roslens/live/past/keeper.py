@@ -10,8 +10,8 @@ from roslens.store.past.moment import Moment
 from roslens.store.series import Tier
 
 if TYPE_CHECKING:
-    from roslens.live.session import Session, Step
-    from roslens.live.tree import SystemView
+    from roslens.live.join.session import Session, Step
+    from roslens.live.system.tree import SystemView
     from roslens.store.past.recall import Recall
 
 MOST_VALUES = 2000.0

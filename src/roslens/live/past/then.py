@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 
-from roslens.live.connection_name import connection_ends
-from roslens.live.tree import SystemView, tree_of
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.tree import SystemView, tree_of
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State

@@ -1,1 +1,4 @@
-"""What is seen and judged, told to others: diagnostics, Prometheus, lines of JSON."""
+"""Verdicts and signals told to other programs: diagnostics, Prometheus, lines of JSON.
+
+In come steps of a session; out come messages and text. Begin with ``turns.py``, which says when what is published.
+"""

@@ -12,8 +12,8 @@ from functools import lru_cache
 
 from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.expectation import StateOf
-from roslens.live.node_faults import GONE, STOPPED
-from roslens.live.signals import BY_KEY
+from roslens.live.explain.node_faults import GONE, STOPPED
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.outgoing import Status

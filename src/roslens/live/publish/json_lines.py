@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from roslens.live.note import Note
+from roslens.live.join.note import Note
 from roslens.model.failure import Failure
 from roslens.model.graph import Event
 from roslens.model.verdict import Verdict

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslens.live.connection_name import connection_ends
 from roslens.live.publish.diagnostics import own_host
+from roslens.live.system.connection_name import connection_ends
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 

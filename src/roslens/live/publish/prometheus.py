@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from roslens.live.connection_name import connection_ends
-from roslens.live.signals import BY_KEY
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Verdict
 

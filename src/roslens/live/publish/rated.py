@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Reference
-from roslens.live.connection_name import connection_ends
-from roslens.live.signals import BY_KEY
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.outgoing import ConnectionStatistics, RatedSignal

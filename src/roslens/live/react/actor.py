@@ -10,9 +10,9 @@ from typing import Any, Protocol
 
 import msgspec
 
+from roslens.live.join.session import Step
 from roslens.live.react.gate import Answer, Gate, GateAnswer
 from roslens.live.react.reactor import Reactor
-from roslens.live.session import Step
 from roslens.model.reaction import Decision, Mode, Outcome, Result, Verification, repeats
 
 ANSWER_WITHIN_S = 60.0

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
+from roslens.live.act.ros import ActionError
 from roslens.live.react.actor import CarriedOut
 from roslens.live.react.node_places import NodePlaces
 from roslens.live.react.prepared import Prepared
-from roslens.live.react.ros import ActionError
 from roslens.live.react.ros_line import RosLine
 from roslens.live.react.rosout_beside import RosoutBeside
 from roslens.model.action_kind import ActionKind, By, action_kind

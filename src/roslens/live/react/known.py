@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 
-from roslens.live.connection_name import connection_ends
-from roslens.live.misfit import misfits_by_topic
+from roslens.live.join.session import Step
 from roslens.live.react.presences import Presences
-from roslens.live.session import Step
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.misfit import misfits_by_topic
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State, Verdict

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 import msgspec
 
 from roslens.judge.reference.template import filled, filled_in
+from roslens.live.join.session import Step
 from roslens.live.react.chain import Chain, Stage
 from roslens.live.react.evaluation import Chosen
 from roslens.live.react.known import Known
@@ -15,7 +16,6 @@ from roslens.live.react.plan import Plan
 from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
-from roslens.live.session import Step
 from roslens.model.entity import EntityId
 from roslens.model.reaction import (
     ActionCall,

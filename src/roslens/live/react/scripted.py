@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.judge.reading.read_time_line import Given, TimeLine
-from roslens.live.halted import Halted
+from roslens.live.join.session import Step
 from roslens.live.react.wellness import BEGINNING_S
-from roslens.live.session import Step
+from roslens.live.system.halted import Halted
 from roslens.model.condition import Being
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 import msgspec
 
 from roslens.judge.reading.read_time_line import Expected, TimeLine
+from roslens.live.join.session import Step
 from roslens.live.react.reactor import Reactor
 from roslens.live.react.scripted import BEFORE_S, scripted_steps
-from roslens.live.session import Step
 from roslens.model.entity import EntityId
 from roslens.model.reaction import Checked, Decision, Outcome, Reaction, Result
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslens.judge.ranges.amount import amount_text
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 
 def value_words(value: float | None, quantity: str) -> str:

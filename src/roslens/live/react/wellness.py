@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.live.session import Step
+from roslens.live.join.session import Step
 
 BEGINNING_S = 5.0
 """So long after it begins nothing is decided: what was not seen yet looks like what is gone."""

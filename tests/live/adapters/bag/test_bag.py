@@ -13,8 +13,8 @@ from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.unmatched import unmatched
 from roslens.live.adapters.bag import steps
 from roslens.live.adapters.bag.open_bag import open_bag
-from roslens.live.replay import replay
-from roslens.live.signals import BY_KEY
+from roslens.live.replay.replay import replay
+from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import UsageError
 from roslens.model.graph import Node, Role
 from roslens.model.tally import Observer

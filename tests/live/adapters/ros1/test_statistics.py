@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.statistics import StatisticsError, read_statistics
-from roslens.live.plausible_tally import plausible_tally
+from roslens.live.window.plausible_tally import plausible_tally
 from roslens.model.tally import NOTHING, Observer
 
 

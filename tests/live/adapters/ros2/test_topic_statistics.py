@@ -3,7 +3,7 @@ from types import SimpleNamespace
 import pytest
 
 from roslens.live.adapters.ros2.topic_statistics import TopicStatistics, moments_of
-from roslens.live.plausible_tally import plausible_tally
+from roslens.live.window.plausible_tally import plausible_tally
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.tally import NOTHING, Observer
 

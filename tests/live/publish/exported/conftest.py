@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 
 TEXT = """\
 kind: reference

@@ -9,7 +9,7 @@ import yaml
 
 from roslens.live.publish.exported.grafana_dashboard import grafana_dashboard
 from roslens.live.publish.prometheus import prometheus_text
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 
 SHAPE = {

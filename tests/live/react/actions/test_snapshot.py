@@ -3,8 +3,8 @@ import stat
 
 import pytest
 
-from roslens.live.react.actions import snapshot
-from roslens.live.react.ros import ActionError
+from roslens.live.act.actions import snapshot
+from roslens.live.act.ros import ActionError
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node, Process
 from roslens.model.reaction import ActionCall, Decision

@@ -4,8 +4,8 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 
 import pytest
 
-from roslens.live.react.actions import webhook
-from roslens.live.react.ros import ActionError
+from roslens.live.act.actions import webhook
+from roslens.live.act.ros import ActionError
 from roslens.model.reaction import ActionCall, Because, Decision
 
 pytestmark = pytest.mark.timed

@@ -9,6 +9,8 @@ import sys
 import threading
 from contextlib import suppress
 
+from roslens.live.act.orders import Orders
+from roslens.live.act.told_line import serve
 from roslens.live.adapters.ros1.__main__ import DEFAULT_MASTER
 from roslens.live.adapters.ros1.hand import Ros1Hand
 from roslens.live.adapters.ros1.message_form import MessageForms, share_folders
@@ -17,8 +19,6 @@ from roslens.live.adapters.ros1.place import is_local, own_address
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
 from roslens.live.adapters.ros1.told import ToldServer
 from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
-from roslens.live.react.orders import Orders
-from roslens.live.react.told_line import serve
 
 
 def main(words: list[str]) -> int:

@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 
+from roslens.live.act.keeping import Keeping
+from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros1.hearing import Hearing
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.message_form import MessageForms
@@ -16,8 +18,6 @@ from roslens.live.adapters.ros1.service_call import call_service
 from roslens.live.adapters.ros1.told import Answer
 from roslens.live.adapters.ros1.topic_server import Published, TopicServer
 from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, unwrap
-from roslens.live.react.keeping import Keeping
-from roslens.live.react.ros import ActionError
 
 FOLLOW_S = 1.0
 _MEET_S = 1.0
@@ -165,7 +165,7 @@ class Ros1Hand:
         self.publish(_ROSOUT, _LOG, fields, latched=False)
 
     def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
-        """Keep what is said on some topics, and write it once there is a path; see ``live/react/ros.py``.
+        """Keep what is said on some topics, and write it once there is a path; see ``live/act/ros.py``.
 
         Raises:
             ActionError: a pattern is none, or the recording cannot be written.

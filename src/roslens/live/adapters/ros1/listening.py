@@ -19,7 +19,7 @@ from roslens.live.adapters.ros1.slave import Slave
 from roslens.live.adapters.ros1.stream import Source, Stream, Use
 from roslens.live.adapters.ros1.tcpros import Handshake, TcprosError, connect
 from roslens.live.adapters.ros1.xml_rpc import CallError
-from roslens.live.attention import Attention
+from roslens.live.reported.attention import Attention
 from roslens.model.failure import Failure
 from roslens.model.tally import Tally
 

@@ -14,7 +14,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.base import TypesysError
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.live.react.ros import ActionError
+from roslens.live.act.ros import ActionError
 
 _TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*)/(?:(msg|srv)/)?([A-Za-z][A-Za-z0-9_]*)\Z")
 _NUMBERS = {

@@ -13,8 +13,8 @@ from typing import Any, Protocol
 
 from roslens.live.adapters.ros1.names import TOOL, sound_name
 from roslens.live.adapters.ros1.xml_rpc import CallError
-from roslens.live.parameter_changes import parameter_events
-from roslens.live.parameter_text import HIDDEN, is_secret, value_text
+from roslens.live.reported.parameter_changes import parameter_events
+from roslens.live.reported.parameter_text import HIDDEN, is_secret, value_text
 from roslens.model.failure import Failure
 from roslens.model.graph import Event
 

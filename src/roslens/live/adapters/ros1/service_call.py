@@ -6,9 +6,9 @@ import socket
 import time
 from urllib.parse import urlsplit
 
+from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.tcpros import LARGEST_HEADER, TcprosError, decode_header, encode_header
-from roslens.live.react.ros import ActionError
 
 _LARGEST_ANSWER = 16_000_000
 

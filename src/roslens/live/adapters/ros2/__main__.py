@@ -25,10 +25,10 @@ from roslens.live.adapters.ros2.parameters import NodeQuestions, Parameters
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
 from roslens.live.adapters.ros2.saying import Saying
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
-from roslens.live.attention import PAUSE_S, Attention
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.slots import folder_of
 from roslens.live.publish.asked import when_asked
+from roslens.live.reported.attention import PAUSE_S, Attention
 from roslens.model.failure import Failure
 from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, encode_frame
 

@@ -8,10 +8,10 @@ import sys
 import threading
 from typing import Any
 
+from roslens.live.act.orders import Orders
+from roslens.live.act.told_line import serve
 from roslens.live.adapters.ros2.far_peers import far_peers
 from roslens.live.adapters.ros2.hand import Ros2Hand
-from roslens.live.react.orders import Orders
-from roslens.live.react.told_line import serve
 
 _NAME = "_roslens_hand_"
 

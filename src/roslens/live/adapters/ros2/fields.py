@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from roslens.live.react.ros import ActionError
+from roslens.live.act.ros import ActionError
 
 _TYPE = re.compile(r"([a-z][a-z0-9_]*)/(?:(msg|srv)/)?([A-Z][A-Za-z0-9]*)\Z")
 _SEQUENCE = re.compile(r"(?:sequence<(?P<of>.+?)(?:, \d+)?>|(?P<fixed>.+)\[(?P<size>\d+)\])\Z")

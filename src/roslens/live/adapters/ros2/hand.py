@@ -7,11 +7,11 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from roslens.live.act.keeping import Keeping
+from roslens.live.act.parameter_value import parameter_fields
+from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros2.fields import filled, interface, plain
 from roslens.live.adapters.ros2.listening import Listening
-from roslens.live.react.keeping import Keeping
-from roslens.live.react.parameter_value import parameter_fields
-from roslens.live.react.ros import ActionError
 
 _DEPTH = 10
 _MEET_S = 1.0
@@ -125,7 +125,7 @@ class Ros2Hand:
             logger.info(text)
 
     def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
-        """Keep what is said on some topics, and write it once there is a path; see ``live/react/ros.py``.
+        """Keep what is said on some topics, and write it once there is a path; see ``live/act/ros.py``.
 
         Raises:
             ActionError: a pattern is none, or the recording cannot be written.

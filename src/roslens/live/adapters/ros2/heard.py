@@ -14,10 +14,10 @@ import msgspec
 from roslens.live.adapters.ros2 import TOOL, topic_statistics
 from roslens.live.adapters.ros2.parameters import Parameters, value_of
 from roslens.live.adapters.ros2.topic_statistics import TopicStatistics
-from roslens.live.diagnostic_array import ArrayError, read_array
-from roslens.live.parameter_text import value_text
-from roslens.live.reported_levels import TOPIC as DIAGNOSTICS
-from roslens.live.reported_levels import ReportedLevels
+from roslens.live.reported.diagnostic_array import ArrayError, read_array
+from roslens.live.reported.parameter_text import value_text
+from roslens.live.reported.reported_levels import TOPIC as DIAGNOSTICS
+from roslens.live.reported.reported_levels import ReportedLevels
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph, Role
 from roslens.model.tally import Tally

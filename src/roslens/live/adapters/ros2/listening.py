@@ -11,9 +11,9 @@ from typing import Any
 
 from roslens.intake.bounded_file import read_bounded
 from roslens.judge.patterns.pattern import Pattern
+from roslens.live.act.keeping import Topic
+from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros2.fields import interface
-from roslens.live.react.keeping import Topic
-from roslens.live.react.ros import ActionError
 
 LOOK_S = 1.0
 _DEPTH = 100

@@ -14,7 +14,7 @@ from roslens.live.adapters.ros2.parameters import Parameters
 from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import Called, Counted, joined
-from roslens.live.misfit import misfits
+from roslens.live.system.misfit import misfits
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
 from roslens.model.sample import Sample

@@ -14,8 +14,8 @@ from typing import Any, Protocol
 import msgspec
 
 from roslens.live.adapters.ros2.gid import prefix
-from roslens.live.parameter_changes import parameter_events
-from roslens.live.parameter_text import HIDDEN, is_secret, value_text
+from roslens.live.reported.parameter_changes import parameter_events
+from roslens.live.reported.parameter_text import HIDDEN, is_secret, value_text
 from roslens.model.graph import Event, Graph, Role
 
 AT_ONCE = 4

@@ -12,7 +12,7 @@ from roslens.judge.reference.expectation import Expectation
 from roslens.judge.reference.pattern_expression import expression_of
 from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
 from roslens.live.publish.prometheus import metric_name
-from roslens.live.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
 

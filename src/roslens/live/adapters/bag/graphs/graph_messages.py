@@ -15,7 +15,7 @@ from roslens.live.adapters.bag.block import Part
 from roslens.live.adapters.bag.channel import Channel, resolved
 from roslens.live.adapters.bag.damage import DamageError
 from roslens.live.adapters.bag.field_reader import MessageReader
-from roslens.live.parameter_text import value_text
+from roslens.live.reported.parameter_text import value_text
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.qos import Qos
 

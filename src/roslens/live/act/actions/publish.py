@@ -1,0 +1,44 @@
+"""``publish``: a message, once, kept for those who come later, or again and again."""
+
+from __future__ import annotations
+
+from roslens.live.act.ros import ActionError, Asked, Ros
+
+_FASTEST_HZ = 100.0
+
+
+def prepare(ros: Ros, asked: Asked) -> None:
+    """Make the publisher.
+
+    Raises:
+        ActionError: the type is not known, a field does not fit, or the rate is none.
+    """
+    told = asked.arguments
+    if not 0 < float(told["rate"]) <= _FASTEST_HZ:
+        raise ActionError(f"a rate of {told['rate']:g} Hz", expected=f"above 0 and up to {_FASTEST_HZ:g} Hz")
+    ros.advertise(told["topic"], told["type"], told["fields"], latched=told["how"] == "latched")
+
+
+def act(ros: Ros, asked: Asked) -> str:
+    """Publish, and say to how many.
+
+    Raises:
+        ActionError: it cannot be published, or nobody is there to hear it.
+    """
+    told = asked.arguments
+    topic, latched = told["topic"], told["how"] == "latched"
+
+    def once() -> int:
+        return ros.publish(topic, told["type"], told["fields"], latched=latched)
+
+    heard = once()
+    if told["how"] == "repeated":
+        asked.repeat(1 / float(told["rate"]), once)
+        return f"published on {topic} to {_subscribers(heard)}, and again at {told['rate']:g} Hz until it is cleared"
+    if not heard and not latched:
+        raise ActionError(f"published on {topic}, which nobody subscribes to", expected="a subscriber")
+    return f"published on {topic} to {_subscribers(heard)}"
+
+
+def _subscribers(count: int) -> str:
+    return "1 subscriber" if count == 1 else f"{count} subscribers"

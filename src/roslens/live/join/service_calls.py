@@ -1,0 +1,67 @@
+"""Calls of services, as several hosts tell of them, joined: a server on one, clients on others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from roslens.live.window.newest import MOST_GONE
+from roslens.model.entity import EntityId
+from roslens.model.sample import Sample
+
+EVERY_S = 1.0
+STALE_S = 2.5
+"""After which what a host told is no longer counted."""
+_TIMED_BY = {"response_time": "calls", "client_response_time": "client_calls"}
+
+
+class ServiceCalls:
+    """The latest that each observer told of each service; instants are on the monitor's clock."""
+
+    def __init__(self) -> None:
+        self._told: dict[EntityId, dict[str, tuple[float, Sample]]] = {}
+        self._news: set[EntityId] = set()
+        self._due = float("-inf")
+
+    def put(self, sender: str, sample: Sample, now: float) -> None:
+        """Take what an observer tells of a service."""
+        self._told.setdefault(sample.entity, {})[sender] = (now, sample)
+        self._news.add(sample.entity)
+
+    def samples(self, now: float) -> list[Sample]:
+        """Return a sample of each service of which there is news, once a second."""
+        if not self._news or 0 <= now - (self._due - EVERY_S) < EVERY_S:
+            return []
+        self._due = now + EVERY_S
+        found = []
+        for service in sorted(self._news):
+            told = self._told[service]
+            for sender in [sender for sender, (heard, _) in told.items() if now - heard > STALE_S]:
+                del told[sender]
+            latest = [sample for _, sample in told.values()]
+            if latest:
+                found.append(Sample(service, now, _joined([one.values for one in latest]), latest[0].observer))
+        self._news.clear()
+        if len(self._told) > MOST_GONE:
+            self._told = {
+                service: told
+                for service, told in self._told.items()
+                if any(now - heard <= STALE_S for heard, _ in told.values())
+            }
+        return found
+
+
+def _joined(parts: list[Mapping[str, float]]) -> dict[str, float]:
+    """Return the values of all: calls add up, times are weighed by calls, of the longest the longest."""
+    values: dict[str, float] = {}
+    for key in ("calls", "client_calls"):
+        known = [part[key] for part in parts if key in part]
+        if known:
+            values[key] = sum(known)
+    for key, calls in _TIMED_BY.items():
+        timed = [(part[key], max(part.get(calls, 0.0), 1e-9)) for part in parts if key in part]
+        if timed:
+            values[key] = sum(time * weight for time, weight in timed) / sum(weight for _, weight in timed)
+        longest = [part[f"{key}_max"] for part in parts if f"{key}_max" in part]
+        if longest:
+            values[f"{key}_max"] = max(longest)
+    return values

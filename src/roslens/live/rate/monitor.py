@@ -1,0 +1,492 @@
+"""The monitor: takes what observers tell, rates it against a reference, and says what changed."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
+
+from roslens.judge.reference.expectation import Reference
+from roslens.live.explain.explained import Explained
+from roslens.live.rate.existence import Existence
+from roslens.live.rate.hearing import Hearing
+from roslens.live.rate.lookout import Lookout
+from roslens.live.rate.plans import plan, required
+from roslens.live.standing.age_chain import AgeChains
+from roslens.live.standing.field_check import FieldChecks
+from roslens.live.standing.measured import Measured
+from roslens.live.standing.presence import Presences
+from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
+from roslens.live.standing.standing import Standing
+from roslens.live.standing.state_checks import StateChecks
+from roslens.live.system.connection import Connection
+from roslens.live.system.sampled import Sampled, finite
+from roslens.live.system.tree import SystemView, view_of
+from roslens.live.system.world import World
+from roslens.live.window.clock_watch import ClockWatch, Course
+from roslens.live.window.host_clocks import USUAL_TOLERANCE_S
+from roslens.live.window.plausible_tally import plausible_tally
+from roslens.live.window.voice import Voice
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.graph import Change, Event, Graph
+from roslens.model.sample import Sample
+from roslens.model.tally import Tally
+from roslens.model.tally_columns import TallyColumns, row_of, tally_of
+from roslens.model.verdict import State, Verdict
+from roslens.model.wire import Frame
+
+_CHAINS_S = 0.2
+_SWEEP_S = 30.0
+_KEPT_FAILURES = 100
+_TIMES = frozenset({"latency", "latency_max", "age", "age_max"})
+_SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
+
+
+class Monitor:
+    """Rates a live system or a recording of one; every time is an argument, in seconds on the monitor's clock.
+
+    Attributes:
+        shed: records that observers dropped before they reached the monitor.
+        failures: the latest things that observers could not do.
+        reacts: whether the reference has reactions.
+    """
+
+    def __init__(self, reference: Reference, *, start: float) -> None:
+        """Begin to watch at ``start``.
+
+        Raises:
+            ValueError: a pattern of the reference is none.
+        """
+        self._world = World()
+        self._clock = ClockWatch(start)
+        self._began = start
+        self._held = self._settling = False
+        self._rules = Rulebook(reference)
+        self.reacts = bool(reference.reactions)
+        self._presences = Presences(self._rules, start)
+        self._existence = Existence(self._world, self._presences)
+        self._fields = FieldChecks(reference.field_checks, start)
+        self._chains = AgeChains(reference.chains, start)
+        self._states = StateChecks(reference.states, start)
+        self._explained = Explained(self._world, self._gone_nodes)
+        self._lookout = Lookout(self._world, self._existence, self._plan)
+        self._hearing = Hearing(self._world, self._lookout, start)
+        self._moved: list[Standing] = []
+        self._retired: list[Verdict] = []
+        self._chains_due = self._sweep_due = start
+        self._implausible = 0
+        self._known: dict[str, Connection] = {}
+        self.shed = 0
+        self.failures: deque[Failure] = deque(maxlen=_KEPT_FAILURES)
+        self._lookout.wait_all(required(self._world, self._rules, start))
+
+    @property
+    def world(self) -> World:
+        """Everything that is known now."""
+        return self._world
+
+    @property
+    def reference(self) -> Reference:
+        """What is expected now."""
+        return self._rules.reference
+
+    @property
+    def refused(self) -> int:
+        """Records that could not be true, in whole or in part, and those for which there was no room."""
+        return self._implausible + self._world.refused
+
+    def hear(self, sender: str, looked: float = 0.0, *, of_graph: bool = False) -> Voice:
+        """Note that an observer spoke; return by what it is known as the observer of what it tells.
+
+        Args:
+            sender: how it calls itself, ``<host>/<what it observes>``.
+            looked: up to when it has looked, on its own clock; 0 where it does not say.
+            of_graph: whether it tells who is there.
+        """
+        return self._hearing.hear(sender, looked, self._clock.now, of_graph=of_graph)
+
+    def add_tally(self, tally: Tally, voice: Voice | None = None) -> None:
+        """Take the traffic of a connection; what cannot be true of it is unknown.
+
+        What no ``voice`` tells is observed as long as the monitor looks.
+        """
+        connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
+        if connection is not None:
+            envelope, lookout = connection.envelope, self._lookout
+            if envelope is not None and envelope.takes(row_of(tally), lookout.round):
+                lookout.heard = True
+                return
+        self._add(tally, connection, voice)
+
+    def add_tallies(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
+        """Take the traffic of many connections; what comes by columns is not made into records without need."""
+        if not isinstance(tallies, TallyColumns):
+            for tally in tallies:
+                self.add_tally(tally, voice)
+            return
+        lookout, heard, known = self._lookout, False, self._known
+        now = lookout.round
+        for names, connection, row in zip(tallies.names, map(known.get, tallies.names), tallies.rows(), strict=False):
+            envelope = connection.envelope if connection is not None else None
+            if envelope is not None and envelope.takes(row, now):
+                heard = True
+                continue
+            tally = tally_of(names, row)
+            key = (tally.topic, tally.publisher, tally.subscriber)
+            self._add(tally, connection or self._world.connections.get(key), voice)
+            if connection is None and key in self._world.connections:
+                known[names] = self._world.connections[key]
+        lookout.heard |= heard
+
+    def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
+        # What has no name cannot be told apart, nor shown.
+        kept = plausible_tally(tally) if tally.topic else None
+        if kept is not tally:
+            self._implausible += 1
+            if kept is None:
+                return
+        now = self._clock.now
+        if connection is None:
+            connection = self._meet(kept, now)
+            if connection is None:
+                return
+        if connection.add(kept, now, voice):
+            if self._held and kept.count:
+                self.clock_runs(now)
+            self._lookout.wait(connection)
+
+    def add_sample(self, sample: Sample, voice: Voice | None = None) -> None:
+        """Take what was read of a host, process, node or service; values that are not finite are unknown."""
+        if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED or not sample.entity.name:
+            self._implausible += 1
+            return
+        sampled = self._world.entity(sample.entity, self._clock.now)
+        if sampled is None:
+            return
+        values = finite(sample.values)
+        self._implausible += len(values) < len(sample.values)
+        if not sampled.seen:
+            sampled.appeared = max(sampled.appeared, self._clock.now)
+            sampled.planless = True
+        sampled.voice = voice
+        stopped = sampled.newest("stopped")
+        if sampled.add(sample, values):
+            self._explained.stale |= bool(stopped) is not bool(sampled.newest("stopped"))
+            self._existence.take_sample(sampled, sample.time)
+            self._lookout.wait(sampled)
+
+    def add_graph(self, graph: Graph, time: float) -> None:
+        """Take the whole graph as it is at ``time``."""
+        now = self._clock.now
+        for entity in self._world.take_graph(graph, now):
+            entity.planless = True
+            self._lookout.wait(entity)
+        self._existence.take_graph(graph, time, now)
+        self._states.take(graph, now)
+        self._explained.stale = True
+
+    def add_event(self, event: Event) -> None:
+        """Take a change of the graph: what appeared has grace, what vanished is gone at once."""
+        try:
+            entity = EntityId.parse(event.entity)
+        except ValueError:
+            self._implausible += 1
+            return
+        if event.time - event.time != 0:
+            self._implausible += 1
+            return
+        key = (entity.kind, entity.name)
+        if event.change is Change.VANISHED:
+            self._existence.vanish(key, event.time)
+        elif event.change in (Change.APPEARED, Change.RESTARTED):
+            self._existence.appear(key, self._presences.existing.get(key, NOTHING_KNOWN))
+            for one in self._world.concerned(entity):
+                one.appeared = max(one.appeared, min(event.time, self._clock.now + 1))
+                if isinstance(one, Connection) and one.publisher == entity.name:
+                    # That it was away is no gap of what it publishes from now on.
+                    one.clear(one.appeared)
+                self._lookout.wait(one)
+        self._explained.stale = True
+
+    def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
+        """Take values of fields of the last message on a topic, by path."""
+        if time - time == 0:
+            known = self._world.topics.get(topic)
+            self._fields.add(topic, time, values, known.types if known is not None else ())
+
+    def add_frame(self, frame: Frame) -> None:
+        """Take everything that an observer tells at once."""
+        voice = self.hear(frame.sender, frame.vouched, of_graph=frame.graph is not None)
+        self.add_tallies(frame.tallies, voice)
+        for sample in frame.samples:
+            self.add_sample(sample, voice)
+        for event in frame.events:
+            self.add_event(event)
+        if frame.graph is not None:
+            self.add_graph(frame.graph, frame.time)
+        self.failures.extend(frame.failures)
+        self.shed += max(frame.shed, 0)
+
+    def begin(self, time: float) -> None:
+        """Let grace of what nobody saw yet count from ``time``: before, nobody could see it."""
+        self._began = time
+        self._presences.look_again()
+        for one in self._entities():
+            if not one.seen:
+                one.appeared = time
+                self._lookout.wait(one)
+
+    def clock_stands(self, time: float) -> None:
+        """Suspend what is judged of traffic until :meth:`clock_runs`, :meth:`clock_jumped` or the next message."""
+        self._held = True
+        self._suspend(time)
+
+    def clock_runs(self, time: float) -> None:
+        """Judge again from the next tick on, after grace."""
+        self._held = False
+        if self._lookout.suspended:
+            self._resume(time)
+
+    def clock_jumped(self, time: float) -> None:
+        """Forget the traffic before; everything is suspended in the next tick, and then has grace."""
+        self._clock = ClockWatch(time)
+        self._jump(time)
+        self._settling = True
+
+    def replace_reference(self, reference: Reference) -> None:
+        """Judge by another reference; what did not change keeps windows and states.
+
+        Raises:
+            ValueError: a pattern of the reference is none; the old one is kept.
+        """
+        rules = Rulebook(reference, self._rules)
+        now = self._clock.now
+        before = self._asked()
+        self._rules = rules
+        self.reacts = bool(reference.reactions)
+        self._presences = self._existence.presences = Presences(rules, now, self._presences)
+        self._fields = FieldChecks(reference.field_checks, now, self._fields)
+        self._chains = AgeChains(reference.chains, now, self._chains)
+        self._states = StateChecks(reference.states, now, self._states)
+        self._retire(before - self._asked(), now)
+        for one in self._entities():
+            one.planless = True
+            self._lookout.wait(one)
+        self._lookout.wait_all(required(self._world, rules, now))
+        self._explained.stale = True
+
+    def tick(self, now: float) -> tuple[Verdict, ...]:
+        """Judge what has news or is due; return what changed its state or cause, by entity and expectation."""
+        self._follow_clock(now)
+        now = self._clock.now
+        moved, self._moved = self._moved, []
+        if turned := self._hearing.settle(now):
+            moved += turned
+            self._presences.look_again()
+            self._states.look_again()
+        moved += self._judge(now)
+        changed = {one: None for one in moved if one.state.state is not one.reported}
+        for one in changed:
+            one.reported = one.state.state
+            self._explained.note(one)
+        changed.update(dict.fromkeys(self._explained.explain(now)))
+        verdicts = {(one.entity, one.expectation): one for one in self._retired}
+        self._retired = []
+        verdicts.update((one.key, one.verdict()) for one in changed)
+        return tuple(verdicts[key] for key in sorted(verdicts))
+
+    def standing(self) -> tuple[Verdict, ...]:
+        """Return every verdict as it stands, sorted by entity and expectation."""
+        self._moved += self._lookout.look_again(self._clock.now)
+        return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
+
+    def tolerance(self, tally: Tally) -> float:
+        """Return how wrong times of a tally may be so that sentences about them can be judged: half of what is fine."""
+        connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
+        entities = filter(None, (connection, self._world.topics.get(tally.topic)))
+        highest = [
+            one.sentence.bounds.high for entity in entities for one in entity.judged if one.sentence.key in _TIMES
+        ]
+        return min(highest) / 2 if highest else USUAL_TOLERANCE_S
+
+    def next_due(self, now: float) -> float:
+        """Return when a tick could change something if nothing comes; infinity where only news can."""
+        if self._moved or self._retired:
+            return now
+        due = min(self._lookout.due, self._presences.due, self._fields.due, self._states.due)
+        return max(min(due, self._chains_due) if self._chains.standing else due, now)
+
+    def tree(self, now: float) -> SystemView:
+        """Return the system by host, node, topic and connection, with worst states and latest values."""
+        self._moved += self._lookout.look_again(self._clock.now)
+        return view_of(self._world, self._standing(), now)
+
+    def _entities(self) -> Iterator[Measured]:
+        return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())
+
+    def _standing(self) -> Iterator[Standing]:
+        return chain(
+            self._presences.standing,
+            self._fields.standing,
+            self._chains.standing,
+            self._states.standing,
+            self._hearing.standing(),
+            self._explained.faults,
+            chain.from_iterable(one.judged for one in self._entities()),
+        )
+
+    def _gone_nodes(self) -> dict[EntityId, float]:
+        gone = self._existence.vanished.items()
+        return {EntityId(kind, name): time for (kind, name), time in gone if kind is EntityKind.NODE}
+
+    def _meet(self, tally: Tally, now: float) -> Connection | None:
+        """Make room for a connection that is new, and for what is known by it alone."""
+        connection = self._world.connection(tally, now)
+        if connection is None:
+            return None
+        topic = self._world.topics[tally.topic]
+        if not topic.seen:
+            # Grace counts from when a topic is there, not from when somebody began to wait for it.
+            topic.appeared = now
+        topic.add(connection)
+        topic.planless = topic.planless or len(topic.connections) == 1
+        self._presences.appear((connection.id.kind, connection.id.name), self._world.facts(connection))
+        graph = self._world.graph
+        if graph is None or not topic.known:
+            self._presences.appear((EntityKind.TOPIC, topic.name), self._world.facts(topic))
+        if graph is None:
+            for node in filter(None, (tally.publisher, tally.subscriber)):
+                self._presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
+        return connection
+
+    def _follow_clock(self, now: float) -> None:
+        course = self._clock.tick(now)
+        if course is Course.JUMPED:
+            self._jump(now)
+        elif course is Course.STANDS:
+            self._suspend(now)
+        elif self._settling:
+            self._settling = False
+        elif self._lookout.suspended and not self._held:
+            self._resume(now)
+
+    def _asked(self) -> set[Standing]:
+        """Return what the reference asks for by itself, not of what an entity was measured."""
+        every = (self._presences, self._fields, self._chains, self._states)
+        return {standing for part in every for standing in part.standing}
+
+    def _traffic(self) -> Iterator[Standing]:
+        return chain(
+            self._fields.standing,
+            self._chains.standing,
+            *(one.judged for one in self._entities() if not isinstance(one, Sampled)),
+        )
+
+    def _suspend(self, time: float) -> None:
+        if self._lookout.suspended:
+            return
+        self._lookout.suspended = True
+        for connection in self._world.connections.values():
+            connection.wake()
+        for one in self._traffic():
+            one.forget(time, State.SUSPENDED)
+            self._moved.append(one)
+
+    def _resume(self, time: float) -> None:
+        """Begin anew: what came before the break says nothing of what comes now."""
+        self._lookout.suspended = False
+        self._began = time
+        self._fields.clear()
+        for one in self._entities():
+            if not isinstance(one, Sampled):
+                one.appeared = time
+            if isinstance(one, Connection):
+                one.clear(time)
+            one.due = time
+            self._lookout.wait(one)
+        for standing in self._traffic():
+            standing.forget(time, State.UNKNOWN)
+            self._moved.append(standing)
+
+    def _jump(self, time: float) -> None:
+        self._held = False
+        self._suspend(time)
+        self._began = time
+        self._hearing.shift(time)
+        self._presences.look_again()
+        self._lookout.forget_due()
+        self._chains_due = self._sweep_due = time
+        for one in self._entities():
+            one.planned = one.due = float("inf")
+            if isinstance(one, Sampled):
+                one.clear(time)
+                self._lookout.wait(one)
+
+    def _judge(self, now: float) -> list[Standing]:
+        changed: list[Standing] = [*self._lookout.judge(now)]
+        if not self._lookout.suspended:
+            changed += self._fields.judge(now, self._began)
+            if self._chains.standing and now >= self._chains_due:
+                changed += self._chains.judge(now, self._look, self._silence, self._began)
+                self._chains_due = now + _CHAINS_S
+        changed += self._states.judge(now, self._began, self._hearing.silent_of_graph)
+        changed += self._presences.judge(now, self._began, self._existence.vanished, self._hearing.waits_for)
+        if now >= self._sweep_due:
+            self._sweep_due = now + _SWEEP_S
+            self._sweep(now)
+        return changed
+
+    def _plan(self, entities: Iterable[Measured], now: float) -> None:
+        for one in entities:
+            if one.planless:
+                self._retire(plan(one, self._world, self._rules, now), now)
+
+    def _retire(self, dropped: Iterable[Standing], now: float) -> None:
+        """Say of verdicts that are judged no more that they are unknown."""
+        for one in dropped:
+            self._explained.drop(one)
+            if one.reported is not State.UNKNOWN:
+                one.state.step(now, State.UNKNOWN, None)
+                one.window, one.evidence = None, "judged no more"
+                self._retired.append(one.verdict())
+
+    def _sweep(self, now: float) -> None:
+        """Let go of what is gone for long, so that memory stays bounded."""
+        outdated = self._world.outdated(now)
+        for connection in outdated:
+            self._world.forget(connection)
+            self._known.clear()
+            self._existence.vanish((connection.id.kind, connection.id.name), now)
+            self._retire(connection.judged, now)
+            topic = self._world.topics[connection.topic]
+            if not (topic.known or topic.connections):
+                self._existence.vanish((EntityKind.TOPIC, topic.name), now)
+            self._lookout.wait_all((topic,))
+        if self._world.graph is None:
+            ends = {node for one in self._world.connections.values() for node in (one.publisher, one.subscriber)}
+            for node in {node for one in outdated for node in (one.publisher, one.subscriber)} - ends:
+                self._existence.vanish((EntityKind.NODE, node), now)
+        for sampled in self._world.outdated_samples(now):
+            del self._world.sampled[sampled.id]
+            self._retire(sampled.judged, now)
+        for topic in self._world.outdated_topics():
+            del self._world.topics[topic.name]
+
+    def _silence(self, topic_name: str) -> float:
+        """Return for how many seconds a topic has been silent for longer than is usual of it; 0 where it speaks."""
+        topic = self._world.topics.get(topic_name)
+        if topic is None:
+            return 0.0
+        for connection in topic.all_connections():
+            connection.settle(self._clock.now)
+        views = topic.views(0)
+        return min((window.quiet if window.silent else 0.0 for _, window in views), default=0.0)
+
+    def _look(self, topic_name: str, key: str) -> float | None:
+        topic = self._world.topics.get(topic_name)
+        if topic is None or topic.planless:
+            return None
+        for connection in topic.all_connections():
+            connection.settle(self._clock.now)
+        return topic.value(key, 0)[0]

@@ -1,0 +1,104 @@
+"""Which sentences an entity is judged by, and which windows they need: looked up once, until something changes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.live.standing.measured import Judged, Measured
+from roslens.live.standing.rulebook import Rulebook
+from roslens.live.standing.sentence import Sentence, window_length
+from roslens.live.system.connection import Connection
+from roslens.live.system.sampled import Sampled
+from roslens.live.system.topic import Topic
+from roslens.live.system.world import World
+from roslens.live.window.window import MAX_BUCKETS, MAX_VALUES
+from roslens.model.entity import EntityKind
+
+_SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
+
+
+def required(world: World, rules: Rulebook, now: float) -> list[Measured]:
+    """Return the entities that the rules name without wildcards, made where nobody has seen them yet."""
+    found: list[Measured] = []
+    for kind, name in rules.required:
+        entity: Measured | None = None
+        if kind in (EntityKind.TOPIC, EntityKind.CONNECTION):
+            entity = world.topic(name, now)
+        elif kind in _SAMPLED:
+            entity = world.entity_named(kind, name, now)
+        if entity is not None:
+            found.append(entity)
+    return found
+
+
+def plan(entity: Measured, world: World, rules: Rulebook, now: float) -> list[Judged]:
+    """Look up the sentences about an entity; return what is judged no more."""
+    if isinstance(entity, Connection):
+        return _plan_connection(entity, world, rules, now)
+    if isinstance(entity, Topic):
+        return _plan_topic(entity, world, rules, now)
+    if isinstance(entity, Sampled):
+        sentences = rules.about(entity.id.kind, entity.id.name, world.facts(entity))
+        if not entity.seen:
+            sentences = _with(sentences, rules.required.get((entity.id.kind, entity.id.name), ()))
+        dropped = entity.adopt(sentences, now)
+        entity.keep(max((one.timing.window for one in sentences), default=0.0))
+        return dropped
+    return []
+
+
+def _plan_connection(connection: Connection, world: World, rules: Rulebook, now: float) -> list[Judged]:
+    topic = world.topics[connection.topic]
+    dropped = [] if not topic.planless else _plan_topic(topic, world, rules, now)
+    if not connection.planless:
+        return dropped
+    dropped += connection.adopt(_about(connection, world, rules), now)
+    asked = _lengths(judged.sentence for judged in connection.judged)
+    percentile = any(judged.sentence.percentile for judged in connection.judged)
+    if not asked <= set(topic.lengths) or (percentile and topic.most == MAX_BUCKETS):
+        return dropped + _plan_topic(topic, world, rules, now)
+    _place(connection, topic.lengths, topic.most)
+    return dropped
+
+
+def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list[Judged]:
+    sentences = rules.about(EntityKind.TOPIC, topic.name, world.facts(topic))
+    if not topic.seen:
+        sentences = _with(sentences, rules.required.get((EntityKind.TOPIC, topic.name), ()))
+    if not topic.connections:
+        sentences = _with(sentences, rules.required.get((EntityKind.CONNECTION, topic.name), ()))
+    dropped = topic.adopt(sentences, now)
+    connections = [one for group in topic.connections.values() for one in group]
+    for connection in connections:
+        if connection.planless:
+            dropped += connection.adopt(_about(connection, world, rules), now)
+    every = [judged.sentence for one in (topic, *connections) for judged in one.judged]
+    usual = window_length(max((one.period for one in every if not one.window), default=0.0))
+    topic.most = MAX_VALUES if any(one.percentile for one in every) else MAX_BUCKETS
+    topic.lengths = (usual, *sorted(_lengths(every) - {usual}))
+    _place(topic, topic.lengths, topic.most)
+    for connection in connections:
+        _place(connection, topic.lengths, topic.most)
+    return dropped
+
+
+def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) -> None:
+    """Let each sentence of an entity take its window."""
+    if isinstance(entity, Connection):
+        entity.resize(lengths, most)
+    for judged in entity.judged:
+        window = judged.sentence.window
+        judged.at = lengths.index(window) if window else 0
+    entity.gather()
+
+
+def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[Sentence, ...]:
+    return rules.about(EntityKind.CONNECTION, connection.topic, world.facts(connection))
+
+
+def _lengths(sentences: Iterable[Sentence]) -> set[float]:
+    return {one.window for one in sentences if one.window}
+
+
+def _with(sentences: tuple[Sentence, ...], more: Iterable[Sentence]) -> tuple[Sentence, ...]:
+    return tuple(sorted({*sentences, *more}, key=lambda one: one.told.id))

@@ -1,0 +1,147 @@
+"""An entity that is judged: its sentences, how they stand, and when to look again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.live.standing.sentence import Sentence
+from roslens.live.standing.standing import Standing
+from roslens.live.standing.verdict_state import NEVER
+from roslens.live.window.traffic import MEASURES
+from roslens.live.window.window import Window
+from roslens.model.entity import EntityId
+from roslens.model.verdict import State, Verdict
+
+
+class Judged(Standing):
+    """A sentence about a signal of an entity.
+
+    Attributes:
+        sentence: that is judged.
+        at: number of the window that it takes.
+        group: of the sentences that take the same value.
+    """
+
+    __slots__ = ("at", "group", "sentence")
+
+    def __init__(self, entity: EntityId, sentence: Sentence, now: float) -> None:
+        super().__init__(entity, sentence.told, sentence.key, sentence.written, now)
+        self.sentence = sentence
+        self.at = 0
+        self.group: Group | None = None
+
+    def forget(self, now: float, state: State) -> None:
+        """Begin anew in ``state``, because time itself broke."""
+        super().forget(now, state)
+        if self.group is not None:
+            self.group.calm = self.group.entity.calm = False
+
+    def verdict(self) -> Verdict:
+        """Return how it stands, for others to read."""
+        group = self.group
+        if group is not None and group.calm:
+            self.state.value, self.state.time, self.window = group.value, group.entity.looked, group.window
+        return super().verdict()
+
+
+class Group:
+    """Sentences about one entity that take the same value, so that one look tells whether all are fine still.
+
+    Attributes:
+        entity: that is judged.
+        key: of the signal.
+        measure: that takes it from a window; None where windows do not tell it.
+        at: number of the window.
+        percentile: of the values in the window, 0 for the window itself.
+        low: the highest of the lower bounds.
+        high: the lowest of the upper bounds.
+        judged: the sentences.
+        calm: whether all are ok, and stay so as long as the value is between both.
+        value: at the last look at a calm group.
+        window: that showed it.
+    """
+
+    __slots__ = ("at", "calm", "entity", "high", "judged", "key", "low", "measure", "percentile", "value", "window")
+
+    def __init__(self, entity: Measured, judged: list[Judged]) -> None:
+        first = judged[0]
+        self.entity = entity
+        self.measure = MEASURES.get(first.sentence.key)
+        self.key, self.at, self.percentile = first.sentence.key, first.at, first.sentence.percentile
+        self.low = max(one.sentence.bounds.low for one in judged)
+        self.high = min(one.sentence.bounds.high for one in judged)
+        self.judged = judged
+        self.calm = False
+        self.value = 0.0
+        self.window: Window | None = None
+        for one in judged:
+            one.group = self
+
+    def settle(self) -> float:
+        """Find out whether all are calm; return when one of them may change without news."""
+        due = min(one.state.due for one in self.judged)
+        self.calm = due == NEVER and all(one.state.state is State.OK for one in self.judged)
+        return due
+
+
+class Measured:
+    """An entity with signals.
+
+    Attributes:
+        id: of the entity.
+        judged: sentences about it.
+        groups: these by the value that they take.
+        looked: when it was judged last.
+        calm: whether everything about it was fine when it was judged last.
+        appeared: from when grace counts.
+        due: when it has to be judged again without any news; NEVER where only news can change it.
+        planned: the earliest time at which it waits in the queue.
+        seen: whether it was ever there.
+        planless: whether its sentences have to be looked up again.
+        waiting: whether it waits to be judged in the next tick.
+    """
+
+    __slots__ = (
+        "appeared",
+        "calm",
+        "due",
+        "groups",
+        "id",
+        "judged",
+        "looked",
+        "planless",
+        "planned",
+        "seen",
+        "waiting",
+    )
+
+    def __init__(self, entity: EntityId, now: float) -> None:
+        self.id = entity
+        self.judged: list[Judged] = []
+        self.groups: list[Group] = []
+        self.looked = -NEVER
+        self.appeared = now
+        self.due = self.planned = NEVER
+        self.seen = False
+        self.planless = True
+        self.waiting = False
+        self.calm = False
+
+    def adopt(self, sentences: Iterable[Sentence], now: float) -> list[Judged]:
+        """Be judged by these sentences from now on; return those judged no more. Unchanged ones keep their state."""
+        self.planless = False
+        old = {id(judged.sentence): judged for judged in self.judged}
+        self.judged = []
+        for sentence in sentences:
+            kept = old.pop(id(sentence), None) or Judged(self.id, sentence, now)
+            kept.told = sentence.told
+            self.judged.append(kept)
+        return list(old.values())
+
+    def gather(self) -> None:
+        """Group the sentences by the value they take."""
+        groups: dict[tuple[str, int, float], list[Judged]] = {}
+        for one in self.judged:
+            groups.setdefault((one.sentence.key, one.at, one.sentence.percentile), []).append(one)
+        self.groups = [Group(self, judged) for judged in groups.values()]
+        self.calm = False

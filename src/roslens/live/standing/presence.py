@@ -1,0 +1,150 @@
+"""What has to be there, or must not be, and how that stands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
+from roslens.live.standing.rulebook import Facts, Rulebook, find_all
+from roslens.live.standing.standing import Standing
+from roslens.live.standing.unheard import blame
+from roslens.live.standing.verdict_state import NEVER
+from roslens.live.window.voice import Voice
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import State
+
+Key = tuple[EntityKind, str]
+_RANGES = {
+    PresenceMode.ALWAYS: ">= 1",
+    PresenceMode.ANY: ">= 1",
+    PresenceMode.WHILE: ">= 1",
+    PresenceMode.ANY_WHILE: ">= 1",
+    PresenceMode.AT_MOST_ONE: "<= 1",
+    PresenceMode.NEVER: "<= 0",
+}
+_SHOWN = 3
+
+
+class _Watched(Standing):
+    """A presence, what matches it, and what matches its condition."""
+
+    __slots__ = ("enabling", "matching", "presence")
+
+    def __init__(self, presence: Presence, now: float) -> None:
+        name = Pattern.parse(presence.selector.name).literal or presence.selector.name
+        entity = EntityId(presence.selector.kind, name)
+        super().__init__(entity, presence.told, "presence", _RANGES[presence.mode], now)
+        self.presence = presence
+        self.matching: set[str] = set()
+        self.enabling: set[str] = set()
+
+    def raw(self) -> State:
+        """Return how it stands at this moment."""
+        mode, count = self.presence.mode, len(self.matching)
+        if mode in CONDITIONAL and not self.enabling:
+            return State.SUSPENDED
+        if mode in (PresenceMode.AT_MOST_ONE, PresenceMode.NEVER):
+            return State.HIGH if count > (mode is PresenceMode.AT_MOST_ONE) else State.OK
+        return State.OK if count else State.ABSENT
+
+    def explain(self) -> str:
+        """Return what matches, in words."""
+        condition = self.presence.condition
+        if condition is not None and not self.enabling:
+            return f"{_written(condition)} is not there"
+        if not self.matching:
+            return f"{_written(self.presence.selector)} is not there"
+        names = sorted(self.matching)
+        more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+        return f"there: {', '.join(names[:_SHOWN])}{more}"
+
+
+def _written(selector: Selector) -> str:
+    return f"{selector.kind.value} {selector.name}"
+
+
+class Presences:
+    """Which entities exist, and how the sentences about their existence stand."""
+
+    def __init__(self, rules: Rulebook, now: float, old: Presences | None = None) -> None:
+        """Begin with what is expected; what ``old`` has too keeps its state, and what exists stays."""
+        known: dict[Presence, _Watched] = {essence(one.presence): one for one in old.standing} if old else {}
+        self._index = rules.presences
+        presences = rules.single_presences
+        self.standing: list[_Watched] = [known.get(essence(one)) or _Watched(one, now) for one in presences]
+        for watched, presence in zip(self.standing, presences, strict=True):
+            watched.presence, watched.told = presence, presence.told
+        self._by_presence = {one.presence: one for one in self.standing}
+        self._existing: dict[Key, Facts] = {}
+        self._hits: dict[Key, list[tuple[_Watched, bool]]] = {}
+        self._waiting = set(self.standing)
+        self.due = now
+        for one in self.standing:
+            one.matching.clear()
+            one.enabling.clear()
+        for key, facts in old.existing.items() if old else ():
+            self.appear(key, facts)
+
+    @property
+    def existing(self) -> dict[Key, Facts]:
+        """Everything that exists."""
+        return self._existing
+
+    def appear(self, key: Key, facts: Facts) -> None:
+        """Note that an entity exists, or what else became known of it."""
+        if self._existing.get(key) == facts:
+            return
+        self.vanish(key)
+        self._existing[key] = facts
+        if not self.standing:
+            return
+        hits = [(self._by_presence[one], condition) for one, condition in find_all(self._index, *key, facts)]
+        if hits:
+            self._hits[key] = hits
+        for watched, condition in hits:
+            (watched.enabling if condition else watched.matching).add(key[1])
+            self._waiting.add(watched)
+
+    def vanish(self, key: Key) -> None:
+        """Note that an entity exists no more."""
+        self._existing.pop(key, None)
+        for watched, condition in self._hits.pop(key, ()):
+            (watched.enabling if condition else watched.matching).discard(key[1])
+            self._waiting.add(watched)
+
+    def judge(
+        self, now: float, appeared: float, vanished: dict[Key, float],
+        unheard: Callable[[Presence], Voice | None] = lambda _: None,
+    ) -> list[Standing]:  # fmt: skip
+        """Judge what has news or is due; return what changed.
+
+        Args:
+            now: seconds on the monitor's clock.
+            appeared: from when grace counts.
+            vanished: when entities that are gone went.
+            unheard: the observer of which nothing is heard, and without which nobody knows whether something is there.
+        """
+        if not self._waiting and now < self.due:
+            return []
+        waiting = self._waiting | {one for one in self.standing if one.state.due <= now}
+        self._waiting = set()
+        changed: list[Standing] = []
+        for one in waiting:
+            silent = unheard(one.presence)
+            if silent is not None:
+                blame(one, silent)
+                if one.state.step(now, State.UNKNOWN, None):
+                    changed.append(one)
+                continue
+            one.evidence, one.unheard = one.explain(), ""
+            began = vanished.get((one.entity.kind, one.entity.name), now)
+            grace = appeared + one.told.timing.grace
+            if one.state.step(now, one.raw(), float(len(one.matching)), began=began, grace=grace):
+                changed.append(one)
+        self.due = min((one.state.due for one in self.standing), default=NEVER)
+        return changed
+
+    def look_again(self) -> None:
+        """Judge everything in the next tick."""
+        self._waiting = set(self.standing)

@@ -1,0 +1,77 @@
+"""How one sentence stands about one entity, with what others are told of it."""
+
+from __future__ import annotations
+
+from roslens.judge.reference.expectation import Told
+from roslens.live.standing.verdict_state import VerdictState
+from roslens.live.window.evidence import evidence_of
+from roslens.live.window.window import Window
+from roslens.model.entity import EntityId
+from roslens.model.verdict import Link, State, Verdict
+
+
+class Standing:
+    """One sentence about one entity.
+
+    Attributes:
+        entity: that is judged.
+        told: what the sentence tells.
+        quantity: key of what is judged.
+        written: the range, as people read it.
+        state: how it stands.
+        window: that showed the value; None where there is none.
+        evidence: in words, where no window shows it.
+        reported: the state that was told last.
+        cause: text form of the id of the entity whose fault explains this one.
+        leads_to: what follows from it, in words, where it is a first cause.
+        why: the way to the cause, link by link.
+        unheard: text form of the id of the observer that it waits for, because nothing is heard of it.
+    """
+
+    __slots__ = (
+        "cause", "entity", "evidence", "leads_to", "quantity", "reported", "state", "told", "unheard", "why",
+        "window", "written",
+    )  # fmt: skip
+
+    def __init__(self, entity: EntityId, told: Told, quantity: str, written: str, now: float) -> None:
+        self.entity = entity
+        self.told = told
+        self.quantity = quantity
+        self.written = written
+        self.state = VerdictState(told.timing, now)
+        self.window: Window | None = None
+        self.evidence = ""
+        self.cause = self.unheard = self.leads_to = ""
+        self.why: tuple[Link, ...] = ()
+        self.reported = State.UNKNOWN
+
+    @property
+    def key(self) -> tuple[EntityId, str]:
+        """By which verdicts are sorted."""
+        return self.entity, self.told.id
+
+    def forget(self, now: float, state: State) -> None:
+        """Begin anew in ``state``, because time itself broke."""
+        self.state.forget(now, state)
+
+    def verdict(self) -> Verdict:
+        """Return how it stands, for others to read."""
+        state, told = self.state, self.told
+        return Verdict(
+            entity=self.entity,
+            expectation=told.id,
+            quantity=self.quantity,
+            state=state.state,
+            since=state.since,
+            time=state.time,
+            value=state.value,
+            range=self.written,
+            severity=told.severity,
+            evidence=evidence_of(self.window) if self.window is not None else self.evidence,
+            text=told.text,
+            group=told.group,
+            where=told.where,
+            cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
+            leads_to=self.leads_to if state.state.bad else "",
+            why=self.why if state.state.bad else (),
+        )

@@ -1,0 +1,220 @@
+"""When a tally cannot change any verdict, so that nothing has to be judged because of it.
+
+Every value that is judged lies between the least and the greatest of what the tallies of a window say one by one:
+rates, mean sizes and mean times are means with positive weights, gaps and extremes are maxima. So as long as each
+tally lies inside all bounds, the window does too. Jitter is bounded by the root of the mean square distance to any
+fixed period, which is a mean again; a bandwidth is split into a rate and a size whose product is fine; and a sum over
+publishers into the share that each has now.
+"""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+
+from roslens.live.standing.measured import Group
+from roslens.live.window.bucket import Bucket, Series
+from roslens.live.window.round import Round
+from roslens.live.window.signals import SUMMED
+from roslens.live.window.traffic import bandwidth, message_size, period, rate
+from roslens.live.window.window import EPSILON_S, Window
+from roslens.model.tally_columns import Row
+
+_BEFORE = -EPSILON_S
+_Bounds = tuple[float, float, float]
+_BOUNDLESS = (-inf, inf, inf)
+_MEANS = ("latency", "age", "processing")
+
+
+class Envelope:
+    """Bounds of a single tally of a connection with one observer.
+
+    Attributes:
+        slow: least messages per second.
+        fast: greatest of them.
+        size: of the mean size of a message in bytes.
+        gap: the longest time without a message.
+        centre: the period from which distances are taken.
+        scatter: the greatest mean square of these.
+        loss: least and greatest share, in percent.
+        latency: least and greatest mean, and greatest value; None where it has no bounds.
+        age: those of it.
+        processing: those of it.
+        windows: of the connection.
+        round: in which the newest tally inside came; None where that was noticed.
+    """
+
+    __slots__ = (
+        "age", "centre", "fast", "gap", "latency", "loss", "processing", "round", "scatter", "size", "slow", "windows",
+    )  # fmt: skip
+
+    def __init__(self, windows: list[Window]) -> None:
+        self.slow, self.fast = 0.0, inf
+        self.size: tuple[float, float] | None = None
+        self.gap = inf
+        self.centre = 0.0
+        self.scatter = inf
+        self.loss: tuple[float, float] | None = None
+        self.latency: _Bounds | None = None
+        self.age: _Bounds | None = None
+        self.processing: _Bounds | None = None
+        self.windows = windows
+        self.round: Round | None = None
+
+    def takes(self, row: Row, now: Round) -> bool:
+        """Put a tally into the windows that is plausible, follows the last one, and lies inside; else return False.
+
+        What is asked is never true of a value that is no number. Long, because a call costs as much as ten questions.
+        """
+        windows = self.windows
+        window = windows[0]
+        start, end, count, size, first, last, period, latency, age, lost, observer, _, processing, longest_at = row
+        until = window.until
+        hole, length, quiet = start - until, end - until, end - last
+        gap, span, squares, centre = period.greatest, period.total, period.squares, self.centre
+        if not (
+            _BEFORE <= hole <= window.spacing
+            and length > EPSILON_S
+            and period.count == count > 0 <= period.least <= gap <= self.gap >= quiet
+            and self.slow * (span + quiet - gap if quiet > gap else span) <= count <= self.fast * span
+            and squares - centre * (span + span - centre * count) <= self.scatter * count
+            and (
+                size >= -1 if self.size is None else self.size[0] * count <= size <= self.size[1] * count and size >= 0
+            )
+            and lost >= -1
+            and start - 1 <= first <= last <= end + 1
+            and observer is window.observer
+        ):
+            return False
+        finite = squares + gap + end + longest_at
+        if latency.count or self.latency is not None:
+            finite += _within(latency, self.latency)
+        if age.count or self.age is not None:
+            finite += _within(age, self.age)
+        if processing.count or processing.least or self.processing is not None:
+            finite += _within(processing, self.processing) if processing.least >= 0 else inf
+        if finite - finite != 0 or (self.loss is not None and not self._loss_within(lost, count)):
+            return False
+        for window in windows:
+            if not window.buckets:  # all of it is over, as after frames that came late
+                return False
+        if now is not self.round:
+            self.notice()
+            self.round = now
+        for window in windows:
+            window.follow_row(row, length, hole)
+        return True
+
+    def notice(self) -> None:
+        """Let windows know when the newest tally inside was noticed; nothing is known of one since the last tick."""
+        if self.round is not None and self.round.time is not None:
+            for window in self.windows:
+                if window.news:
+                    window.notice(self.round.time)
+            self.round = None
+
+    def holds(self, bucket: Bucket) -> bool:
+        """Whether a bucket lies inside all bounds, and the silence at its end too."""
+        intervals = bucket.intervals
+        if not intervals or not bucket.count:
+            return False
+        span, gap = bucket.span, bucket.gap
+        quiet = bucket.end - bucket.last
+        if gap > self.gap or quiet > self.gap or intervals > self.fast * span:
+            return False
+        if intervals < self.slow * (span + quiet - gap if quiet > gap else span):
+            return False
+        if self.scatter < inf:
+            moments = bucket.period
+            count = moments.count
+            if not count:
+                return False
+            centre = self.centre
+            if moments.squares - centre * (2 * moments.total - centre * count) > self.scatter * count:
+                return False
+        size = self.size
+        if size is not None and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
+            return False
+        for field in _MEANS:
+            bounds = getattr(self, field)
+            if bounds is not None and _within(getattr(bucket, field), bounds) == inf:
+                return False
+        return self.loss is None or self._loss_holds(bucket)
+
+    def _loss_within(self, lost: int, count: int) -> bool:
+        return self.loss is None or (lost >= 0 and self.loss[0] <= 100 * lost / (lost + count) <= self.loss[1])
+
+    def _loss_holds(self, bucket: Bucket) -> bool:
+        sent = bucket.lost + bucket.losable
+        if not bucket.losses_counted or not sent or self.loss is None:
+            return False
+        return self.loss[0] <= 100 * bucket.lost / sent <= self.loss[1]
+
+    def narrow(self, group: Group, window: Window, share: float) -> bool:
+        """Take the bounds of sentences, of which this connection has a ``share``; False where that cannot be done."""
+        key, low, high = group.key, group.low, group.high
+        if group.percentile:
+            return False
+        if key in SUMMED:
+            low, high = low * share, high * share
+        if key == "rate":
+            self._narrow_rate(low, high)
+        elif key == "period":
+            self._narrow_rate(1 / high if high > 0 else inf, 1 / low if low > 0 else inf)
+        elif key == "bandwidth":
+            return self._narrow_bandwidth(low, high, window)
+        elif key == "message_size":
+            self._narrow_size(low, high)
+        elif key == "largest_gap":
+            self.gap = min(self.gap, high)
+            return low <= 0
+        elif key == "jitter":
+            self.centre = period(window) or 0.0
+            self.scatter = min(self.scatter, high * high)
+            return low <= 0
+        elif key == "loss":
+            known = self.loss or (-inf, inf)
+            self.loss = max(known[0], low), min(known[1], high)
+        else:
+            return self._narrow_mean(key, low, high)
+        return True
+
+    def _narrow_rate(self, low: float, high: float) -> None:
+        self.slow, self.fast = max(self.slow, low), min(self.fast, high)
+
+    def _narrow_size(self, low: float, high: float) -> None:
+        known = self.size or (-inf, inf)
+        self.size = max(known[0], low), min(known[1], high)
+
+    def _narrow_bandwidth(self, low: float, high: float, window: Window) -> bool:
+        hertz, size, value = rate(window), message_size(window), bandwidth(window)
+        if not hertz or not size or not value:
+            return False
+        if high < inf:
+            room = sqrt(high / value)
+            self._narrow_rate(-inf, hertz * room)
+            self._narrow_size(-inf, size * room)
+        if low > 0:
+            room = sqrt(low / value)
+            self._narrow_rate(hertz * room, inf)
+            self._narrow_size(size * room, inf)
+        return True
+
+    def _narrow_mean(self, key: str, low: float, high: float) -> bool:
+        field, _, extreme = key.partition("_")
+        if field not in _MEANS:
+            return False
+        least, most, greatest = getattr(self, field) or (-inf, inf, inf)
+        if extreme:
+            setattr(self, field, (least, most, min(greatest, high)))
+            return low == -inf
+        setattr(self, field, (max(least, low), min(most, high), greatest))
+        return True
+
+
+def _within(series: Series, bounds: _Bounds | None) -> float:
+    """Return a sum that is finite if a series is and lies inside its bounds, and infinite or no number if not."""
+    count, total, greatest = series.count, series.total, series.greatest
+    low, high, most = bounds or _BOUNDLESS
+    if count > 0 and low * count <= total <= high * count and greatest <= most:
+        return total + series.squares + series.least + greatest
+    return inf

@@ -1,0 +1,182 @@
+"""A topic: the fold of its connections."""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections.abc import Iterable, Iterator
+
+from roslens.live.standing.measured import Measured
+from roslens.live.system.connection import Connection
+from roslens.live.window.signals import ENDS, SUMMED
+from roslens.live.window.voice import Voice
+from roslens.live.window.window import MAX_BUCKETS, RANK, Window
+from roslens.model.entity import EntityId, EntityKind
+
+_WIDEST = frozenset({"jitter", "largest_gap"})
+_OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
+_MEANS = frozenset({"latency", "age"})
+
+
+class Topic(Measured):
+    """The connections of a topic by publisher.
+
+    Attributes:
+        name: of the topic.
+        connections: by publisher; that of unknown ones under the empty name.
+        publishers: nodes that publish it, by the graph.
+        former: those that did before the last of them went.
+        subscribers: nodes that subscribe to it, by the graph.
+        types: of its messages.
+        known: whether the graph has it.
+        misfits: pairs of nodes that exchange nothing over it; None where that is not known.
+        lengths: of the windows that its sentences need.
+        most: buckets that these keep.
+    """
+
+    __slots__ = (
+        "_ordered",
+        "connections",
+        "former",
+        "known",
+        "lengths",
+        "misfits",
+        "most",
+        "name",
+        "publishers",
+        "subscribers",
+        "types",
+    )
+
+    def __init__(self, name: str, now: float) -> None:
+        super().__init__(EntityId(EntityKind.TOPIC, name), now)
+        self.name = name
+        self.connections: dict[str, list[Connection]] = {}
+        self.publishers: frozenset[str] = frozenset()
+        self.former: frozenset[str] = frozenset()
+        self.subscribers: frozenset[str] = frozenset()
+        self.types: frozenset[str] = frozenset()
+        self.known = False
+        self.misfits: int | None = None
+        self.most = MAX_BUCKETS
+        self.lengths: tuple[float, ...] = ()
+        self._ordered: list[Connection] = []
+
+    def add(self, connection: Connection) -> None:
+        """Take a connection in."""
+        self.connections.setdefault(connection.publisher, []).append(connection)
+        insort(self._ordered, connection, key=_ends)
+        self.seen = True
+
+    def remove(self, connection: Connection) -> None:
+        """Let a connection go."""
+        group = self.connections[connection.publisher]
+        group.remove(connection)
+        self._ordered.remove(connection)
+        if not group:
+            del self.connections[connection.publisher]
+
+    def all_connections(self) -> list[Connection]:
+        """Return every connection that is there, else every one, in order."""
+        every = self._ordered
+        return [one for one in every if not one.left] or [one for one in every if self._of_last(one)] or every
+
+    def views(self, at: int) -> list[tuple[Connection, Window]]:
+        """Return for each publisher where its traffic is seen best: subscribers of one publisher do not add up."""
+        groups = self.connections
+        if len(groups) == 1:
+            (group,) = groups.values()
+            if len(group) == 1:
+                window = group[0].best(at)
+                return [(group[0], window)] if window else []
+        named = [group for publisher, group in sorted(groups.items()) if publisher]
+        found: list[tuple[Connection, Window]] = []
+        for group in named or groups.values():
+            if len(group) == 1:
+                window = group[0].best(at)
+                found += [(group[0], window)] if window else []
+                continue
+            seen = [(one, window) for one in group if (window := one.best(at))]
+            if seen:
+                found.append(min(seen, key=_quality))
+        if len(found) == 1:
+            return found
+        there = [(one, window) for one, window in found if not one.left]
+        return there or [(one, window) for one, window in found if self._of_last(one)] or found
+
+    def value(
+        self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
+    ) -> tuple[float | None, Window | None]:
+        """Return a signal of the topic and the window that tells most of it; ``views`` are taken where known."""
+        if key in ENDS:
+            return self._of_graph(key, None), None
+        if key in _OF_PUBLISHERS:
+            return _joined(
+                key, (one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views))
+            )
+        return _joined(key, (one.value(key, at, percentile) for one in self.all_connections()))
+
+    def values(self, keys: Iterable[str], at: int) -> Iterator[tuple[str, tuple[float | None, Window | None]]]:
+        """Yield signals of the topic as ``value`` returns them; who tells what is found once for all."""
+        publishers = [one for one, _ in self.views(at)]
+        every = self.all_connections()
+        for key in keys:
+            if key in ENDS:
+                yield key, (self._of_graph(key, every), None)
+            else:
+                told = publishers if key in _OF_PUBLISHERS else every
+                yield key, _joined(key, (one.value(key, at) for one in told))
+
+    def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
+        if key == "misfits":
+            return None if self.misfits is None else float(self.misfits)
+        if self.known:
+            return float(len(self.publishers if key == "publishers" else self.subscribers))
+        ends = {getattr(one, key[:-1]) for one in (self.all_connections() if every is None else every)} - {""}
+        return float(len(ends)) if ends else None
+
+    def unheard(self, key: str) -> Voice | None:
+        """Return an observer of which nothing is heard, and without which a signal of the topic is not known."""
+        for publisher in sorted(self.connections):
+            group = [one for one in self.connections[publisher] if not one.left]
+            silent = [voice for one in group if (voice := one.unheard) is not None]
+            # What is published is known where one end of it is observed, how it arrives where all are.
+            if silent and (key not in _OF_PUBLISHERS or len(silent) == len(group)):
+                return silent[0]
+        return None
+
+    def _of_last(self, connection: Connection) -> bool:
+        """Whether a connection is of those who published last: who left before says nothing of how it ended."""
+        return connection.publisher in self.former
+
+
+def _ends(connection: Connection) -> tuple[str, str]:
+    return connection.publisher, connection.subscriber
+
+
+def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, float]:
+    connection, window = seen
+    quiet = window.horizon > window.until
+    return connection.left, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
+
+
+def _joined(key: str, signals: Iterable[tuple[float | None, Window | None]]) -> tuple[float | None, Window | None]:
+    seen = list(signals)
+    if len(seen) == 1:
+        return seen[0]
+    told = [(value, window) for value, window in seen if value is not None]
+    if not told:
+        return None, seen[0][1] if seen else None
+    return told[0] if len(told) == 1 else _folded(key, told)
+
+
+def _folded(key: str, told: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:
+    values = [value for value, _ in told]
+    if key in SUMMED:
+        return sum(values), told[0][1]
+    if key in _MEANS or key in ("period", "message_size"):
+        weights = [window.count if window else 1 for _, window in told]
+        total = sum(weights)
+        mean = sum(v * w for v, w in zip(values, weights, strict=True)) / total if total else sum(values) / len(values)
+        return mean, told[0][1]
+    worst = max(range(len(values)), key=values.__getitem__)
+    return values[worst], told[worst][1]

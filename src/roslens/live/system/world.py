@@ -1,0 +1,350 @@
+"""Everything a monitor knows of: connections, topics, hosts, nodes and processes, and how they hang together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+
+from roslens.live.standing.measured import Measured
+from roslens.live.standing.presence import Key
+from roslens.live.standing.rulebook import Facts
+from roslens.live.system.connection import Connection
+from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.halted import Halted
+from roslens.live.system.misfit import misfits_by_topic
+from roslens.live.system.sampled import Sampled
+from roslens.live.system.topic import Topic
+from roslens.live.window.newest import MOST_GONE
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Graph, Role
+from roslens.model.tally import Tally
+
+MAX_ENTITIES = 100_000
+"""Connections, topics and sampled entities together; more are refused and counted."""
+FORGET_GONE_S = 300.0
+"""After which a connection is forgotten that the graph has no more, and a process or node that nobody samples."""
+FORGET_QUIET_S = 3600.0
+"""After which a silent connection is forgotten of which no graph says that it is gone."""
+
+_COMING_AND_GOING = (EntityKind.NODE, EntityKind.SERVICE)
+
+_ENDS = {
+    Role.SERVICE_SERVER: EntityKind.SERVICE,
+    Role.ACTION_SERVER: EntityKind.ACTION,
+}
+
+
+class World:
+    """The entities of a system.
+
+    Attributes:
+        connections: by topic, publisher and subscriber.
+        topics: by name.
+        sampled: hosts, nodes and processes by id.
+        graph: the newest one; None before the first.
+        refused: records of entities that were one too many.
+    """
+
+    def __init__(self) -> None:
+        self.connections: dict[tuple[str, str, str], Connection] = {}
+        self.topics: dict[str, Topic] = {}
+        self.sampled: dict[EntityId, Sampled] = {}
+        self.graph: Graph | None = None
+        self.refused = 0
+        self.published: dict[str, set[str]] = {}
+        self.subscribed: dict[str, set[str]] = {}
+        self._servers: dict[EntityId, set[str]] = {}
+        self._hosts: dict[str, str] = {}
+
+    @property
+    def full(self) -> bool:
+        """Whether there is no room for one more entity."""
+        return len(self.connections) + len(self.topics) + len(self.sampled) >= MAX_ENTITIES
+
+    def host_of(self, node: str) -> str:
+        """Return the host of a node, empty where unknown."""
+        return self._hosts.get(node, "")
+
+    def topic(self, name: str, now: float) -> Topic:
+        """Return a topic, a new one if need be."""
+        topic = self.topics.get(name)
+        if topic is None:
+            topic = self.topics[name] = Topic(name, now)
+        return topic
+
+    def connection(self, tally: Tally, now: float) -> Connection | None:
+        """Return the connection that a tally is about, a new one if need be; None where there is no room."""
+        key = (tally.topic, tally.publisher, tally.subscriber)
+        found = self.connections.get(key)
+        if found is None:
+            if self.full:
+                self.refused += 1
+                return None
+            found = self.connections[key] = Connection(*key, now)
+            topic = self.topic(tally.topic, now)
+            found.gone = topic.known and _lacks_end(topic, found)
+        return found
+
+    def entity(self, entity: EntityId, now: float) -> Sampled | None:
+        """Return what is sampled of an entity, a new one if need be; None where there is no room."""
+        found = self.sampled.get(entity)
+        if found is None:
+            if self.full:
+                self.refused += 1
+                return None
+            found = self.sampled[entity] = Sampled(entity, now)
+            if entity.kind is EntityKind.HOST:
+                found.host = entity.name
+            elif entity.kind is EntityKind.PROCESS:
+                found.host = entity.name.rpartition("/")[0]
+            else:
+                found.host = self.host_of(entity.name)
+        return found
+
+    def entity_named(self, kind: EntityKind, name: str, now: float) -> Sampled | None:
+        """Return what is sampled of an entity of this kind and name."""
+        return self.entity(EntityId(kind, name), now)
+
+    def connection_of(self, entity: EntityId) -> Connection | None:
+        """Return a connection by its id, None where it is not known."""
+        return self.connections.get(connection_ends(entity))
+
+    def sampled_by(self, key: Key) -> Sampled | None:
+        """Return what is sampled of an entity, None where nothing is."""
+        return self.sampled.get(EntityId(*key))
+
+    def concerned(self, entity: EntityId) -> Iterator[Measured]:
+        """Yield an entity and, of a node, the topics it publishes and their connections."""
+        sampled = self.sampled.get(entity)
+        if sampled is not None:
+            yield sampled
+        names = self.published.get(entity.name, ()) if entity.kind is EntityKind.NODE else (entity.name,)
+        if entity.kind not in (EntityKind.NODE, EntityKind.TOPIC):
+            return
+        for name in sorted(names):
+            topic = self.topics.get(name)
+            if topic is not None:
+                yield topic
+                yield from chain.from_iterable(topic.connections.values())
+
+    def outdated(self, now: float) -> list[Connection]:
+        """Return the connections that are gone, or silent without a graph that knows them, for long.
+
+        Of the silent ones that nobody judges the newest are kept: a tool that ends at once is in no graph that could
+        say that it has gone.
+        """
+        silent = [
+            (now - since, one) for one in self.connections.values() if (since := self._silent_since(one)) is not None
+        ]
+        unknown = sorted(
+            ((long, one) for long, one in silent if not (one.gone or self._matters(one)) and long > FORGET_GONE_S),
+            key=lambda found: found[0],
+        )
+        surplus = {id(one) for _, one in unknown[MOST_GONE:]}
+        return [
+            one for long, one in silent if long > (FORGET_GONE_S if one.gone else FORGET_QUIET_S) or id(one) in surplus
+        ]
+
+    def _matters(self, connection: Connection) -> bool:
+        """Whether it, or the topic it is of, is judged."""
+        topic = self.topics.get(connection.topic)
+        return bool(connection.judged or (topic is not None and topic.judged))
+
+    def _silent_since(self, connection: Connection) -> float | None:
+        """Return when something was last noticed of a connection; None of one that is only expected as yet."""
+        quiet = connection.quiet_since
+        return connection.appeared if quiet is None and not self._matters(connection) else quiet
+
+    def outdated_samples(self, now: float) -> list[Sampled]:
+        """Return the processes of which nothing is sampled for long, and the nodes and services nobody judges."""
+        return [
+            one
+            for one in self.sampled.values()
+            if (one.id.kind is EntityKind.PROCESS or (one.id.kind in _COMING_AND_GOING and not one.judged))
+            and one.seen
+            and not one.known
+            and now - one.noticed > FORGET_GONE_S
+        ]
+
+    def outdated_topics(self) -> list[Topic]:
+        """Return the topics that are gone, that nobody judges, and after which many others went."""
+        gone = [
+            one
+            for one in self.topics.values()
+            if one.seen and not (one.known or one.connections or one.judged or one.planless)
+        ]
+        return gone[: max(len(gone) - MOST_GONE, 0)]
+
+    def forget(self, connection: Connection) -> None:
+        """Let a connection go, and its topic when that was all that is known of it."""
+        del self.connections[(connection.topic, connection.publisher, connection.subscriber)]
+        self.topics[connection.topic].remove(connection)
+
+    def take_graph(self, graph: Graph, now: float) -> Iterator[Connection | Topic | Sampled]:
+        """Replace the graph; yield every entity of which something else is known than before."""
+        publishers: dict[str, set[str]] = {}
+        subscribers: dict[str, set[str]] = {}
+        types: dict[str, set[str]] = {}
+        self.published, self.subscribed = {}, {}
+        for end in graph.endpoints:
+            if not end.name:
+                continue
+            if end.role is Role.PUBLISHER:
+                publishers.setdefault(end.name, set()).add(end.node)
+                self.published.setdefault(end.node, set()).add(end.name)
+            elif end.role is Role.SUBSCRIPTION:
+                subscribers.setdefault(end.name, set()).add(end.node)
+                self.subscribed.setdefault(end.node, set()).add(end.name)
+            else:
+                continue
+            if end.type:
+                types.setdefault(end.name, set()).add(end.type)
+        self.graph = graph
+        self._take_servers(graph)
+        moved = self._take_hosts(graph)
+        misfits = misfits_by_topic(graph.endpoints) if graph.generation != "ros1" else {}
+        for name in sorted({*publishers, *subscribers} - self.topics.keys()):
+            if self.full:
+                self.refused += 1
+                break
+            self.topic(name, now)
+        for topic in self.topics.values():
+            ends = frozenset(publishers.get(topic.name, ())), frozenset(subscribers.get(topic.name, ()))
+            before, topic.misfits = topic.misfits, misfits.get(topic.name)
+            if (
+                _take_ends(topic, *ends, frozenset(types.get(topic.name, ())))
+                or moved & ends[0]
+                or before != topic.misfits
+            ):
+                yield topic
+                yield from chain.from_iterable(topic.connections.values())
+        for sampled in self.sampled.values():
+            if sampled.id.kind is EntityKind.NODE and sampled.id.name in moved:
+                sampled.host = self.host_of(sampled.id.name)
+                yield sampled
+
+    def _take_servers(self, graph: Graph) -> None:
+        """Note who serves; what a service depended on that nobody serves any more is who did."""
+        servers: dict[EntityId, set[str]] = {}
+        for end in graph.endpoints:
+            if (kind := _ENDS.get(end.role)) is not None:
+                servers.setdefault(EntityId(kind, end.name), set()).add(end.node)
+        former = [one for one in self._servers.items() if one[0] not in servers]
+        self._servers = {**dict(former[-MOST_GONE:]), **servers}
+
+    def _take_hosts(self, graph: Graph) -> set[str]:
+        """Note where nodes are; return those that are somewhere else than before."""
+        moved = set()
+        for node in graph.nodes:
+            if node.host and self._hosts.get(node.name) != node.host:
+                self._hosts[node.name] = node.host
+                moved.add(node.name)
+        if len(self._hosts) > len(graph.nodes) + MOST_GONE:
+            self._hosts = {node.name: node.host for node in graph.nodes if node.host}
+        return moved
+
+    def facts(self, entity: Connection | Topic | Sampled) -> Facts:
+        """Return what selectors may ask of an entity besides its name."""
+        if isinstance(entity, Topic):
+            publishers = entity.publishers or frozenset(filter(None, entity.connections))
+            hosts = {self.host_of(node) for node in publishers} - {""}
+            return Facts(frozenset(hosts or _observers(entity)), entity.types, publishers)
+        if isinstance(entity, Connection):
+            host = self.host_of(entity.publisher) or entity.host
+            topic = self.topics.get(entity.topic)
+            types = topic.types if topic else frozenset[str]()
+            return Facts(_one(host), types, _one(entity.publisher), entity.subscriber, entity.topic)
+        return Facts(_one(entity.host))
+
+    def existing(self, graph: Graph) -> dict[Key, Facts]:
+        """Return what exists by a graph."""
+        found: dict[Key, Facts] = {}
+        for node in graph.nodes:
+            found[EntityKind.NODE, node.name] = Facts(_one(node.host))
+            if node.host:
+                found[EntityKind.HOST, node.host] = Facts(_one(node.host))
+            for parameter in graph.parameters.get(node.name, ()):
+                found[EntityKind.PARAMETER, f"{node.name}/{parameter}"] = Facts(_one(node.host))
+        for host in graph.hosts:
+            found[EntityKind.HOST, host] = Facts(_one(host))
+        for process in graph.processes:
+            found[EntityKind.PROCESS, f"{process.host}/{process.pid}"] = Facts(_one(process.host))
+        for end in graph.endpoints:
+            kind = _ENDS.get(end.role)
+            if kind is not None:
+                found[kind, end.name] = Facts(_one(self.host_of(end.node)), _one(end.type), _one(end.node))
+        for topic in self.topics.values():
+            if topic.known:
+                found[EntityKind.TOPIC, topic.name] = self.facts(topic)
+        return found
+
+    def stopped(self, now: float) -> Iterator[tuple[EntityId, float]]:
+        """Yield the nodes whose process is stopped, as it was sampled lately, and since when."""
+        for sampled in self.sampled.values():
+            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+                seconds = sampled.newest("stopped")
+                if seconds:
+                    yield sampled.id, sampled.noticed - seconds
+
+    def halted(self, now: float) -> Iterator[Halted]:
+        """Yield the nodes whose process is stopped or hangs, as it was sampled lately."""
+        for sampled in self.sampled.values():
+            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+                for key in ("stopped", "hung"):
+                    if seconds := sampled.newest(key):
+                        yield Halted(sampled.id, key == "hung", sampled.noticed - seconds)
+
+    def waits_for_processor(self, who: EntityId, now: float) -> float:
+        """Return for which share of the time, in percent, a node or process waits for a processor; 0 where unknown."""
+        sampled = self.sampled_by((who.kind, who.name))
+        if sampled is None or not sampled.fresh(now):
+            return 0.0
+        return sampled.newest("cpu_wait") or 0.0
+
+    def upstream(self, entity: EntityId) -> list[EntityId]:
+        """Return what an entity depends on."""
+        if entity.kind is EntityKind.TOPIC:
+            topic = self.topics.get(entity.name)
+            nodes = {*(topic.publishers or topic.former), *filter(None, topic.connections)} if topic else set()
+            return [EntityId(EntityKind.NODE, node) for node in nodes]
+        if entity.kind is EntityKind.CONNECTION:
+            topic_name, publisher, subscriber = connection_ends(entity)
+            found = [EntityId(EntityKind.TOPIC, topic_name)]
+            return found + [EntityId(EntityKind.NODE, node) for node in (publisher, subscriber) if node]
+        if entity.kind is EntityKind.NODE:
+            host = self.host_of(entity.name)
+            inputs = [EntityId(EntityKind.TOPIC, name) for name in self.subscribed.get(entity.name, ())]
+            return inputs + ([EntityId(EntityKind.HOST, host)] if host else [])
+        if entity.kind in (EntityKind.SERVICE, EntityKind.ACTION):
+            return [EntityId(EntityKind.NODE, node) for node in self._servers.get(entity, ())]
+        if entity.kind is EntityKind.PROCESS:
+            return [EntityId(EntityKind.HOST, entity.name.rpartition("/")[0])]
+        return []
+
+
+def _take_ends(topic: Topic, publishers: frozenset[str], subscribers: frozenset[str], types: frozenset[str]) -> bool:
+    """Note who is on a topic; return whether that is something else than before."""
+    known = bool(publishers or subscribers)
+    if (topic.publishers, topic.subscribers, topic.types, topic.known) == (publishers, subscribers, types, known):
+        return False
+    topic.former = topic.publishers or topic.former
+    topic.publishers, topic.subscribers = publishers, subscribers
+    topic.types = types or topic.types
+    topic.known = known
+    topic.seen |= known
+    for one in chain.from_iterable(topic.connections.values()):
+        one.gone = _lacks_end(topic, one)
+    return True
+
+
+def _lacks_end(topic: Topic, connection: Connection) -> bool:
+    lost = connection.publisher and connection.publisher not in topic.publishers
+    return bool(lost or (connection.subscriber and connection.subscriber not in topic.subscribers))
+
+
+def _one(text: str) -> frozenset[str]:
+    return frozenset((text,)) if text else frozenset()
+
+
+def _observers(topic: Topic) -> set[str]:
+    return {one.host for group in topic.connections.values() for one in group} - {""}

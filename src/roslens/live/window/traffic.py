@@ -1,0 +1,195 @@
+"""Signals of one window: what its tallies say of rate, gaps, sizes and times."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from operator import attrgetter
+
+from roslens.live.window.bucket import Bucket
+from roslens.live.window.window import Window
+from roslens.model.tally import Moments
+
+_INSTANT_S = 1e-9
+"""No two messages are closer together."""
+Measure = Callable[[Window], "float | None"]
+
+
+def rate(window: Window) -> float | None:
+    """Return messages per second: times between messages by their sum, so that the edges of the window do not matter.
+
+    The silence at the end counts as soon as it is longer than every time between messages. Steady traffic is exact
+    this way, bursts do not make the rate swing, and a topic that fell silent fades to 0 within the window.
+    """
+    intervals = window.intervals
+    quiet = window.quiet
+    if intervals:
+        span = window.span
+        if quiet * intervals > span:
+            span += max(quiet - longest_interval(window), 0.0)
+        return intervals / span if span > _INSTANT_S else None
+    if quiet >= window.length:
+        return 0.0
+    if window.count and not any(bucket.first for bucket in window.buckets):
+        covered = window.horizon - window.buckets[0].start
+        return window.count / covered if covered > 0 else None
+    return 1 / quiet if window.last and not window.count and quiet > 0 else None
+
+
+def period(window: Window) -> float | None:
+    """Return the mean time between messages."""
+    return window.span / window.intervals if window.intervals else None
+
+
+def jitter(window: Window) -> float | None:
+    """Return the standard deviation of the times between messages."""
+    count, total, squares = 0, 0.0, 0.0
+    for bucket in window.buckets:
+        moments = bucket.period
+        if moments.count:
+            count += moments.count
+            total += moments.total
+            squares += moments.squares
+    if count <= 1:
+        return None
+    mean = total / count
+    return float(max(squares / count - mean * mean, 0.0) ** 0.5)
+
+
+def longest_interval(window: Window) -> float:
+    """Return the longest time between messages that ended in the window; -1 where none is known."""
+    longest = -1.0
+    for bucket in window.buckets:
+        if bucket.gap > longest:
+            longest = bucket.gap
+    return longest
+
+
+def longest_gap(window: Window, now: float) -> tuple[float, float]:
+    """Return the longest time without a message, and when it began on the clock of the monitor, where it is ``now``."""
+    gap, began = -1.0, 0.0
+    for bucket in window.buckets:
+        if bucket.gap > gap:
+            gap, began = bucket.gap, bucket.gap_began
+    if window.quiet > gap:
+        gap, began = window.quiet, window.horizon - window.quiet
+    # Up to its horizon a window was observed; it is looked at a moment later.
+    return gap, now - window.late(now) - max(window.horizon - began, 0.0)
+
+
+def largest_gap(window: Window) -> float | None:
+    """Return the longest time without a message, the one that goes on included."""
+    gap = longest_interval(window)
+    quiet = window.quiet
+    if quiet <= gap:
+        return gap
+    # Counts alone say nothing of gaps, unless the silence is longer than the window.
+    if quiet < window.length and ((gap < 0 and window.count > 1) or not window.last):
+        return None
+    return quiet
+
+
+def message_size(window: Window) -> float | None:
+    """Return the mean size of those messages whose size is known."""
+    return window.bytes / window.sized if window.sized else None
+
+
+def bandwidth(window: Window) -> float | None:
+    """Return bytes per second: mean size times rate."""
+    hertz = rate(window)
+    if hertz == 0.0:
+        return 0.0
+    size = message_size(window)
+    return None if size is None or hertz is None else size * hertz
+
+
+def loss(window: Window) -> float | None:
+    """Return the share of messages that did not arrive, in percent."""
+    if not any(bucket.losses_counted for bucket in window.buckets):
+        return None
+    lost = sum(bucket.lost for bucket in window.buckets)
+    sent = lost + sum(bucket.losable for bucket in window.buckets)
+    return 100 * lost / sent if sent else None
+
+
+def _mean_of(field: str) -> Measure:
+    take = attrgetter(field)
+
+    def mean(window: Window) -> float | None:
+        count, total = 0, 0.0
+        for bucket in window.buckets:
+            moments = take(bucket)
+            if moments.count:
+                count += moments.count
+                total += moments.total
+        return total / count if count else None
+
+    return mean
+
+
+def _greatest_of(field: str) -> Measure:
+    take = attrgetter(field)
+
+    def greatest(window: Window) -> float | None:
+        found = [moments.greatest for bucket in window.buckets if (moments := take(bucket)).count]
+        return max(found, default=None)
+
+    return greatest
+
+
+MEASURES: dict[str, Measure] = {
+    "rate": rate,
+    "period": period,
+    "jitter": jitter,
+    "largest_gap": largest_gap,
+    "bandwidth": bandwidth,
+    "message_size": message_size,
+    "latency": _mean_of("latency"),
+    "latency_max": _greatest_of("latency"),
+    "age": _mean_of("age"),
+    "age_max": _greatest_of("age"),
+    "loss": loss,
+    "processing": _mean_of("processing"),
+}
+"""By key of the signal; each returns None where the window has nothing to tell."""
+
+
+def _per_second(total: float, bucket: Bucket) -> float | None:
+    length = bucket.end - bucket.start
+    return total / length if length > 0 else None
+
+
+def _single(bucket: Bucket, key: str) -> float | None:
+    """Return the value of one tally."""
+    if key == "rate":
+        return _per_second(bucket.count, bucket)
+    if key == "bandwidth":
+        return _per_second(bucket.bytes, bucket) if bucket.sized or not bucket.count else None
+    if key == "message_size":
+        return bucket.bytes / bucket.sized if bucket.sized else None
+    if key == "loss":
+        sent = bucket.lost + bucket.losable
+        return 100 * bucket.lost / sent if bucket.losses_counted and sent else None
+    if key == "largest_gap":
+        return bucket.gap if bucket.gap >= 0 else None
+    field, _, greatest = key.partition("_")
+    moments: Moments = getattr(bucket, "period" if field == "jitter" else field)
+    if greatest:
+        return moments.greatest if moments.count else None
+    return moments.deviation if field == "jitter" else moments.mean
+
+
+def percentile(values: Sequence[float], share: float) -> float | None:
+    """Return the least value that ``share`` percent of the values do not exceed (nearest rank)."""
+    if not values:
+        return None
+    ordered = sorted(values)
+    return ordered[max(math.ceil(len(ordered) * share / 100), 1) - 1]
+
+
+def percentile_of(window: Window, key: str, share: float) -> float | None:
+    """Return a percentile of the values that the tallies of the window have one by one."""
+    if key == "rate" and window.horizon > window.until and not window.count:
+        return rate(window)
+    found = [value for bucket in window.buckets if (value := _single(bucket, key)) is not None]
+    return percentile(found, share)

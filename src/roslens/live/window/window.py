@@ -1,0 +1,410 @@
+"""What one observer told of one connection over the last seconds.
+
+Everything inside is on the observer's clock, and only the time since its last news is taken from the monitor's: so a
+clock that is hours away, or a tally that is always a second late, changes nothing.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+
+from roslens.live.window.bucket import Bucket
+from roslens.live.window.voice import Voice
+from roslens.model.tally import Observer, Tally
+from roslens.model.tally_columns import Row
+
+MAX_BUCKETS = 20
+"""Neighbouring tallies are merged rather than to keep more than these."""
+MAX_VALUES = 200
+"""And more than these where percentiles of their values are asked for."""
+DEFAULT_S = 2.0
+"""Length of a window of which nothing is known."""
+LONGEST_S = 60.0
+"""To which a window grows by itself where the traffic is slow."""
+PERIODS = 5
+"""How many expected periods a window has to hold."""
+BRIEF_S = 1.0
+"""A window that is shorter holds two tallies at least, and those that reach into it as a whole."""
+_GRAIN = 1.5
+"""Neighbouring tallies share a bucket up to so many times its usual share of the window."""
+EPSILON_S = 1e-6
+"""Instants that are closer together are the same."""
+_SLACK_S = 1.0
+_STRANGE = 3
+"""So many tallies in a row from another time are a stepped clock, fewer are mistakes."""
+
+
+class Window:
+    """The tallies of one observer of one connection, newest last.
+
+    Attributes:
+        observer: who saw it.
+        host: on which the observer stands.
+        length: seconds that are kept.
+        most: buckets that are kept.
+        until: end of the newest tally, which only ever grows.
+        last: when the last message came; 0 before the first.
+        begun: start of the oldest tally since the observer appeared or its clock stepped.
+        noticed: when the monitor noticed the newest tally, on its own clock.
+        spacing: seconds from one tally to the next.
+        lag: by how many seconds the newest tally came late, because it waited for a line.
+        horizon: up to when the window reaches, on the observer's clock.
+        quiet: seconds up to the horizon since the last message, or since the beginning where there was none.
+        cache: signals by key, since the window was last brought to an instant.
+        stepped: whether the observer's clock did, since somebody last asked.
+        voice: of the observer, which says up to when it has looked; None where it looks as long as the monitor does.
+    """
+
+    __slots__ = (
+        "_automatic",
+        "_grain",
+        "_least",
+        "_strange",
+        "_summed",
+        "begun",
+        "buckets",
+        "bytes",
+        "cache",
+        "count",
+        "horizon",
+        "host",
+        "intervals",
+        "lag",
+        "last",
+        "length",
+        "most",
+        "news",
+        "noticed",
+        "observer",
+        "quiet",
+        "sized",
+        "spacing",
+        "span",
+        "stepped",
+        "until",
+        "voice",
+    )
+
+    def __init__(self, observer: Observer, host: str, length: float = 0.0, most: int = MAX_BUCKETS) -> None:
+        """Begin an empty window of at most ``most`` buckets; a ``length`` of 0 is found by the traffic."""
+        self.most = most
+        self.observer = observer
+        self.host = host
+        self._automatic = not length
+        self._least = 2 if 0 < length < BRIEF_S else 1
+        self.length = length or DEFAULT_S
+        self._grain = _GRAIN * self.length / most
+        self._summed = True
+        self.buckets: deque[Bucket] = deque()
+        self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
+        self.count = self.intervals = self.bytes = self.sized = 0
+        self.news = self.stepped = False
+        self.voice: Voice | None = None
+        self.lag = 0.0
+        self.cache: dict[str, float | None] = {}
+        self._strange: list[Tally] = []
+
+    def add(self, tally: Tally, now: float) -> bool:
+        """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
+        buckets = self.buckets
+        until, spacing = self.until, self.spacing
+        hole = tally.start - until
+        if buckets and -EPSILON_S <= hole <= spacing and tally.end > until + EPSILON_S:
+            self.follow(tally, tally.end - until, hole)
+            return True
+        if not spacing and not buckets:
+            self._begin(tally)
+            return True
+        if tally.end <= until + EPSILON_S:
+            return self._fill(tally) or self._stranger(tally, now)
+        if hole > _SLACK_S + self.spacing and hole > _SLACK_S + self.spacing + now - self.noticed:
+            return self._stranger(tally, now)
+        if hole < -EPSILON_S:
+            fresh = self._without_known(tally)
+            if fresh is None:
+                return False
+            tally = fresh
+        elif hole > self.spacing:
+            # A pause of the observer says little of how often it usually speaks.
+            self.spacing = max(min(tally.end - until, 2 * self.spacing), 0.9 * self.spacing)
+        if hole <= self.spacing:
+            self.spacing = max(tally.end - until, 0.9 * self.spacing)
+        if self._strange:
+            self._strange.clear()
+        self._append(Bucket.of(tally, self.last if hole <= _SLACK_S else 0.0))
+        return True
+
+    def follow(self, tally: Tally, length: float, hole: float) -> None:
+        """Take what nearly every tally is: the one after the last, which ends ``length`` later, after a ``hole``."""
+        spacing = 0.9 * self.spacing
+        self.spacing = length if length > spacing else spacing  # noqa: FURB136
+        if self._strange:
+            self._strange.clear()
+        newest = self.buckets[-1]
+        previous = self.last if hole <= _SLACK_S else 0.0
+        end = tally.end
+        if end - newest.start > self._grain:
+            self._append(Bucket.of(tally, previous))
+            return
+        newest.extend(tally, previous)
+        last = tally.last
+        self.until = end
+        if last > self.last:
+            self.last = last
+        elif tally.count and not last:
+            self.last = end
+        self.news = True
+        self._summed = False
+
+    def follow_row(self, row: Row, length: float, hole: float) -> None:
+        """Do what :meth:`follow` does, of a tally that counted messages and every time between them."""
+        spacing = 0.9 * self.spacing
+        self.spacing = length if length > spacing else spacing  # noqa: FURB136
+        if self._strange:
+            self._strange.clear()
+        buckets = self.buckets
+        newest = buckets[-1]
+        known = self.last
+        end, last = row[1], row[5]
+        self.until = end
+        if last > known:
+            self.last = last
+        elif not last:
+            self.last = end
+        self.news = True
+        self._summed = False
+        if end - newest.start <= self._grain:
+            newest.extend_row(row, known if hole <= _SLACK_S else 0.0)
+            return
+        buckets.append(Bucket.of_row(row, known if hole <= _SLACK_S else 0.0))
+        if len(buckets) > self.most:
+            self._shrink()
+
+    def notice(self, now: float) -> None:
+        """Note when news came, without looking at it yet."""
+        if self.news:
+            self.news = False
+            self.noticed = now
+            self.lag = self.voice.lag if self.voice is not None else 0.0
+            self.horizon = self.until
+            if self._automatic:
+                if not self._summed:
+                    self._sum()
+                if self.intervals:
+                    self.length = min(max(self.length, PERIODS * self.span / self.intervals), LONGEST_S)
+                    self._grain = _GRAIN * self.length / self.most
+
+    def settle(self, now: float) -> None:
+        """Look at the window at ``now`` on the monitor's clock: silence counts, what is too old goes."""
+        if self.news:
+            self.notice(now)
+        else:
+            waited = now - self.noticed
+            if self.voice is not None:
+                waited -= self.voice.behind(now) - self.lag
+            self.horizon = self.until + (waited if waited > self.patience else 0.0)
+        if self.cache:
+            self.cache = {}
+        horizon = self.horizon
+        self.quiet = max(horizon - (self.last or self.begun), 0.0)
+        if self.buckets and self.buckets[0].start < horizon - self.length - EPSILON_S:
+            self._drop(horizon - self.length)
+        if not self._summed:
+            self._sum()
+
+    @property
+    def patience(self) -> float:
+        """Seconds without news after which an observer is taken to have seen nothing."""
+        return 1.5 * self.spacing + 0.05
+
+    @property
+    def unheard(self) -> bool:
+        """Whether nothing is heard of its observer, so that nothing is known of what it sees."""
+        return self.voice is not None and self.voice.silent
+
+    def late(self, now: float) -> float:
+        """Return the seconds from its horizon to ``now`` on the monitor's clock."""
+        if self.horizon == self.until:
+            return now - self.noticed
+        return self.voice.behind(now) if self.voice is not None else 0.0
+
+    @property
+    def silent(self) -> bool:
+        """Whether no message came for longer than is usual."""
+        return bool(self.spacing) and (not self.intervals or self.quiet * self.intervals > 2 * self.span)
+
+    @property
+    def filled(self) -> bool:
+        """Whether the connection has been watched for as long as the window is."""
+        return self.horizon - self.begun >= self.length - EPSILON_S
+
+    def resize(self, most: int) -> None:
+        """Keep at most so many buckets."""
+        self.most = most
+        self._grain = _GRAIN * self.length / most
+
+    def take_over(self, source: Window, buckets: Iterable[Bucket]) -> None:
+        """Know what another window of the same observer knows; ``buckets`` are its own."""
+        self.voice, self.lag = source.voice, source.lag
+        self.until, self.last, self.begun = source.until, source.last, source.begun
+        self.noticed, self.spacing = source.noticed, source.spacing
+        self.news, self.horizon = source.news, source.horizon
+        self.buckets.extend(buckets)
+        self._summed = False
+
+    def clear(self) -> None:
+        """Forget everything: time itself broke."""
+        self.buckets.clear()
+        self.cache = {}
+        self._strange.clear()
+        self.count = self.intervals = self.bytes = self.sized = 0
+        self.until = self.last = self.begun = self.spacing = self.span = 0.0
+        self._summed = True
+
+    def _begin(self, tally: Tally) -> None:
+        self.clear()
+        self.begun = tally.start
+        self.spacing = max(tally.end - tally.start, EPSILON_S)
+        self._append(Bucket.of(tally, 0.0))
+
+    def _append(self, bucket: Bucket) -> None:
+        self.buckets.append(bucket)
+        self._end(bucket.last, bucket.count, bucket.end)
+        if len(self.buckets) > self.most:
+            self._shrink()
+
+    def _shrink(self) -> None:
+        self._drop(self.until - self.length)
+        if len(self.buckets) > self.most:
+            self._merge()
+
+    def _end(self, last: float, count: int, end: float) -> None:
+        """Note how far the window reaches now."""
+        self.until = end
+        if last > self.last:
+            self.last = last
+        elif count and not last:
+            self.last = end
+        self.news = True
+        self._summed = False
+
+    def _sum(self) -> None:
+        """Add up the buckets."""
+        count = intervals = size = sized = 0
+        span = 0.0
+        for bucket in self.buckets:
+            count += bucket.count
+            intervals += bucket.intervals
+            span += bucket.span
+            size += bucket.bytes
+            sized += bucket.sized
+        self.count, self.intervals, self.span, self.bytes, self.sized = count, intervals, span, size, sized
+        self._summed = True
+
+    def _drop(self, before: float) -> None:
+        buckets = self.buckets
+        before -= EPSILON_S
+        while buckets and buckets[0].start < before:
+            if buckets[0].end > before and (self._least > 1 or len(buckets) == 1):
+                break
+            if len(buckets) <= self._least and self.horizon == self.until:
+                break
+            buckets.popleft()
+            self._summed = False
+
+    def _merge(self) -> None:
+        """Merge neighbours in pairs."""
+        merged: deque[Bucket] = deque()
+        buckets = self.buckets
+        while len(buckets) > 1:
+            bucket = buckets.popleft()
+            bucket.absorb(buckets.popleft())
+            merged.append(bucket)
+        merged.extend(buckets)
+        self.buckets = merged
+
+    def _fill(self, tally: Tally) -> bool:
+        """Put a late tally where nothing is known yet; what is known already is a duplicate."""
+        if tally.start < self.begun - EPSILON_S or not tally.count or tally.end <= self.until - self.length:
+            return False
+        for number, bucket in enumerate(self.buckets):
+            if bucket.start >= tally.end - EPSILON_S:
+                before = self.buckets[number - 1].end if number else self.begun
+                if tally.start < before - EPSILON_S:
+                    return False
+                late = Bucket.of(tally, 0.0)
+                self.buckets.insert(number, late)
+                self._summed = False
+                return True
+            if bucket.end > tally.start + EPSILON_S:
+                return False
+        return False
+
+    def _without_known(self, tally: Tally) -> Tally | None:
+        """Return the part of an overlapping tally that is new, None where that cannot be told."""
+        while self.buckets and self.buckets[-1].start >= tally.start - EPSILON_S:
+            self.buckets.pop()
+            self._summed = False
+        known = self.buckets[-1].end if self.buckets else tally.start
+        overlap = known - tally.start
+        if overlap <= EPSILON_S:
+            return tally
+        share = (tally.end - known) / (tally.end - tally.start)
+        if tally.count and tally.first and tally.first >= known - EPSILON_S:
+            return _cut(tally, known, tally.count, 1.0)
+        return _cut(tally, known, round(tally.count * share), share)
+
+    def _stranger(self, tally: Tally, now: float) -> bool:
+        """Keep a tally from another time aside; several in a row, and none from this, mean that a clock stepped."""
+        strange = self._strange
+        if self.until - self.length < tally.start <= self.until:
+            return False
+        if strange and tally.start < strange[-1].end - EPSILON_S:
+            strange.clear()
+        strange.append(tally)
+        del strange[:-_STRANGE]
+        if len(strange) < _STRANGE or self.news or now - self.noticed <= self.patience:
+            return False
+        known = list(strange)
+        self._begin(known[0])
+        self.stepped = True
+        for one in known[1:]:
+            self.spacing = max(one.end - self.until, self.spacing)
+            self._append(Bucket.of(one, self.last))
+        return True
+
+
+def _cut(tally: Tally, start: float, count: int, share: float) -> Tally:
+    """Return a tally that begins later; its times between messages stay, as they are per message."""
+    first = tally.first if tally.first >= start else 0.0
+    return Tally(
+        tally.topic,
+        tally.publisher,
+        tally.subscriber,
+        start,
+        tally.end,
+        count,
+        round(tally.bytes * share) if tally.bytes >= 0 else -1,
+        first,
+        tally.last if first or tally.last >= start else 0.0,
+        tally.period if share == 1.0 else type(tally.period)(),
+        tally.latency,
+        tally.age,
+        round(tally.lost * share) if tally.lost >= 0 else -1,
+        tally.observer,
+        tally.host,
+        tally.processing,
+        tally.longest_at,
+    )
+
+
+RANK = {
+    Observer.INSIDE: 0,
+    Observer.SCRIPTED: 1,
+    Observer.TAP: 2,
+    Observer.PROTOCOL: 3,
+    Observer.RECORDING: 4,
+    Observer.AGENT: 5,
+}
+"""How good an observer is; the least is the best."""

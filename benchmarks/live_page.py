@@ -21,7 +21,7 @@ from random import Random
 from threading import Thread
 from urllib.parse import urlsplit
 
-from roslens.cli.watch_page import PageSource
+from roslens.cli.page.watch_page import PageSource
 from roslens.dashboard.live.serving import LivePage
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session

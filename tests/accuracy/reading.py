@@ -10,7 +10,7 @@ import msgspec
 from accuracy.checksums import Checksums
 from accuracy.facts import Fact, said
 from accuracy.system import ROOT, System, folder_of
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.model.configuration import Configuration
 from roslens.source.settings import SourceSettings
 

@@ -9,7 +9,6 @@ import pytest
 SOURCE = Path(__file__).parents[2] / "src" / "roslens"
 MOST = 25
 CROWDED = {
-    "cli": 102,
     "source/tools": 39,
     "source/rules/graph": 38,
     "dashboard": 38,
@@ -24,10 +23,10 @@ CROWDED = {
 }
 """Modules of folders that are too large still: whoever divides one lowers its number, and no number rises."""
 
-HOUSES = [SOURCE / name for name in ("source/extract", "source/metrics", "judge", "live", "report")]
+HOUSES = [SOURCE / name for name in ("source/extract", "source/metrics", "cli", "judge", "live", "report")]
 """Packages that are divided into rooms."""
 
-ENTRANCES = {SOURCE / "source" / "metrics"}
+ENTRANCES = {SOURCE / "cli", SOURCE / "source" / "metrics"}
 """Houses with modules of their own beside their rooms."""
 
 PASSES = (

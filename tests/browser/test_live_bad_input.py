@@ -11,7 +11,7 @@ import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 from playwright.sync_api import Browser, Page, expect
 
-from roslens.cli.watch_page import bounded
+from roslens.cli.page.page_document import bounded
 from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.live import telling

@@ -104,7 +104,7 @@ def test_nobody_is_left(tmp_path, code, children, how):
 
 GUARDED = """
 import os, sys, time
-from roslens.cli.boundary import guarded
+from roslens.cli.terminal.boundary import guarded
 def command():
     try:
         print("begun", flush=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.cli.about_nothing import MOST, about_nothing, errors_about_nothing, kinds_of, lines_of
+from roslens.cli.watch.about_nothing import MOST, about_nothing, errors_about_nothing, kinds_of, lines_of
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.note import Note, NoteKind
 from roslens.live.join.session import Session

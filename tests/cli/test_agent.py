@@ -1,7 +1,7 @@
 import pytest
 
-from roslens.cli.commands.agent import address_of
 from roslens.cli.main import main
+from roslens.cli.watch.agent_address import address_of
 from roslens.model.errors import UsageError
 
 

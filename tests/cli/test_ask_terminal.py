@@ -3,7 +3,7 @@ import os
 
 import pytest
 
-from roslens.cli.ask_terminal import AskTerminal
+from roslens.cli.react.ask_terminal import AskTerminal
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.reaction import ActionCall, Because, Decision
 

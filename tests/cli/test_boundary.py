@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.boundary import BAD_INPUT, BUG, INTERRUPTED, guarded
+from roslens.cli.terminal.boundary import BAD_INPUT, BUG, INTERRUPTED, guarded
 from roslens.model.errors import UsageError
 
 

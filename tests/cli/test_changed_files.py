@@ -1,8 +1,8 @@
 """Files that are not what a run saw."""
 
-from roslens.cli.changed_files import and_more, changed_files
 from roslens.cli.main import main
-from roslens.cli.workplace import open_store
+from roslens.cli.workplace.changed_files import and_more, changed_files
+from roslens.cli.workplace.workplace import open_store
 
 
 def test_what_changed_vanished_and_came(talking):

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from roslens.cli.check_outputs import below_repository, outputs
+from roslens.cli.check.check_outputs import below_repository, outputs
 from roslens.cli.main import main
 from roslens.model.errors import UsageError
 

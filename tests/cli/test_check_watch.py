@@ -7,9 +7,9 @@ from pathlib import Path
 import pace
 import pytest
 
-from roslens.cli.check_watch import answers, warm
+from roslens.cli.check.check_watch import answers, warm
+from roslens.cli.check.saved_files import Saved, SavedFiles
 from roslens.cli.main import main
-from roslens.cli.saved_files import Saved, SavedFiles
 from roslens.source.fresh_package import FreshPackages
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.store.cache import Cache
@@ -119,7 +119,7 @@ def test_the_watch_begins_after_the_check_and_ends_by_ctrl_c(talking, capsys, mo
     def interrupted():
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("roslens.cli.check_watch.pause", interrupted)
+    monkeypatch.setattr("roslens.cli.check.check_watch.pause", interrupted)
     words = ["check", str(talking), "--watch", "--jobs", "1", "--no-graph", "--no-store", "--fail-on", "never"]
     assert main(words) in {0, 3}
     told = capsys.readouterr()

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.commands.init import TEMPLATE
-from roslens.cli.configuration import Configuration, find_configuration, read_configuration
+from roslens.cli.workplace.configuration import Configuration, find_configuration, read_configuration
 from roslens.model.errors import DocumentError, UsageError
 from roslens.source.settings import SourceSettings
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.cli.editor_findings import HINT, Span, failure_as_finding, hover_text, ignore_edits, shown, span_of
+from roslens.cli.editor.editor_findings import HINT, Span, failure_as_finding, hover_text, ignore_edits, shown, span_of
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.source import Location

@@ -1,7 +1,7 @@
 import msgspec
 import pytest
 
-from roslens.cli.editor_fixes import FixableFolder
+from roslens.cli.editor.editor_fixes import FixableFolder
 from roslens.model.edit import edit_at
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Language, Role, SourceFile

@@ -3,8 +3,8 @@
 import os
 import subprocess
 
-from roslens.cli.git_renames import renamed_files
-from roslens.cli.git_repository import repository_of
+from roslens.cli.git.git_renames import renamed_files
+from roslens.cli.git.git_repository import repository_of
 
 TEXT = "".join(f"line {number}\n" for number in range(30))
 

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from roslens.cli.git_repository import Repository, repository_of
+from roslens.cli.git.git_repository import Repository, repository_of
 from roslens.model.errors import UsageError
 
 

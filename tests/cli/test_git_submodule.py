@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.git_repository import commit_of_revision, repository_of
-from roslens.cli.git_tree import Lacking, write_tree
+from roslens.cli.git.git_repository import commit_of_revision, repository_of
+from roslens.cli.git.git_tree import Lacking, write_tree
 
 
 def git(folder: Path, *arguments: str) -> str:

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.git_repository import commit_of_revision, names_like, repository_of
-from roslens.cli.git_tree import LARGEST_BYTES, Lacking, write_tree
+from roslens.cli.git.git_repository import commit_of_revision, names_like, repository_of
+from roslens.cli.git.git_tree import LARGEST_BYTES, Lacking, write_tree
 from roslens.model.errors import UsageError
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.cli.graph_choice import chosen, require_nodes
+from roslens.cli.graph.graph_choice import chosen, require_nodes
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Proof, Unresolved
 from roslens.model.errors import UsageError
 from roslens.model.graph import Endpoint, Role

@@ -3,8 +3,8 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from roslens.cli.graph_configurations import Assembled, Named, assembled, largest, named_configurations
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_configurations import Assembled, Named, assembled, largest, named_configurations
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.source.settings import DeclaredConfiguration, GraphSettings, SourceSettings
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.source.settings import SourceSettings
 
 FILES = {

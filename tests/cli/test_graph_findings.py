@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.graph_findings import findings_of
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_findings import findings_of
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.source.settings import SourceSettings
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.cli.graph_given import wrong_arguments
+from roslens.cli.graph.graph_given import wrong_arguments
 from roslens.model.configuration import Configuration, ConfiguredArgument, ConfiguredNode, Origin, Proof
 
 PLACE = Proof("talk/launch/talk.launch.xml", 2)

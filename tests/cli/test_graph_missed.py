@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from roslens.cli.graph_missed import told_by_file, told_once
+from roslens.cli.graph.graph_missed import told_by_file, told_once
 from roslens.cli.main import main
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence

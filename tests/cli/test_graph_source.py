@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.graph_source import GraphSource, arguments_of
+from roslens.cli.graph.graph_source import GraphSource, arguments_of
 from roslens.model.errors import UsageError
 from roslens.source.settings import SourceSettings, WorkspaceSettings
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from roslens.cli.graph_linked import with_linked
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_linked import with_linked
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.cli.main import main
 from roslens.source.settings import SourceSettings
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.graph_source import GraphSource
+from roslens.cli.graph.graph_source import GraphSource
 from roslens.source.settings import SourceSettings
 
 BOTH = str(Path(__file__).parents[1] / "fixtures" / "workspaces" / "both_versions")

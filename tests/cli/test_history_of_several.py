@@ -9,7 +9,7 @@ from postgres_server import postgres_server
 from process_metrics.small_repository import BEGIN_S, DAY_S, MANIFEST, SmallRepository, function
 
 from roslens.cli.main import main
-from roslens.cli.past_store import kept_past
+from roslens.cli.past.past_store import kept_past
 
 _NUMBERS = count()
 

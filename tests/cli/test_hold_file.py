@@ -3,8 +3,8 @@ import time
 
 import pytest
 
-from roslens.cli.hold_file import Held, hold, hold_path, release
 from roslens.cli.main import main
+from roslens.cli.react.hold_file import Held, hold, hold_path, release
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.cli.kept_new import keep_new, kept_new
+from roslens.cli.check.kept_new import keep_new, kept_new
 from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
 

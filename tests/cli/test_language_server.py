@@ -224,6 +224,6 @@ def test_without_pygls_it_says_what_to_install(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "pygls.lsp", None)
     monkeypatch.setitem(sys.modules, "pygls.lsp.server", None)
     monkeypatch.setitem(sys.modules, "lsprotocol", None)
-    monkeypatch.delitem(sys.modules, "roslens.cli.language_server", raising=False)
+    monkeypatch.delitem(sys.modules, "roslens.cli.editor.language_server", raising=False)
     assert main(["lsp"]) == 2
     assert "pip install 'roslens[lsp]'" in capsys.readouterr().err

@@ -16,10 +16,10 @@ from pathlib import Path
 import pytest
 from ros2_domain import own_domain
 
-from roslens.cli.live_beside import live_beside
 from roslens.cli.main import main
-from roslens.cli.observers import add_observer_arguments
-from roslens.cli.param_reference import reference_argument
+from roslens.cli.watch.live_beside import live_beside
+from roslens.cli.watch.observers import add_observer_arguments
+from roslens.cli.watch.param_reference import reference_argument
 from roslens.live.adapters.child import clean_environment
 from testbed import robot_ros2
 
@@ -41,7 +41,7 @@ def test_a_watch_goes_on_until_it_is_left(tmp_path, monkeypatch):
     """No ROS is here: the host itself is watched all the same, and the reference is read again when it changes."""
     for name in ("ROS_MASTER_URI", "ROS_DISTRO", "ROSLENS_ROS2_PYTHON"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr("roslens.cli.watch_live._of_ros", lambda options, publishes: [])
+    monkeypatch.setattr("roslens.cli.watch.watch_live._of_ros", lambda options, publishes: [])
     reference = tmp_path / "r.yaml"
     reference.write_text(REFERENCE)
     parser = argparse.ArgumentParser()

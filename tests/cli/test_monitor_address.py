@@ -1,8 +1,8 @@
 import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 
-from roslens.cli.monitor_address import fetched
 from roslens.cli.top.feed import AddressFeed
+from roslens.cli.watch.monitor_address import fetched
 from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.live.serving import LivePage

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 
 from roslens.cli.main import main, parser
-from roslens.cli.streams import NoProgress
+from roslens.cli.terminal.streams import NoProgress
 from roslens.dashboard.export import export_folder
 
 PLUGIN = """\

@@ -6,7 +6,7 @@ import argparse
 
 import pytest
 
-from roslens.cli.observers import NAMES, add_observer_arguments, given
+from roslens.cli.watch.observers import NAMES, add_observer_arguments, given
 
 
 @pytest.mark.parametrize(

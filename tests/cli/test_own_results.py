@@ -7,10 +7,10 @@ import subprocess
 
 import pytest
 
-from roslens.cli.boundary import BAD_INPUT
 from roslens.cli.main import main
-from roslens.cli.own_results import MARK, refuse_foreign
-from roslens.cli.user_folder import user_folder, user_secret
+from roslens.cli.terminal.boundary import BAD_INPUT
+from roslens.cli.workplace.own_results import MARK, refuse_foreign
+from roslens.cli.workplace.user_folder import user_folder, user_secret
 from roslens.model.errors import UsageError
 
 MANIFEST = '<package format="3"><name>a</name><version>1.0.0</version><description>d</description>\

@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.param_reference import reference_argument, reference_sources
+from roslens.cli.watch.param_reference import reference_argument, reference_sources
 from roslens.live.observe import parameter_source
 from roslens.model.errors import UsageError
 

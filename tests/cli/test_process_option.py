@@ -6,7 +6,7 @@ import pytest
 from process_metrics.small_repository import SmallRepository, small_repository
 
 from roslens.cli.main import main
-from roslens.cli.process_option import seconds_of
+from roslens.cli.workplace.process_option import seconds_of
 from roslens.model.errors import UsageError
 
 

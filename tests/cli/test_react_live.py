@@ -48,7 +48,7 @@ def test_what_makes_no_sense_is_refused_before_anything_begins(reference, words,
 
 
 def test_what_was_done_before_a_monitor_began_again_counts_on(tmp_path):
-    from roslens.cli.react_live import _done_before
+    from roslens.cli.react.react_live import _done_before
     from roslens.store.journal import Journal
 
     path, now = tmp_path / "journal.jsonl", time.time()

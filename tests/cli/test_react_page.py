@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dashboard.journal.test_journal_pages import decision
 
-from roslens.cli.react_page import AskEverywhere, write_refusals
+from roslens.cli.react.react_page import AskEverywhere, write_refusals
 from roslens.dashboard.journal.questions import Questions
 
 

@@ -6,8 +6,8 @@ import os
 
 import pytest
 
-from roslens.cli.react_reload import Renewal
-from roslens.cli.watch_reload import ReferenceFiles
+from roslens.cli.react.react_reload import Renewal
+from roslens.cli.watch.watch_reload import ReferenceFiles
 from roslens.live.join.session import Session, Step
 from roslens.live.react.prepared import Prepared
 from roslens.live.react.reactor import Reactor

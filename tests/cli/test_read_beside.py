@@ -7,13 +7,13 @@ import time
 
 import pytest
 
-from roslens.cli import shown_graphs
-from roslens.cli.graph_configurations import LOOKING
+from roslens.cli.graph import read_beside
+from roslens.cli.graph.graph_configurations import LOOKING
+from roslens.cli.graph.read_beside import GraphsBeside
+from roslens.cli.graph.site import site_of
 from roslens.cli.main import main
-from roslens.cli.read_beside import GraphsBeside
-from roslens.cli.site import site_of
-from roslens.cli.streams import NoProgress
-from roslens.cli.workplace import open_store
+from roslens.cli.terminal.streams import NoProgress
+from roslens.cli.workplace.workplace import open_store
 from roslens.dashboard.routes import PAGES
 from roslens.dashboard.view import Request
 
@@ -35,7 +35,7 @@ def until(done):
 def test_pages_are_there_before_the_graphs_and_say_how_far_they_are(view, monkeypatch):
     site = site_of(view)
     begun, may_go_on = threading.Event(), threading.Event()
-    real = shown_graphs.shown_graphs
+    real = read_beside.shown_graphs
 
     def slow(view, cache, progress, *, quiet):
         progress.step(LOOKING, 8)
@@ -44,7 +44,7 @@ def test_pages_are_there_before_the_graphs_and_say_how_far_they_are(view, monkey
         assert may_go_on.wait(60)
         return real(view, cache, progress, quiet=quiet)
 
-    monkeypatch.setattr(shown_graphs, "shown_graphs", slow)
+    monkeypatch.setattr(read_beside, "shown_graphs", slow)
     beside = GraphsBeside(site, view, None, NoProgress(), quiet=True)
     assert site.reading == "Computation graphs are being read"
     beside.start()
@@ -63,7 +63,7 @@ def test_what_cannot_be_read_is_told_and_the_pages_stay(view, monkeypatch, capsy
         raise ValueError("the reason")
 
     site = site_of(view)
-    monkeypatch.setattr(shown_graphs, "shown_graphs", broken)
+    monkeypatch.setattr(read_beside, "shown_graphs", broken)
     GraphsBeside(site, view, None, NoProgress()).start()
     until(lambda: "could not" in site.reading)
     assert site.reading == "Computation graphs could not be read: the reason"

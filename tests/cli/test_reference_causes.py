@@ -1,6 +1,6 @@
 """What is told of the way to a first cause."""
 
-from roslens.cli.reference_causes import lines, rows
+from roslens.cli.references.reference_causes import lines, rows
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Link, State, Verdict
 

@@ -8,7 +8,7 @@ from postgres_server import postgres_server
 from process_metrics.small_repository import MANIFEST, SmallRepository, function
 
 from roslens.cli.main import main
-from roslens.cli.past_store import kept_past
+from roslens.cli.past.past_store import kept_past
 
 _NUMBERS = count()
 
@@ -222,7 +222,7 @@ def test_a_part_of_a_repository(tmp_path, capsys):
 
 
 def test_a_command_that_was_ended_goes_on_where_it_was(tmp_path, capsys, monkeypatch):
-    from roslens.cli.past_runs import PastRuns
+    from roslens.cli.past.past_runs import PastRuns
 
     made = SmallRepository(tmp_path / "r")
     for day in range(4):
@@ -273,7 +273,7 @@ def test_what_a_forced_push_took_away_is_left_out_and_said(tmp_path, capsys):
 
 @pytest.mark.real
 def test_the_database_goes_away_between_two_revisions(tmp_path, capsys, monkeypatch):
-    from roslens.cli.past_runs import PastRuns
+    from roslens.cli.past.past_runs import PastRuns
 
     made = SmallRepository(tmp_path / "r")
     for day in range(3):

@@ -2,8 +2,8 @@
 
 import pytest
 
+from roslens.cli.graph.run_graph import graph_of_run, names_run, sure_graph
 from roslens.cli.main import main
-from roslens.cli.run_graph import graph_of_run, names_run, sure_graph
 from roslens.model.errors import UsageError
 from testbed.configured import configuration, end, node
 

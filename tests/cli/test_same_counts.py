@@ -14,9 +14,9 @@ from typing import Any
 
 import pytest
 
+from roslens.cli.graph.site import site_of
 from roslens.cli.main import main
-from roslens.cli.site import site_of
-from roslens.cli.workplace import open_store
+from roslens.cli.workplace.workplace import open_store
 from roslens.dashboard.routes import PAGES
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Table

@@ -6,10 +6,10 @@ import json
 import pytest
 from process_metrics.small_repository import MANIFEST, SmallRepository, function
 
+from roslens.cli.graph.site import site_of
 from roslens.cli.main import main
-from roslens.cli.shown_past import shown_past
-from roslens.cli.site import site_of
-from roslens.cli.workplace import open_store
+from roslens.cli.past.shown_past import shown_past
+from roslens.cli.workplace.workplace import open_store
 from roslens.dashboard.address import ServedLinks
 from roslens.dashboard.render import Renderer
 from roslens.dashboard.routes import PAGES

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from roslens.cli.site import site_of, source_reader
+from roslens.cli.graph.site import site_of, source_reader
 from roslens.model.errors import DocumentError
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from pace import slowness
 
-from roslens.cli.standard_streams import escaped
+from roslens.cli.terminal.standard_streams import escaped
 
 ROSLENS = [sys.executable, "-c", "import sys; from roslens.cli.entry import main; sys.exit(main())"]
 WORDS = ["explain", "ros.cyclomatic_complexity.max"]

@@ -1,6 +1,6 @@
 """How long is watched counts from when the observers see."""
 
-from roslens.cli.stretch import Stretch, blind, never_saw
+from roslens.cli.watch.stretch import Stretch, blind, never_saw
 
 
 class Session:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.cli.watch_detail import OBSERVED, detail_of
+from roslens.cli.page.watch_detail import OBSERVED, detail_of
 from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity

@@ -8,8 +8,8 @@ import json
 import msgspec
 import pytest
 
-from roslens.cli.never_judged import JudgedOnce, summary_of
-from roslens.cli.watch_output import Teller
+from roslens.cli.watch.never_judged import JudgedOnce, summary_of
+from roslens.cli.watch.watch_output import Teller
 from roslens.live.join.note import Note, NoteKind
 from roslens.live.join.session import Step
 from roslens.model.entity import EntityId, EntityKind

@@ -13,10 +13,10 @@ from urllib.request import ProxyHandler, build_opener
 import pytest
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
 
-from roslens.cli.watch_graph import MOST_DRAWN, GraphPicture
-from roslens.cli.watch_page import PageSource
-from roslens.cli.watch_screen import value_text
-from roslens.cli.watch_serve import address_of
+from roslens.cli.page.watch_graph import MOST_DRAWN, GraphPicture
+from roslens.cli.page.watch_page import PageSource
+from roslens.cli.page.watch_screen import value_text
+from roslens.cli.watch.watch_serve import address_of
 from roslens.dashboard.computation.picture import MANY
 from roslens.dashboard.live.snapshot import Row
 from roslens.live.join.session import Step

@@ -6,8 +6,8 @@ from urllib.request import urlopen
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.watch_live import _serve
-from roslens.cli.watch_publish import publish_through, unpublished, wanted
+from roslens.cli.watch.watch_live import _serve
+from roslens.cli.watch.watch_publish import publish_through, unpublished, wanted
 from roslens.judge.reference.expectation import Presence, PresenceMode, Reference, Selector, Told
 from roslens.live.join.session import Session
 from roslens.live.observe.child_source import ChildSource, Publishes

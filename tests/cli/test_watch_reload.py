@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.watch_reload import ReferenceFiles
+from roslens.cli.watch.watch_reload import ReferenceFiles
 from roslens.live.join.note import NoteKind
 from roslens.live.join.session import Session
 from roslens.model.errors import DocumentError
@@ -134,7 +134,7 @@ def test_a_touch_is_no_change_and_files_are_looked_at_once_a_second(main, part, 
     os.utime(main, ns=(about.st_atime_ns, about.st_mtime_ns + 10**9))
     assert script.seconds(4)[1] == []
     looks = []
-    monkeypatch.setattr("roslens.cli.watch_reload._stamps", lambda paths: looks.append(1) or {})
+    monkeypatch.setattr("roslens.cli.watch.watch_reload._stamps", lambda paths: looks.append(1) or {})
     for _ in range(100):
         script.now += 0.01
         script.files.look(script.now)

@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from roslens.cli.watch_screen import screen
+from roslens.cli.page.watch_screen import screen
 from roslens.live.system.tree import SystemView
 from roslens.model.verdict import State
 from roslens.report.writing.terminal import Terminal

@@ -10,7 +10,7 @@ from dashboard.conftest import Client
 from dashboard.live.scripted_robot import ScriptedRobot
 
 import roslens
-from roslens.cli.watch_screen import nameless
+from roslens.cli.page.watch_screen import nameless
 from roslens.dashboard.computation.system import VERB
 from roslens.dashboard.server import create_app
 from roslens.judge.quality.constraint import Constraint

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.configuration import find_configuration
+from roslens.cli.workplace.configuration import find_configuration
 from roslens.intake.bounded_file import TooLargeError, read_bounded
 from roslens.model.errors import DocumentError
 

@@ -43,8 +43,8 @@ PARTS = (
         (
             "src/roslens/dashboard/guard.py", "src/roslens/dashboard/listener.py", "src/roslens/dashboard/server.py",
             "src/roslens/intake/*.py", "src/roslens/live/publish/endpoint.py", "src/roslens/children/git.py",
-            "src/roslens/cli/site.py", "src/roslens/source/extract/facts/files.py", "src/roslens/source/inventory.py",
-            "src/roslens/live/adapters/bag/decompress.py",
+            "src/roslens/cli/graph/site.py", "src/roslens/source/extract/facts/files.py",
+            "src/roslens/source/inventory.py", "src/roslens/live/adapters/bag/decompress.py",
         ),
         (
             "tests/intake", "tests/dashboard/test_guard.py", "tests/dashboard/test_server.py",

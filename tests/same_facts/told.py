@@ -71,9 +71,9 @@ def module_of(stem: str) -> Any:
 
 def told_of(folder: Path) -> dict[str, Any]:
     """Return what roslens says of the workspace in a folder."""
-    from roslens.cli.graph_configurations import assembled, named_configurations
-    from roslens.cli.graph_findings import findings_of
-    from roslens.cli.graph_source import GraphSource
+    from roslens.cli.graph.graph_configurations import assembled, named_configurations
+    from roslens.cli.graph.graph_findings import findings_of
+    from roslens.cli.graph.graph_source import GraphSource
     from roslens.source.settings import SourceSettings
     from roslens.store.cache import Cache
 

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from roslens.cli.boundary import BAD_INPUT, guarded
+from roslens.cli.terminal.boundary import BAD_INPUT, guarded
 from roslens.store.full_disk import full_file_system
 from roslens.store.sqlite_errors import store_error
 

@@ -10,7 +10,7 @@ import sys
 import time
 from pathlib import Path
 
-from roslens.cli.watch_screen import time_of_day
+from roslens.cli.page.watch_screen import time_of_day
 from roslens.report.history.journal_text import journal_line
 from roslens.store.read_journal import JournalReader
 from testbed import robot_ros1, robot_ros2

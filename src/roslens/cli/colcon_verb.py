@@ -9,8 +9,8 @@ from typing import Any
 from colcon_core.plugin_system import satisfies_version
 from colcon_core.verb import VerbExtensionPoint
 
-from roslens.cli.boundary import guarded
 from roslens.cli.commands import check
+from roslens.cli.terminal.boundary import guarded
 
 
 class RoslensVerb(VerbExtensionPoint):  # type: ignore[misc]

@@ -104,7 +104,7 @@ def launches(path: str) -> Iterator[str]:
     Raises:
         UsageError: there is no such folder, or its configuration file is wrong.
     """
-    from roslens.cli.graph_opened import open_source
+    from roslens.cli.graph.graph_opened import open_source
 
     with open_source(_options(path)) as source:
         yield from source.settings.graph.configurations
@@ -116,9 +116,9 @@ def ids(path: str) -> Iterator[str]:
 
     Those of plug-ins that the workspace names are left out, trusted or not: nobody who presses TAB wants them to run.
     """
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.explainable import known
-    from roslens.cli.trust import withheld
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.explainable import known
+    from roslens.cli.workplace.trust import withheld
 
     for kind in known(withheld(find_configuration(Path(path).resolve(), None))):
         yield from sorted(kind)
@@ -130,7 +130,7 @@ def quantities(path: str) -> Iterator[str]:
     Raises:
         UsageError: none were analysed.
     """
-    from roslens.cli.past_points import trends_of
+    from roslens.cli.past.past_points import trends_of
 
     with trends_of(path) as trends:
         yield from trends.keys
@@ -144,8 +144,8 @@ def revisions(path: str) -> Iterator[str]:
     """
     import os
 
-    from roslens.cli.git_repository import repository_of
-    from roslens.cli.named_run import NOW, RELEASE
+    from roslens.cli.git.git_repository import repository_of
+    from roslens.cli.past.named_run import NOW, RELEASE
 
     yield from (NOW[0], RELEASE)
     done = repository_of(path).git(
@@ -160,7 +160,7 @@ def arguments(path: str, launch: str) -> Iterator[str]:
     Raises:
         UsageError: there is no such folder or launch file.
     """
-    from roslens.cli.graph_opened import open_source
+    from roslens.cli.graph.graph_opened import open_source
 
     with open_source(_options(path)) as source:
         for one in source.evaluated(launch, {})[1].arguments:

@@ -8,7 +8,7 @@ import signal
 def main() -> int:
     """Run the command line of this process and return its exit code."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    from roslens.cli.standard_streams import close_output, open_streams
+    from roslens.cli.terminal.standard_streams import close_output, open_streams
 
     open_streams()
     from roslens.cli.main import main as run

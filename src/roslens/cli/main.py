@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from roslens import __version__
-from roslens.cli.boundary import guarded
 from roslens.cli.commands import (
     accept,
     agent,
@@ -40,6 +39,7 @@ from roslens.cli.commands import (
     trust,
     watch,
 )
+from roslens.cli.terminal.boundary import guarded
 
 COMMANDS = {
     "check": check,
@@ -107,7 +107,7 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_arguments(one)
-        one.set_defaults(run=module.run, parser=one)
+        one.set_defaults(run=module.run, parser=one, top_parser=top)
     return top
 
 

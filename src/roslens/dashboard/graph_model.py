@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from weakref import WeakKeyDictionary
 
 import msgspec
 
@@ -71,13 +72,23 @@ class PackageGraph(msgspec.Struct, frozen=True):
     all_edges_drawn: bool
 
 
+_made: WeakKeyDictionary[Site, tuple[PackageGraph, Layout]] = WeakKeyDictionary()
+
+
 def pictured(site: Site) -> tuple[PackageSummary, ...]:
     """Return what has a disc: packages, and not what is in none."""
     return tuple(package for package in site.packages if package.id != OUTSIDE_PACKAGES)
 
 
 def graph_of(site: Site) -> tuple[PackageGraph, Layout]:
-    """Return the graph of the site's packages and the layout with the paths of its edges."""
+    """Return the graph of the site's packages and the layout with the paths of its edges; made once for each site."""
+    found = _made.get(site)
+    if found is None:
+        found = _made[site] = _graph_of(site)
+    return found
+
+
+def _graph_of(site: Site) -> tuple[PackageGraph, Layout]:
     packages = pictured(site)
     place = {package.id: number for number, package in enumerate(packages)}
     needs = [

@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from roslens.dashboard.computation.book import Book
     from roslens.dashboard.computation.code_marks import CodeMarks
     from roslens.dashboard.gate_line import GateLine
-    from roslens.dashboard.graph_model import PackageGraph
-    from roslens.dashboard.layout.lay_out import Layout
     from roslens.dashboard.live.snapshot import Named
     from roslens.dashboard.past import Past
     from roslens.dashboard.since_run import SinceRun
@@ -356,13 +354,6 @@ class Site:
         if self._marks is None or self._marks[0] is not book:
             self._marks = (book, CodeMarks(book))
         return self._marks[1]
-
-    @cached_property
-    def graph(self) -> tuple[PackageGraph, Layout]:
-        """The package graph and its layout."""
-        from roslens.dashboard.graph_model import graph_of
-
-        return graph_of(self)
 
     @cached_property
     def run_models(self) -> tuple[QualityModel, ...]:

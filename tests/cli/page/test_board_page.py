@@ -9,7 +9,8 @@ import pytest
 from dashboard.live.scripted_robot import ScriptedRobot, large_robot
 
 from roslens.cli.page.board_page import MOST_ALERTS, notes_beside
-from roslens.cli.watch_page import PageSource, bounded
+from roslens.cli.page.page_document import bounded
+from roslens.cli.page.watch_page import PageSource
 from roslens.dashboard.live.snapshot import Alert, Snapshot
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.window.signals import BY_KEY

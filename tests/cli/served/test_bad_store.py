@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.workplace import CACHE, STORE, open_store
+from roslens.cli.workplace.workplace import CACHE, STORE, open_store
 
 Said = pytest.CaptureFixture[str]
 

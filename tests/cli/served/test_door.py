@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.served.door import add_door_arguments, door_of
+from roslens.cli.page.door import add_door_arguments, door_of
 from roslens.dashboard.access.person import Role
 from roslens.dashboard.listener import checked_tls, only_this_machine
 from roslens.model.errors import UsageError

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.param_reference import reference_argument
+from roslens.cli.page.watch_page import PageSource
 from roslens.cli.served.recording import recording_beside
-from roslens.cli.watch_page import PageSource
+from roslens.cli.watch.param_reference import reference_argument
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "examples/recording"

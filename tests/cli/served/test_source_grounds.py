@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from dashboard import made_up_configurations as made_up
 
+from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.served.source_grounds import source_grounds
-from roslens.cli.watch_graph import GraphPicture
 from roslens.dashboard.computation.picture import computation_graph
 from roslens.dashboard.computation.system import System
 from roslens.model.graph import Graph, Node

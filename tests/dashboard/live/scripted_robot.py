@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslens.cli.watch_page import PageSource
+from roslens.cli.page.watch_page import PageSource
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory

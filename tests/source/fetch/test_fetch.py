@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from roslens.cli import fetch_options
+from roslens.cli.check import fetch_options
 from roslens.cli.main import main
 from roslens.intake.safe_yaml import load_yaml
 from roslens.source.fetch import clone, git_runner

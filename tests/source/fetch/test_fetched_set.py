@@ -5,7 +5,7 @@ import json
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.workplace import open_store
+from roslens.cli.workplace.workplace import open_store
 
 
 @pytest.fixture

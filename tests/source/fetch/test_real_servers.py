@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from roslens.cli import fetch_options
+from roslens.cli.check import fetch_options
 from roslens.cli.main import main
 
 from .git_servers import git_ssh, git_web

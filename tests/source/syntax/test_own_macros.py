@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from roslens.cli.configuration import find_configuration
+from roslens.cli.workplace.configuration import find_configuration
 from roslens.model.errors import DocumentError
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.macros import load_macros

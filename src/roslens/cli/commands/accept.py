@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         UsageError: nothing is meant by an id, there is no reason, or the file is wrong.
     """
-    from roslens.cli.accepted_file import accepted_file_of, entries_of, write_entries
+    from roslens.cli.workplace.accepted_file import accepted_file_of, entries_of, write_entries
     from roslens.model.errors import UsageError
 
     place = accepted_file_of(_root(options.path), options.config)
@@ -67,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
 def _root(start: str) -> Path:
     from pathlib import Path
 
-    from roslens.cli.workplace import some_folder
+    from roslens.cli.workplace.workplace import some_folder
 
     folder = some_folder(start)
     return folder.parent if folder else Path(start).resolve()
@@ -98,8 +98,8 @@ def _without(entries: tuple[Acceptance, ...], ids: list[str]) -> list[Acceptance
 
 
 def _with(entries: tuple[Acceptance, ...], options: argparse.Namespace) -> list[Acceptance]:
-    from roslens.cli.accepted_file import with_findings
-    from roslens.cli.workplace import open_store
+    from roslens.cli.workplace.accepted_file import with_findings
+    from roslens.cli.workplace.workplace import open_store
     from roslens.model.errors import UsageError
     from roslens.model.set_aside import Disposition
 

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.watch.agent_address import DEFAULT_PORT, DEFAULT_REQUESTS_PORT, address_of
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -24,9 +25,6 @@ EXAMPLES = """\
   roslens watch --listen 192.168.1.2:7411 --key-file ~/.roslens-key    on the host of the monitor
   roslens agent --enrol keys --name arm         on the monitor's host; copy keys/arm to the host arm, and remove it here
   roslens agent base.local:7411 --key-file ~/.roslens-key --enrolled ~/arm    it may act, as ~/arm/allow.yaml permits"""
-
-DEFAULT_PORT = 7411
-DEFAULT_REQUESTS_PORT = 7412
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -82,20 +80,6 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def address_of(text: str, default_port: int = DEFAULT_PORT) -> tuple[str, int]:
-    """Read ``host``, ``host:port``, ``[v6]:port`` or a bare IPv6 address.
-
-    Raises:
-        UsageError: the port is no port.
-    """
-    host, separator, port = text.rpartition(":")
-    if not separator or text.endswith("]") or (":" in host and not host.startswith("[")):
-        host, port = text, str(default_port)
-    if not port.isdigit() or not 0 <= int(port) < 65536 or not host:
-        raise UsageError(f"{text!r} is no address", expected="HOST, HOST:PORT or [IPv6]:PORT")
-    return host.strip("[]"), int(port)
-
-
 def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> None:
     ended: list[int] = []
     signal.signal(signal.SIGTERM, lambda number, _: ended.append(number))
@@ -144,8 +128,8 @@ def _acting(
     import os
     import time
 
-    from roslens.cli.hold_file import Held
-    from roslens.cli.user_folder import state_folder
+    from roslens.cli.react.hold_file import Held
+    from roslens.cli.workplace.user_folder import state_folder
     from roslens.live.agent.acting import Acting
     from roslens.live.agent.enrol import read_agent
     from roslens.store.journal import Journal

@@ -6,26 +6,26 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from roslens.cli.baseline import add_baseline_arguments
-from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
-from roslens.cli.check_fix import fixed_scope, show_diff, take_back
-from roslens.cli.check_gate import gated
-from roslens.cli.check_graph import add_graph_argument
-from roslens.cli.check_outputs import add_output_arguments, below_repository, new_first, outputs, write_outputs
-from roslens.cli.check_scope import left_to_whole_run, scope_of, unchanged_files
-from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
-from roslens.cli.fetch_first import fetch_first
-from roslens.cli.fetch_options import add_fetch_arguments, refuse_without_fetch
-from roslens.cli.fix_option import add_fix_arguments, refuse_contradictions
-from roslens.cli.kept_new import keep_new
-from roslens.cli.process_option import add_process_arguments
-from roslens.cli.streams import add_stream_arguments, progress_for
-from roslens.cli.tools_option import add_tools_arguments, tell_not_run
-from roslens.cli.trust_option import add_trust_argument, admitted_by
-from roslens.cli.workplace import STORE, own_folder
+from roslens.cli.check.baseline import add_baseline_arguments
+from roslens.cli.check.check_fix import fixed_scope, show_diff, take_back
+from roslens.cli.check.check_gate import gated
+from roslens.cli.check.check_outputs import add_output_arguments, below_repository, new_first, outputs, write_outputs
+from roslens.cli.check.check_scope import left_to_whole_run, scope_of, unchanged_files
+from roslens.cli.check.check_watch import add_watch_argument, refuse_others, watch_files
+from roslens.cli.check.fetch_first import fetch_first
+from roslens.cli.check.fetch_options import add_fetch_arguments, refuse_without_fetch
+from roslens.cli.check.fix_option import add_fix_arguments, refuse_contradictions
+from roslens.cli.check.kept_new import keep_new
+from roslens.cli.graph.check_graph import add_graph_argument
+from roslens.cli.terminal.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.terminal.streams import add_stream_arguments, progress_for
+from roslens.cli.workplace.process_option import add_process_arguments
+from roslens.cli.workplace.tools_option import add_tools_arguments, tell_not_run
+from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
+from roslens.cli.workplace.workplace import STORE, own_folder
 
 if TYPE_CHECKING:
-    from roslens.cli.check_scope import Scope
+    from roslens.cli.check.check_scope import Scope
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
@@ -98,14 +98,14 @@ def run(options: argparse.Namespace) -> int:
     """Analyse, print and return the exit code.
 
     Raises:
-        RoslensError: see :mod:`roslens.cli.boundary`.
+        RoslensError: see :mod:`roslens.cli.terminal.boundary`.
     """
     import os
     import time
 
-    from roslens.cli.analysed import analysed
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.shared_store import store_for
+    from roslens.cli.check.analysed import analysed
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.shared_store import store_for
     from roslens.model.errors import UsageError
     from roslens.model.tags import parse_tags
     from roslens.report.run.reported import Wanted

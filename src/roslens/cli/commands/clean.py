@@ -13,7 +13,7 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to remove."""
-    from roslens.cli.workplace import add_workspace_argument
+    from roslens.cli.workplace.workplace import add_workspace_argument
 
     add_workspace_argument(parser)
     what = parser.add_mutually_exclusive_group()
@@ -30,7 +30,7 @@ def run(options: argparse.Namespace) -> int:
     import shutil
     from pathlib import Path
 
-    from roslens.cli.workplace import CACHE, FOLDER, STORE, find_folder, some_folder
+    from roslens.cli.workplace.workplace import CACHE, FOLDER, STORE, find_folder, some_folder
     from roslens.model.errors import UsageError
     from roslens.store.runs import Store
 

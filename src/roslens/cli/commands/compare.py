@@ -6,11 +6,11 @@ import argparse
 from typing import TYPE_CHECKING
 
 from roslens.cli.completion_words import LAUNCHES, SIDES
-from roslens.cli.observers import add_observer_arguments
-from roslens.cli.streams import add_stream_arguments
+from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.watch.observers import add_observer_arguments
 
 if TYPE_CHECKING:
-    from roslens.cli.named_run import NamedRun
+    from roslens.cli.past.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
 
 TEXT = "Compare two runs or revisions; or source, what runs, recordings and references with each other."
@@ -90,15 +90,15 @@ def run(options: argparse.Namespace) -> int:
 def _of_runs(options: argparse.Namespace) -> int:
     import os
 
-    from roslens.cli.analysed import settings_of
-    from roslens.cli.boundary import CLEAN, FINDINGS
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.named_run import named_runs
-    from roslens.cli.own_results import refuse_foreign
-    from roslens.cli.past_store import workspace_root
-    from roslens.cli.renamed_between import renamed_between
-    from roslens.cli.streams import write_result
-    from roslens.cli.workplace import FOLDER
+    from roslens.cli.check.analysed import settings_of
+    from roslens.cli.git.renamed_between import renamed_between
+    from roslens.cli.past.named_run import named_runs
+    from roslens.cli.past.past_store import workspace_root
+    from roslens.cli.terminal.boundary import CLEAN, FINDINGS
+    from roslens.cli.terminal.streams import write_result
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.own_results import refuse_foreign
+    from roslens.cli.workplace.workplace import FOLDER
     from roslens.compare.run_difference import run_difference
     from roslens.model.finding import Severity
 

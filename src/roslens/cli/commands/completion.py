@@ -36,9 +36,8 @@ def run(options: argparse.Namespace) -> int:
     import shtab
 
     from roslens.cli.completion_words import PREAMBLE
-    from roslens.cli.main import parser
 
-    script = shtab.complete(parser(), shell=options.shell, preamble=PREAMBLE.get(options.shell, ""))
+    script = shtab.complete(options.top_parser, shell=options.shell, preamble=PREAMBLE.get(options.shell, ""))
     if options.shell == "zsh":
         # There a colon ends what stands for a value (``NAME:=VALUE``), unless it is escaped.
         script = re.sub(r":([\w\[\]]+):(=?[\w\]]+):", r":\1\\:\2:", script)

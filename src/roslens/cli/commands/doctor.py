@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
-from roslens.cli.boundary import CLEAN, NOT_ANALYSED
-from roslens.cli.trust_option import add_trust_argument, admitted_by
+from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
 
 TEXT = "Check the installation, the configuration and the store of a workspace."
 EXAMPLES = """\
@@ -67,7 +67,7 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
 
 def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
     """Say which foreign tools are there; none is needed."""
-    from roslens.cli.tools_found import found_tools
+    from roslens.cli.workplace.tools_found import found_tools
 
     absent = []
     for tool in found_tools(str(Path(options.path).resolve()), ask=True):
@@ -102,7 +102,7 @@ def _grammars() -> Iterator[tuple[str, str]]:
 
 
 def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
-    from roslens.cli.configuration import find_configuration
+    from roslens.cli.workplace.configuration import find_configuration
     from roslens.judge.quality.quality_model import load_model
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
@@ -122,7 +122,7 @@ def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
 
 
 def _store(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
-    from roslens.cli.workplace import open_store
+    from roslens.cli.workplace.workplace import open_store
     from roslens.model.errors import RoslensError, UsageError
 
     try:

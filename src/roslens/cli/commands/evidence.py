@@ -38,8 +38,8 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, or no such package in it.
         StoreError: the store cannot be read.
     """
-    from roslens.cli.streams import write_result
-    from roslens.cli.workplace import open_store
+    from roslens.cli.terminal.streams import write_result
+    from roslens.cli.workplace.workplace import open_store
     from roslens.model.errors import UsageError
     from roslens.report.run.evidence_text import evidence_json, evidence_markdown, evidence_text
     from roslens.source.evidence.change_log import read_changes

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.completion_words import IDS
-from roslens.cli.explainable import known
-from roslens.cli.trust_option import add_trust_argument, admitted_by
+from roslens.cli.workplace.explainable import known
+from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
 
 if TYPE_CHECKING:
     from roslens.judge.quality.quality_model import QualityModel
@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         UsageError: nothing has that id.
     """
-    from roslens.cli.configuration import find_configuration
+    from roslens.cli.workplace.configuration import find_configuration
     from roslens.model.errors import UsageError
 
     configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))

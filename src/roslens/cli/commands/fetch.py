@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from roslens.cli.boundary import CLEAN, NOT_ANALYSED
-from roslens.cli.fetch_options import add_fetch_arguments, fetched
-from roslens.cli.streams import add_stream_arguments, progress_for
+from roslens.cli.check.fetch_options import add_fetch_arguments, fetched
+from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.terminal.streams import add_stream_arguments, progress_for
 
 TEXT = "Fetch the repositories of a distribution, or some of them, to be checked as one workspace."
 EXAMPLES = """\
@@ -30,12 +30,12 @@ def run(options: argparse.Namespace) -> int:
     """Fetch, print what became of each repository, and return the exit code.
 
     Raises:
-        RoslensError: see :mod:`roslens.cli.boundary`.
+        RoslensError: see :mod:`roslens.cli.terminal.boundary`.
     """
     import sys
     from pathlib import Path
 
-    from roslens.cli.configuration import find_configuration
+    from roslens.cli.workplace.configuration import find_configuration
     from roslens.model.errors import UsageError
     from roslens.report.run.fetch_text import fetch_text
     from roslens.source.fetch.fetch_row import fetch_row

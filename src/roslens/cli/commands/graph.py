@@ -7,14 +7,14 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from roslens.cli.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.completion_words import ARGUMENTS, LAUNCHES
-from roslens.cli.graph_check import add_check_arguments
-from roslens.cli.streams import add_stream_arguments, write_result
+from roslens.cli.graph.graph_check import add_check_arguments
+from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.terminal.streams import add_stream_arguments, write_result
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.cli.graph_source import GraphSource
+    from roslens.cli.graph.graph_source import GraphSource
     from roslens.model.configuration import Configuration
 
 TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
@@ -70,9 +70,9 @@ def run(options: argparse.Namespace) -> int:
     """Assemble, print and return the exit code.
 
     Raises:
-        RoslensError: see :mod:`roslens.cli.boundary`.
+        RoslensError: see :mod:`roslens.cli.terminal.boundary`.
     """
-    from roslens.cli.graph_choice import chosen, require_nodes
+    from roslens.cli.graph.graph_choice import chosen, require_nodes
 
     if options.check and (options.diff or options.html):
         raise UsageError("--check with --diff or --html", expected="one of them")
@@ -81,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
     if options.html and (options.diff or options.output or options.format != "text"):
         raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
     if options.diff:
-        from roslens.cli.graph_diff import diff
+        from roslens.cli.graph.graph_diff import diff
 
         return diff(options)
     if options.format == "markdown":
@@ -90,8 +90,8 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
     if options.launch and options.package:
         raise UsageError("--package with --launch", expected="one of them")
-    from roslens.cli.graph_linked import with_linked
-    from roslens.cli.graph_opened import open_source
+    from roslens.cli.graph.graph_linked import with_linked
+    from roslens.cli.graph.graph_opened import open_source
 
     with open_source(options) as source:
         found = _configurations(source, options)
@@ -100,14 +100,14 @@ def run(options: argparse.Namespace) -> int:
         for failure in source.facts.broken:
             print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
         if options.check:
-            from roslens.cli.graph_check import check
+            from roslens.cli.graph.graph_check import check
 
             _say_lacking(source, found, options)
             return check(source, found, options) or _complete(source, found)
         require_nodes(found, options.node)
         _say_given(source, found, options)
         if options.html or options.format == "svg":
-            from roslens.cli.graph_picture import draw
+            from roslens.cli.graph.graph_picture import draw
 
             draw(source, found, options, unstarted)
             return _complete(source, found)
@@ -130,7 +130,7 @@ def _unstarted(
 
 
 def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
-    from roslens.cli.graph_without_nodes import reasons
+    from roslens.cli.graph.graph_without_nodes import reasons
 
     for line in () if options.quiet else reasons(source, options.launch):
         print(f"roslens: {line}", file=sys.stderr)
@@ -139,8 +139,8 @@ def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
 def _say_given(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
     if options.quiet or not options.launch:
         return
-    from roslens.cli.graph_given import wrong_arguments
-    from roslens.cli.graph_source import arguments_of
+    from roslens.cli.graph.graph_given import wrong_arguments
+    from roslens.cli.graph.graph_source import arguments_of
 
     for line in wrong_arguments(found[0], source.meant(options.launch, arguments_of(options.arg))[1]):
         print(f"roslens: {line}", file=sys.stderr)
@@ -158,7 +158,7 @@ def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
 
 
 def _configurations(source: GraphSource, options: argparse.Namespace) -> tuple[Configuration, ...]:
-    from roslens.cli.graph_source import arguments_of
+    from roslens.cli.graph.graph_source import arguments_of
 
     if options.launch:
         return (source.launched(options.launch, arguments_of(options.arg)),)

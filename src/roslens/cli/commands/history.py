@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.revision_history import add_revision_arguments, analyse_past
+from roslens.cli.past.revision_history import add_revision_arguments, analyse_past
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -211,7 +211,7 @@ def _signals(patterns: Sequence[str]) -> Callable[[str], bool]:
 
 
 def _write(options: argparse.Namespace, extracts: list[Extract], parts: frozenset[str], units: dict[str, str]) -> None:
-    from roslens.cli.streams import wants_color, width_of, write_result
+    from roslens.cli.terminal.streams import wants_color, width_of, write_result
 
     if options.format == "json":
         from roslens.report.history.history_document import history_json

@@ -129,7 +129,7 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         UsageError: the folder does not exist, or the file does and ``--force`` was not given.
     """
-    from roslens.cli.configuration import FILE_NAME
+    from roslens.cli.workplace.configuration import FILE_NAME
     from roslens.model.errors import UsageError
 
     folder = Path(options.path)

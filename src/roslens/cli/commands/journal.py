@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
     """
     import os
 
-    from roslens.cli.user_folder import state_folder
+    from roslens.cli.workplace.user_folder import state_folder
     from roslens.model.errors import UsageError
     from roslens.store.read_journal import JournalReader
 
@@ -76,7 +76,7 @@ def _verify(path: Path, head: str) -> int:
 def _show(reader: JournalReader, path: Path, *, follow: bool) -> int:
     import time
 
-    from roslens.cli.watch_screen import time_of_day
+    from roslens.cli.page.watch_screen import time_of_day
     from roslens.report.history.journal_text import journal_line
 
     day = ""

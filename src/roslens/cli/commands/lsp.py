@@ -32,7 +32,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.model.errors import UsageError
 
     try:
-        from roslens.cli.language_server import Server
+        from roslens.cli.editor.language_server import Server
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] not in {"pygls", "lsprotocol"}:
             raise

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from roslens.cli.workplace import add_workspace_argument
+from roslens.cli.workplace.workplace import add_workspace_argument
 
 if TYPE_CHECKING:
     from roslens.report.study.standings import Standing
@@ -37,8 +37,8 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, no such package, or no such quantity.
         StoreError: the store cannot be read.
     """
-    from roslens.cli.streams import write_result
-    from roslens.cli.workplace import open_store
+    from roslens.cli.terminal.streams import write_result
+    from roslens.cli.workplace.workplace import open_store
     from roslens.judge.quality.field import load_field
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES

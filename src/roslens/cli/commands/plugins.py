@@ -6,8 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from roslens.cli.boundary import CLEAN, NOT_ANALYSED
-from roslens.cli.trust_option import add_trust_argument, admitted_by
+from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
 
 TEXT = "List plug-ins with the quantities and rules that each gives, and the foreign tools that --tools can name."
 EXAMPLES = """\
@@ -27,8 +27,8 @@ def run(options: argparse.Namespace) -> int:
     """Print the list; plug-ins that cannot be used are failures."""
     import msgspec
 
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.tools_found import found_tools
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.tools_found import found_tools
     from roslens.source.plugin_stage import discover_plugins
 
     root = str(Path(options.path).resolve())
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _print_tools(root: str) -> None:
     """List the foreign tools: those that are there, and how to get the others."""
-    from roslens.cli.tools_found import found_tools
+    from roslens.cli.workplace.tools_found import found_tools
 
     print("\nForeign tools, for `roslens check --tools NAME`:")
     for tool in found_tools(root, ask=False):

@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from roslens.cli import react_simulate
-from roslens.cli.observers import add_observer_arguments
-from roslens.cli.param_reference import add_reference_argument, reference_argument
-from roslens.cli.served.door import add_door_arguments
-from roslens.cli.streams import add_stream_arguments
+from roslens.cli.page.door import add_door_arguments
+from roslens.cli.react import react_simulate
+from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.watch.observers import add_observer_arguments
+from roslens.cli.watch.param_reference import add_reference_argument, reference_argument
 from roslens.model.errors import UsageError
 
 TEXT = "Watch a running ROS system, and do what its reference says is to be done about faults, as far as it is allowed."
@@ -92,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
     if options.bag or options.timeline:
         option = "--bag" if options.bag else "--timeline"
         raise UsageError(f"{option} without --simulate", expected="both", advice="What is over cannot be helped")
-    from roslens.cli.react_live import react_live
+    from roslens.cli.react.react_live import react_live
 
     return react_live(options)
 
@@ -102,8 +102,8 @@ def _held(options: argparse.Namespace) -> int:
     import os
     import time
 
-    from roslens.cli.hold_file import hold, hold_path, release
-    from roslens.cli.watch_live import length_of
+    from roslens.cli.react.hold_file import hold, hold_path, release
+    from roslens.cli.watch.watch_live import length_of
 
     path = hold_path(os.environ)
     if options.release:

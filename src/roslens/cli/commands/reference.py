@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli import reference_draft, reference_export, reference_mutate, reference_test
-from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
+from roslens.cli.references import reference_draft, reference_export, reference_mutate, reference_test
+from roslens.cli.terminal.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -100,7 +100,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from roslens.cli.reference_reactions import reactions_table, types_not_checked
+    from roslens.cli.react.reference_reactions import reactions_table, types_not_checked
 
     merged = _merged(options.files)
     for contradiction in merged.contradictions:
@@ -117,8 +117,8 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
-    from roslens.cli.about_nothing import RECORDED
-    from roslens.cli.reference_reactions import given_graph
+    from roslens.cli.react.reference_reactions import given_graph
+    from roslens.cli.watch.about_nothing import RECORDED
     from roslens.judge.reference.unmatched import subjects_of, unmatched
     from roslens.judge.reference.unmatched_reactions import refuse_unknown_targets, unmatched_statements
     from roslens.live.adapters.bag.open_bag import open_bag
@@ -140,7 +140,7 @@ def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
 
 
 def _explain(options: argparse.Namespace) -> int:
-    from roslens.cli.reference_causes import found_wrong, lines, rows
+    from roslens.cli.references.reference_causes import found_wrong, lines, rows
     from roslens.judge.reference.explain_entity import combined, explain_entity
     from roslens.live.window.signals import BY_KEY
     from roslens.model.entity import EntityId

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from roslens.cli.analysed import add_kept_arguments
-from roslens.cli.shown_graphs import add_shown_argument
-from roslens.cli.streams import add_stream_arguments, progress_for
-from roslens.cli.workplace import add_workspace_argument
+from roslens.cli.check.analysed import add_kept_arguments
+from roslens.cli.graph.shown_graphs import add_shown_argument
+from roslens.cli.terminal.streams import add_stream_arguments, progress_for
+from roslens.cli.workplace.workplace import add_workspace_argument
 from roslens.model.errors import UsageError
 
 TEXT = "Write the pages of the last run as a folder or as one HTML file."
@@ -37,10 +37,10 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, the number of processes is none, or the folder holds something else.
         StoreError: the store cannot be read.
     """
-    from roslens.cli.kept_new import shown_new
-    from roslens.cli.shown_graphs import site_with_graphs
-    from roslens.cli.shown_past import shown_past
-    from roslens.cli.shown_run import shown_run
+    from roslens.cli.check.kept_new import shown_new
+    from roslens.cli.check.shown_run import shown_run
+    from roslens.cli.graph.shown_graphs import site_with_graphs
+    from roslens.cli.past.shown_past import shown_past
 
     if options.jobs is not None and options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")

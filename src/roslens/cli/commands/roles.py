@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-from roslens.cli.workplace import add_workspace_argument
+from roslens.cli.workplace.workplace import add_workspace_argument
 
 TEXT = "Say of each package of the last run whether it is a driver, a library or an application, and why."
 EXAMPLES = """\
@@ -34,8 +34,8 @@ def run(options: argparse.Namespace) -> int:
 
     import msgspec
 
-    from roslens.cli.streams import write_result
-    from roslens.cli.workplace import open_store
+    from roslens.cli.terminal.streams import write_result
+    from roslens.cli.workplace.workplace import open_store
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES
     from roslens.report.writing.csv_table import write_rows

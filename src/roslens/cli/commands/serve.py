@@ -8,18 +8,18 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.analysed import add_kept_arguments
+from roslens.cli.check.analysed import add_kept_arguments
 from roslens.cli.conformance.shown_sides import add_against_argument
-from roslens.cli.observers import add_observer_arguments, given
-from roslens.cli.param_reference import add_reference_argument
-from roslens.cli.served.door import add_door_arguments, door_of
-from roslens.cli.shown_graphs import add_shown_argument
-from roslens.cli.streams import add_stream_arguments, progress_for
-from roslens.cli.workplace import add_workspace_argument
+from roslens.cli.graph.shown_graphs import add_shown_argument
+from roslens.cli.page.door import add_door_arguments, door_of
+from roslens.cli.terminal.streams import add_stream_arguments, progress_for
+from roslens.cli.watch.observers import add_observer_arguments, given
+from roslens.cli.watch.param_reference import add_reference_argument
+from roslens.cli.workplace.workplace import add_workspace_argument
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.cli.watch_page import PageSource
+    from roslens.cli.page.watch_page import PageSource
     from roslens.dashboard.live.further import Further
 
 TEXT = "Serve the pages of the last run on this machine."
@@ -74,15 +74,15 @@ def run(options: argparse.Namespace) -> int:
     of_bag = bool(options.bag)
     if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+    from roslens.cli.check.kept_new import shown_new
+    from roslens.cli.check.shown_run import shown_run
     from roslens.cli.conformance.shown_sides import against, shown_sides
-    from roslens.cli.kept_new import shown_new
+    from roslens.cli.graph.read_beside import site_at_once
+    from roslens.cli.past.shown_past import shown_past
     from roslens.cli.served.last_change import last_change_in
     from roslens.cli.served.reviewing import reviewing_of
     from roslens.cli.served.source_grounds import source_grounds
     from roslens.cli.served.standing import gate_of, kept_runs
-    from roslens.cli.shown_graphs import site_at_once
-    from roslens.cli.shown_past import shown_past
-    from roslens.cli.shown_run import shown_run
     from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
@@ -134,7 +134,7 @@ def _beside(options: argparse.Namespace) -> AbstractContextManager[PageSource | 
 
         return recording_beside(options)
     if options.live:
-        from roslens.cli.live_beside import live_beside
+        from roslens.cli.watch.live_beside import live_beside
 
         return live_beside(options)
     if options.history:
@@ -149,8 +149,8 @@ def _journal(options: argparse.Namespace, title: str, page: PageSource | None) -
         return None
     import os
 
-    from roslens.cli.react_page import journal_pages
-    from roslens.cli.user_folder import state_folder
+    from roslens.cli.react.react_page import journal_pages
+    from roslens.cli.workplace.user_folder import state_folder
 
     path = options.journal if options.journal != Path() else state_folder(os.environ) / "journal.jsonl"
     return journal_pages(path, title, reactions=(lambda: page.reactions) if page else tuple, base="/")

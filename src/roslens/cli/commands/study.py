@@ -72,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
         UsageError: what is given makes no sense, or a library of the extra ``study`` is missing.
         StoreError: a store cannot be read.
     """
-    from roslens.cli.streams import write_result
+    from roslens.cli.terminal.streams import write_result
     from roslens.report.study.study_text import study_csv, study_latex, study_text
     from roslens.source.study.measurements import write_measurements
     from roslens.source.study.study import study_of
@@ -132,7 +132,7 @@ def _models(names: Sequence[str], known: Sequence[Quantity]) -> tuple[QualityMod
 
 
 def _of_runs(options: argparse.Namespace) -> Corpus:
-    from roslens.cli.workplace import open_store
+    from roslens.cli.workplace.workplace import open_store
     from roslens.source.study.role import role_in_run
     from roslens.source.study.run_corpus import corpus_of_runs
 

@@ -6,9 +6,9 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from roslens.cli.observers import add_observer_arguments, given
-from roslens.cli.param_reference import add_reference_argument
-from roslens.cli.streams import add_stream_arguments
+from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.watch.observers import add_observer_arguments, given
+from roslens.cli.watch.param_reference import add_reference_argument
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -54,14 +54,14 @@ def run(options: argparse.Namespace) -> int:
         )  # fmt: skip
     _require_textual()
     if options.address:
-        from roslens.cli.monitor_address import fetched
         from roslens.cli.top.feed import AddressFeed
+        from roslens.cli.watch.monitor_address import fetched
 
         feed = AddressFeed(options.address, fetched)
         feed.snapshot()
         return _shown(feed, options)
-    from roslens.cli.live_beside import live_beside
     from roslens.cli.top.feed import PageFeed
+    from roslens.cli.watch.live_beside import live_beside
 
     with live_beside(options) as page:
         import platform
@@ -82,8 +82,8 @@ def _require_textual() -> None:
 def _shown(feed: Feed, options: argparse.Namespace) -> int:
     import os
 
-    from roslens.cli.boundary import CLEAN
-    from roslens.cli.streams import wants_color
+    from roslens.cli.terminal.boundary import CLEAN
+    from roslens.cli.terminal.streams import wants_color
     from roslens.cli.top.board import Board
     from roslens.report.writing.terminal import Terminal
 

@@ -40,9 +40,9 @@ def run(options: argparse.Namespace) -> int:
         UsageError: no revisions were analysed, or what is asked for was never measured.
         StoreError: the runs cannot be read.
     """
-    from roslens.cli.past_points import trends_of
-    from roslens.cli.process_option import seconds_of
-    from roslens.cli.streams import write_result
+    from roslens.cli.past.past_points import trends_of
+    from roslens.cli.terminal.streams import write_result
+    from roslens.cli.workplace.process_option import seconds_of
     from roslens.report.history.trend_tables import trend_json, trend_table
 
     with trends_of(options.path) as trends:
@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _write_text(options: argparse.Namespace, trend: Trend, decimals: int) -> None:
-    from roslens.cli.streams import wants_color, width_of, write_result
+    from roslens.cli.terminal.streams import wants_color, width_of, write_result
     from roslens.report.history.trend_text import trend_text
     from roslens.report.writing.terminal import Terminal
 

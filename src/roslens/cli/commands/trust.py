@@ -30,8 +30,8 @@ def run(options: argparse.Namespace) -> int:
     """
     import os
 
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.trust import code_of, hash_of, is_trusted, revoke, trust
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.trust import code_of, hash_of, is_trusted, revoke, trust
 
     configuration = find_configuration(Path(options.path).resolve(), options.config)
     where = configuration.path or f"{Path(options.path).resolve()} (no roslens.toml)"

@@ -7,16 +7,16 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.observers import add_observer_arguments
-from roslens.cli.param_reference import add_reference_argument, reference_sources
-from roslens.cli.served.door import add_door_arguments
-from roslens.cli.streams import add_stream_arguments
+from roslens.cli.page.door import add_door_arguments
+from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.watch.observers import add_observer_arguments
+from roslens.cli.watch.param_reference import add_reference_argument, reference_sources
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from roslens.cli.watch_serve import PageAfter
+    from roslens.cli.watch.watch_serve import PageAfter
     from roslens.judge.reference.expectation import Reference
     from roslens.live.join.session import Step
 
@@ -78,13 +78,13 @@ def run(options: argparse.Namespace) -> int:
         UsageError: the options contradict each other or name something that is not there.
         DocumentError: a reference is wrong.
     """
-    from roslens.cli.watch_reload import ReferenceFiles
+    from roslens.cli.watch.watch_reload import ReferenceFiles
 
     states = _states(options.fail_on)
     files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
     if options.bag:
         return _replayed(options, files.reference, states)
-    from roslens.cli.watch_live import watch_live
+    from roslens.cli.watch.watch_live import watch_live
 
     return watch_live(options, files, states)
 
@@ -99,10 +99,10 @@ def _states(text: str) -> frozenset[str]:
 
 
 def _replayed(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
-    from roslens.cli.about_nothing import RECORDED, about_nothing, errors_about_nothing
-    from roslens.cli.graph_file import write_graph
-    from roslens.cli.watch_output import Teller
-    from roslens.cli.watch_screen import since_start
+    from roslens.cli.page.watch_screen import since_start
+    from roslens.cli.watch.about_nothing import RECORDED, about_nothing, errors_about_nothing
+    from roslens.cli.watch.graph_file import write_graph
+    from roslens.cli.watch.watch_output import Teller
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.replay.replay import replay
 
@@ -134,8 +134,8 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
 
 
 def _page(options: argparse.Namespace, title: str, clock: Callable[[float], str]) -> PageAfter:
-    from roslens.cli.served.door import door_of
-    from roslens.cli.watch_serve import PageAfter, address_of
+    from roslens.cli.page.door import door_of
+    from roslens.cli.watch.watch_serve import PageAfter, address_of
 
     address = address_of(options.serve)
     return PageAfter(title, address, clock, door_of(options, address[0]))

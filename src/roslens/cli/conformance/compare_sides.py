@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from roslens.cli.boundary import CLEAN, FINDINGS
 from roslens.cli.conformance.side_word import WordKind, kind_of
+from roslens.cli.terminal.boundary import CLEAN, FINDINGS
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def compare_sides(words: Sequence[str], options: argparse.Namespace) -> int:
     Raises:
         RoslensError: a side cannot be read, or there is nothing to compare.
     """
-    from roslens.cli.streams import write_result
+    from roslens.cli.terminal.streams import write_result
     from roslens.model.finding import Severity
 
     found = compared(words, options)

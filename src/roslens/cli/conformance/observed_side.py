@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.monitor_address import fetched
+from roslens.cli.watch.monitor_address import fetched
 from roslens.compare.conformance.observed import recorded_side, running_side
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.model.errors import UsageError
@@ -34,9 +34,9 @@ def live_side(options: argparse.Namespace) -> Side:
     """
     import contextlib
 
-    from roslens.cli.stretch import Stretch
-    from roslens.cli.until_stopped import when_stopped
-    from roslens.cli.watch_live import length_of, sources_of
+    from roslens.cli.terminal.until_stopped import when_stopped
+    from roslens.cli.watch.stretch import Stretch
+    from roslens.cli.watch.watch_live import length_of, sources_of
     from roslens.judge.reference.expectation import Reference
     from roslens.live.join.session import Session, run
 

@@ -15,7 +15,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.cli.graph_source import GraphSource
+    from roslens.cli.graph.graph_source import GraphSource
 
 
 def workspace_side(folder: str, launch: str, options: argparse.Namespace, others: Sequence[Side]) -> Side:
@@ -30,9 +30,9 @@ def workspace_side(folder: str, launch: str, options: argparse.Namespace, others
     Raises:
         UsageError: there is no such folder or launch file.
     """
-    from roslens.cli.graph_configurations import largest, named_configurations
-    from roslens.cli.graph_opened import open_source
-    from roslens.cli.graph_source import arguments_of
+    from roslens.cli.graph.graph_configurations import largest, named_configurations
+    from roslens.cli.graph.graph_opened import open_source
+    from roslens.cli.graph.graph_source import arguments_of
 
     given = argparse.Namespace(
         path=folder, config=options.config, jobs=options.jobs, no_cache=options.no_cache, verbose=options.verbose
@@ -64,7 +64,7 @@ def stored_side(word: str, options: argparse.Namespace, others: Sequence[Side]) 
         UsageError: there is no store, no such configuration, or the run keeps no graph.
         StoreError: there is no such run.
     """
-    from roslens.cli.workplace import open_store
+    from roslens.cli.workplace.workplace import open_store
 
     number, _, wanted = word.partition(":")
     with open_store(options.workspace) as store:

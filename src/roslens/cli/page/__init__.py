@@ -1,1 +1,5 @@
-"""What the live page is given: the past of a watch, its references, what somebody noted of its alerts."""
+"""What a watch shows: the live page with its past and its references, and the tree on a terminal.
+
+In come a session and the time; out come documents for the browser and lines for the terminal. Begin with
+``watch_page.py``.
+"""

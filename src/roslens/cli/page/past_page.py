@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.watch_detail import detail_of, limits_of
-from roslens.cli.watch_graph import GraphPicture
-from roslens.cli.watch_page import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
-from roslens.cli.watch_screen import value_text
+from roslens.cli.page.page_document import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
+from roslens.cli.page.watch_detail import detail_of, limits_of
+from roslens.cli.page.watch_graph import GraphPicture
+from roslens.cli.page.watch_screen import value_text
 from roslens.dashboard.live.past import Changed, Compared, Mark, Plots, Series, Timeline
 from roslens.dashboard.live.snapshot import UNJUDGED, Row, Snapshot
 from roslens.live.past.then import tree_then

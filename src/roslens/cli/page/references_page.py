@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from roslens.cli.page.half_lines import encodable
-from roslens.cli.watch_graph import PLUMBING
+from roslens.cli.page.watch_graph import PLUMBING
 from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
 from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.merge_references import sentences_of

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from roslens.cli.react_page import journal_clock
-from roslens.cli.watch_page import PageSource
+from roslens.cli.page.watch_page import PageSource
+from roslens.cli.react.react_page import journal_clock
 from roslens.model.errors import UsageError
 from roslens.store.past.open_past import open_past
 

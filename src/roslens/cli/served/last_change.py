@@ -20,7 +20,7 @@ def last_change_in(root: str) -> Callable[[str], LastChange | None]:
 
     @lru_cache(maxsize=_KEPT)
     def found(path: str) -> LastChange | None:
-        from roslens.cli.git_repository import Repository
+        from roslens.cli.git.git_repository import Repository
         from roslens.dashboard.last_change import LastChange
         from roslens.model.errors import UsageError
 

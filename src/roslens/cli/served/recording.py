@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 
-from roslens.cli.param_reference import reference_sources
-from roslens.cli.watch_page import PageSource
-from roslens.cli.watch_reload import ReferenceFiles
-from roslens.cli.watch_screen import since_start
+from roslens.cli.page.watch_page import PageSource
+from roslens.cli.page.watch_screen import since_start
+from roslens.cli.watch.param_reference import reference_sources
+from roslens.cli.watch.watch_reload import ReferenceFiles
 from roslens.live.adapters.bag.open_bag import open_bag
 from roslens.live.join.session import Session, Step
 from roslens.live.past.keeper import Keeper, in_memory

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from roslens.cli.accepted_file import accepted_file_of, entries_of, with_findings, write_entries
+from roslens.cli.workplace.accepted_file import accepted_file_of, entries_of, with_findings, write_entries
 from roslens.dashboard.review import Reviewed
 from roslens.model.errors import RoslensError
 from roslens.model.finding import Finding

@@ -29,7 +29,7 @@ class Kept(msgspec.Struct, frozen=True):
 @contextmanager
 def kept_runs(options: argparse.Namespace, view: RunView) -> Iterator[Kept]:
     """Yield what is kept besides a run."""
-    from roslens.cli.workplace import open_store
+    from roslens.cli.workplace.workplace import open_store
 
     if options.no_store:
         yield Kept()
@@ -46,7 +46,7 @@ def kept_runs(options: argparse.Namespace, view: RunView) -> Iterator[Kept]:
 
 def gate_of(site: Site) -> GateLine | None:
     """Return how the run stands to the gate that its workspace configures now; None where that cannot be read."""
-    from roslens.cli.configuration import find_configuration
+    from roslens.cli.workplace.configuration import find_configuration
     from roslens.dashboard.gate_line import gate_line
     from roslens.judge.quality.gate import GateFacts, Lines, evaluate
     from roslens.model.errors import RoslensError

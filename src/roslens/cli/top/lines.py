@@ -6,8 +6,8 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
+from roslens.cli.page.watch_screen import GLYPHS, NOT_JUDGED
 from roslens.cli.top.past import BARS, PLAIN_BARS, Past, sparkline
-from roslens.cli.watch_screen import GLYPHS, NOT_JUDGED
 from roslens.dashboard.live.detail import Detail
 from roslens.dashboard.live.snapshot import UNJUDGED, Alert, Row, Snapshot
 from roslens.model.verdict import State

@@ -6,7 +6,7 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.figures import number
-from roslens.dashboard.graph_model import Colouring, better_of, colour_title, colour_values
+from roslens.dashboard.graph_model import Colouring, better_of, colour_title, colour_values, graph_of
 from roslens.dashboard.ramp import Ramp, ramp_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
@@ -17,7 +17,7 @@ from roslens.model.tags import tag_filter
 def build(site: Site, request: Request) -> View | None:
     """Return the page."""
     query = request.query
-    graph, layout = site.graph
+    graph, layout = graph_of(site)
     include, exclude = query.all("include"), query.all("exclude")
     colouring = Colouring(query.get("colour", "findings"), tag_filter(include, exclude), bool(query.get("own")))
     values, measured = colour_values(site, colouring)
@@ -63,7 +63,7 @@ def legend(ramp: Ramp, values: list[float | None]) -> list[tuple[str, str, int]]
 
 
 def _table(site: Site, title: str, values: list[float | None], decimals: int) -> Table:
-    graph, _ = site.graph
+    graph, _ = graph_of(site)
     columns = (
         Column("package", "Package"),
         Column("value", title, "number", bar=True, decimals=decimals),

@@ -1,0 +1,113 @@
+"""A workspace as its configuration and the options of ``roslens check`` say, analysed."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.graph.check_graph import graph_look
+from roslens.cli.workplace.process_option import process_look, with_process
+from roslens.cli.workplace.tools_option import with_tools
+from roslens.cli.workplace.workplace import ANSWERS, CACHE, FOLDER, own_folder
+
+if TYPE_CHECKING:
+    from roslens.cli.terminal.streams import LineProgress, NoProgress, TerminalProgress
+    from roslens.cli.workplace.configuration import Configuration
+    from roslens.source.answer import Answer
+    from roslens.source.settings import SourceSettings
+    from roslens.store.runs import Store
+
+    FinishedProgress = TerminalProgress | LineProgress | NoProgress
+
+
+def add_kept_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what a command that shows a run keeps below the workspace: with both options, nothing."""
+    parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing of it")
+    parser.add_argument(
+        "--no-store", action="store_true", help="analyse the workspace now instead of taking a run that was kept"
+    )
+
+
+def analysed(
+    options: argparse.Namespace,
+    root: Path,
+    configuration: Configuration,
+    *,
+    environment: Mapping[str, str],
+    store: Store,
+    progress: FinishedProgress,
+    begun: float,
+    unchanged: Mapping[str, str] | None = None,
+) -> Answer:
+    """Analyse, and keep the run in a store; what the cache has to say goes to standard error.
+
+    Args:
+        options: ``paths``, ``model``, ``jobs``, ``graph``, ``no_cache`` and ``no_store`` of ``roslens check``.
+        root: of the workspace.
+        configuration: of the user.
+        environment: variables that conditions of manifests see.
+        store: receives the run.
+        progress: who watches; it is finished.
+        begun: when the command began, a ``time.monotonic()``.
+        unchanged: hashes of files by path; packages of which all files have these are left out, and so are graphs.
+
+    Raises:
+        RoslensError: see :mod:`roslens.cli.terminal.boundary`.
+    """
+    import time
+    from datetime import datetime, timezone
+
+    from roslens.source.pipeline import Clock, analyse
+    from roslens.store.cache import Cache
+
+    settings = settings_of(options, configuration, environment)
+    now = time.time()
+    utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
+    kept = None if options.no_cache else own_folder(root) / CACHE
+    answers = kept.with_name(ANSWERS) if kept is not None else None
+    beyond = None if unchanged is not None else graph_look(options, configuration, settings, root, kept, progress)
+    with Cache.open(kept) as cache:
+        try:
+            outcome = analyse(
+                options.paths,
+                settings,
+                store=store,
+                cache=cache,
+                clock=Clock(utc, now, lambda: time.monotonic() - begun),
+                base=Path(configuration.base or "."),
+                jobs=configuration.jobs if options.jobs is None else options.jobs,
+                progress=progress,
+                log=None if options.no_store else root / FOLDER / "log",
+                programs=beyond is not None and kept is not None,
+                beyond=beyond,
+                engine=getattr(options, "engine", None) or configuration.engine,
+                unchanged=unchanged,
+                look_back=None if unchanged is not None else process_look(options, settings, answers),
+            )
+        finally:
+            progress.finish()
+        for warning in cache.warnings:
+            print(f"roslens: {warning}", file=sys.stderr)
+    return outcome
+
+
+def settings_of(
+    options: argparse.Namespace, configuration: Configuration, environment: Mapping[str, str]
+) -> SourceSettings:
+    """Return what shapes the result, as configuration, options and environment say."""
+    import msgspec
+
+    from roslens.source.workspace.conditions import environment_of
+
+    settings = configuration.source
+    if options.model:
+        names = [name for given in options.model for name in given.split(",") if name]
+        settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
+    settings = with_process(options, with_tools(options, settings))
+    # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
+    seen = {**environment_of(environment), **settings.workspace.environment}
+    workspace = msgspec.structs.replace(settings.workspace, environment=seen)
+    return msgspec.structs.replace(settings, workspace=workspace)

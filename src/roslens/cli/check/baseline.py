@@ -1,0 +1,258 @@
+"""What ``--baseline`` compares with: a report, a kept run or a revision, with the findings that it had."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.errors import RoslensError, UsageError
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, Severity
+
+if TYPE_CHECKING:
+    from roslens.cli.git.revision import Revision
+    from roslens.cli.workplace.configuration import Configuration
+    from roslens.store.read import RunView
+    from roslens.store.runs import Store
+
+MOST_BYTES = 1_000_000_000
+"""A larger report is not read."""
+
+LAST = "last"
+"""Names the newest run before this one."""
+
+
+class Baseline(msgspec.Struct, frozen=True):
+    """What a run is compared with.
+
+    ``files`` are git's hashes of the files there were by path, None where that is not known; ``renamed`` are paths of
+    files now by those of the baseline.
+    """
+
+    title: str
+    findings: tuple[Finding, ...]
+    files: Mapping[str, str] | None = None
+    renamed: Mapping[str, str] = {}
+
+
+def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add ``--baseline``, ``--new-only`` and ``--changed``."""
+    parser.add_argument(
+        "--baseline",
+        metavar="REV|FILE|RUN",
+        help="compare with a revision of git (where this work tree left it), a JSON or SARIF report, or a kept run by "
+        "number or `last`; only new findings fail the check then, and what is new comes first. "
+        "One that cannot be read ends with exit code 3",
+    )
+    parser.add_argument("--new-only", action="store_true", help="show only what the baseline does not have")
+    parser.add_argument(
+        "--changed",
+        nargs="?",
+        const="HEAD",
+        metavar="REV",
+        help="look only at files that differ from a revision (default: HEAD), and show only findings in these; what "
+        "needs the other files of a package is left out, and nothing of it is kept",
+    )
+
+
+def read_baseline(
+    name: str, root: Path, store: Store, current: RunView, analyse: Callable[[Revision], Baseline]
+) -> Baseline:
+    """Return the baseline that a name means.
+
+    Args:
+        name: a file that exists, else a number or ``last``, else a revision.
+        root: of the workspace.
+        store: with the kept runs.
+        current: the run that is compared.
+        analyse: makes the baseline of a revision.
+
+    Raises:
+        RoslensError: there is none of that name, or it cannot be read.
+    """
+    if Path(name).is_file():
+        return _checked(_of_file(Path(name)), current)
+    if name == LAST or name.isdigit():
+        return _of_run(name, store, current)
+    from roslens.cli.git.revision import revision_of
+
+    if name.endswith((".json", ".sarif")):
+        raise UsageError(f'--baseline "{name}": no such file', expected="a report of `roslens check -o FILE`")
+    return analyse(revision_of(root, name))
+
+
+def _of_run(name: str, store: Store, current: RunView) -> Baseline:
+    runs = [one.id for one in store.runs()]
+    number = next((one for one in runs if one < current.id), None) if name == LAST else int(name)
+    if number is None or number not in runs:
+        raise UsageError(
+            f'--baseline "{name}": no such run is kept',
+            expected=f"one of {', '.join(map(str, sorted(runs)[-10:]))}" if runs else "a run made without --no-store",
+            advice="Run `roslens check` on the state to compare with first, or give a revision or a report",
+        )
+    view = store.view(number)
+    files = {file.path: file.content_hash for _, file in view.files()}
+    return Baseline(f"run {number}", tuple(view.findings()), files)
+
+
+def _of_file(path: Path) -> Baseline:
+    from roslens.intake.bounded_file import read_bounded
+
+    expected = "a report of `roslens check --format json` or --format sarif"
+    try:
+        document = json.loads(read_bounded(path, MOST_BYTES))
+    except (OSError, ValueError, RecursionError) as error:
+        raise UsageError(f'--baseline "{path}" cannot be read: {error}', expected=expected) from error
+    try:
+        if isinstance(document, dict) and str(document.get("schema", "")).startswith("roslens-report/"):
+            files = {one["path"]: one["content_hash"] for one in document["files"]}
+            return Baseline(str(path), tuple(map(_of_json, document["findings"])), files)
+        if isinstance(document, dict) and "runs" in document:
+            return Baseline(str(path), tuple(_of_sarif(document)))
+    except (KeyError, TypeError, AttributeError, ValueError, IndexError) as error:
+        raise UsageError(
+            f'--baseline "{path}" is not as it was written: {type(error).__name__}: {error}', expected=expected
+        ) from error
+    raise UsageError(f'--baseline "{path}" is no report of roslens', expected=expected)
+
+
+def _of_json(one: Mapping[str, Any]) -> Finding:
+    return Finding(
+        str(one["rule"]),
+        Severity(one["severity"]),
+        str(one["message"]),
+        str(one["path"]),
+        int(one["line"]),
+        entity=str(one["entity"]),
+        fingerprint=str(one["fingerprint"]),
+    )
+
+
+def _of_sarif(document: Mapping[str, Any]) -> list[Finding]:
+    from urllib.parse import unquote
+
+    from roslens.report.run.to_sarif import FINGERPRINT
+
+    levels = {"note": Severity.NOTE, "warning": Severity.WARNING, "error": Severity.ERROR}
+    found = []
+    for run in document["runs"]:
+        if run["tool"]["driver"]["name"] != "roslens":
+            continue
+        below = str(run.get("automationDetails", {}).get("id", "")).removeprefix("roslens/")
+        for result in run["results"]:
+            if result.get("suppressions"):
+                continue
+            place = (result.get("locations") or [{}])[0]
+            path = unquote(place.get("physicalLocation", {}).get("artifactLocation", {}).get("uri", ""))
+            found.append(
+                Finding(
+                    str(result["ruleId"]),
+                    levels[result["level"]],
+                    str(result["message"]["text"]),
+                    path.removeprefix(below),
+                    entity=_entity(place.get("logicalLocations") or [{}], path.removeprefix(below)),
+                    fingerprint=str(result.get("partialFingerprints", {}).get(FINGERPRINT, "")),
+                )
+            )
+    return found
+
+
+_KINDS = {"type": "class", "function": "function", "module": "package"}
+
+
+def _entity(places: Sequence[Mapping[str, Any]], path: str) -> str:
+    kind = _KINDS.get(str(places[0].get("kind", "")))
+    return f"{kind}:{places[0]['fullyQualifiedName']}" if kind else f"file:{path}"
+
+
+def _checked(baseline: Baseline, current: RunView) -> Baseline:
+    """Refuse a baseline of which not one file is in the run.
+
+    Raises:
+        UsageError: it is of another workspace.
+    """
+    there = {file.path for _, file in current.files()}
+    before = set(baseline.files) if baseline.files is not None else {one.path for one in baseline.findings if one.path}
+    if before and there and not before & there:
+        raise UsageError(
+            f'--baseline "{baseline.title}" is of another workspace: none of its {len(before)} files is here, such as '
+            f'"{min(before)}"',
+            expected="a report of the same folder",
+            advice="Give the same PATH as when it was made",
+        )
+    return baseline
+
+
+def failed(error: RoslensError) -> Failure:
+    """Return the failure that stands in the result where there is no baseline; every finding counts then."""
+    return Failure(
+        "baseline", error.what, error.expected, f"{error.advice or 'Mend it'}; all findings count until then"
+    )
+
+
+def analysed_revision(
+    revision: Revision, options: argparse.Namespace, root: Path, configuration: Configuration
+) -> Baseline:
+    """Analyse the files of a revision as this run was, and return what was found.
+
+    Raises:
+        RoslensError: git does not have the files.
+    """
+    import os
+    import tempfile
+    import time
+
+    from roslens.cli.check.analysed import analysed
+    from roslens.cli.git.git_tree import write_tree
+    from roslens.cli.git.revision import renamed_since
+    from roslens.cli.terminal.streams import NoProgress
+    from roslens.cli.workplace.workplace import CACHE, FOLDER, own_folder
+    from roslens.store.runs import Store
+
+    with tempfile.TemporaryDirectory(prefix="roslens-baseline-") as folder:
+        place = Path(folder).resolve()
+        lacking = write_tree(revision.repository, revision.commit, place)
+        if lacking.submodules:
+            print(f"roslens: {revision.title} lacks submodule {lacking.submodules[0][0]}", file=sys.stderr)
+        paths = [place / Path(one).resolve().relative_to(root) for one in options.paths]
+        asked = argparse.Namespace(
+            **{**vars(options), "paths": [one for one in paths if one.is_dir()], "no_store": True}
+        )
+        if not asked.paths:
+            return Baseline(revision.title, (), {}, {})
+        if not options.no_cache:
+            _lend(root / FOLDER / CACHE, own_folder(place) / CACHE)
+        with Store.open(None) as store:
+            answer = analysed(
+                asked,
+                place,
+                configuration,
+                environment=dict(os.environ),
+                store=store,
+                progress=NoProgress(),
+                begun=time.monotonic(),
+            )
+            view = store.view(answer.run)
+            files = {file.path: file.content_hash for _, file in view.files()}
+            return Baseline(revision.title, tuple(view.findings()), files, renamed_since(revision))
+
+
+def _lend(kept: Path, copy: Path) -> None:
+    """Copy the cache: what is known of files by their content holds for those of any revision."""
+    import sqlite3
+    from contextlib import closing, suppress
+
+    if not kept.is_file():
+        return
+    with (
+        suppress(sqlite3.Error, OSError),
+        closing(sqlite3.connect(f"file:{kept}?mode=ro", uri=True)) as source,
+        closing(sqlite3.connect(copy)) as target,
+    ):
+        source.backup(target)

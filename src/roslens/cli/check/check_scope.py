@@ -1,0 +1,122 @@
+"""Which findings of a run ``roslens check`` looks at: new ones since a baseline, those in changed files, or all."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.model.errors import RoslensError, UsageError
+
+if TYPE_CHECKING:
+    from roslens.cli.check.baseline import Baseline
+    from roslens.cli.workplace.configuration import Configuration
+    from roslens.model.failure import Failure
+    from roslens.report.run.reported import Wanted
+    from roslens.store.read import RunView
+    from roslens.store.runs import Store
+
+
+class Scope(msgspec.Struct, frozen=True):
+    """A run as it is shown and as it is judged, and what both are compared with.
+
+    ``whole`` is the run, ``shown`` has what reports show, ``judged`` what fails the check; ``baseline`` is None where
+    there is none.
+    """
+
+    whole: RunView
+    shown: RunView
+    judged: RunView
+    wanted: Wanted
+    baseline: Baseline | None = None
+
+
+def unchanged_files(options: argparse.Namespace, root: Path) -> Mapping[str, str] | None:
+    """Return git's hashes of the files in the revision of ``--changed`` by their paths; None without it.
+
+    Raises:
+        UsageError: there is no such revision, or the options contradict each other.
+    """
+    if options.new_only and not options.baseline:
+        raise UsageError("--new-only without --baseline", expected="--baseline REV, FILE or RUN")
+    if options.changed is None:
+        return None
+    if options.baseline:
+        raise UsageError(
+            "--changed with --baseline",
+            expected="one of them",
+            advice=f"--baseline {options.changed} --new-only shows new ones",
+        )
+    from roslens.cli.git.revision import blobs_of, revision_of
+
+    return blobs_of(revision_of(root, options.changed))
+
+
+def left_to_whole_run(files: int) -> str:
+    """Return what is said where unchanged files of the packages were not looked at."""
+    many = "1 unchanged file" if files == 1 else f"{files:,} unchanged files"
+    return (
+        f"{many} of these packages left out, and with them limits on classes and packages, and lines that are copied: "
+        "a run without --changed has these"
+    )
+
+
+def scope_of(
+    options: argparse.Namespace,
+    view: RunView,
+    wanted: Wanted,
+    *,
+    root: Path,
+    store: Store,
+    configuration: Configuration,
+    unchanged: Mapping[str, str] | None,
+) -> Scope:
+    """Return what is shown and judged of a run; a baseline that cannot be read becomes a failure of it."""
+    from roslens.store.narrowed import NarrowedView
+
+    if unchanged is not None:
+        changed = {file.path for _, file in view.files() if unchanged.get(file.path) != file.content_hash}
+        others = {file.path for _, file in view.files()} - changed
+        narrowed = NarrowedView(
+            view,
+            lambda finding: finding.path in changed,
+            keep_failure=lambda failure: failure.location is None or failure.location.path not in others,
+        )
+        return Scope(narrowed, narrowed, narrowed, wanted)
+    if not options.baseline:
+        return Scope(view, view, view, wanted)
+    from roslens.cli.check.baseline import analysed_revision, failed, read_baseline
+
+    try:
+        baseline = read_baseline(
+            options.baseline,
+            root,
+            store,
+            view,
+            lambda revision: analysed_revision(revision, options, root, configuration),
+        )
+    except RoslensError as error:
+        return _without(view, wanted, failed(error))
+    return _compared(view, wanted, baseline, new_only=options.new_only)
+
+
+def _without(view: RunView, wanted: Wanted, failure: Failure) -> Scope:
+    from roslens.store.narrowed import NarrowedView
+
+    narrowed = NarrowedView(view, None, (failure,))
+    return Scope(view, narrowed, narrowed, wanted)
+
+
+def _compared(view: RunView, wanted: Wanted, baseline: Baseline, *, new_only: bool) -> Scope:
+    from roslens.compare.known_findings import since_baseline
+    from roslens.model.same_finding import key_of_finding
+    from roslens.store.narrowed import NarrowedView
+
+    files = {file.path for _, file in view.files()}
+    found = since_baseline(baseline.findings, view.findings(), files, baseline.renamed)
+    judged = NarrowedView(view, lambda finding: key_of_finding(finding) in found.new)
+    compared = msgspec.structs.replace(wanted, baseline=baseline.title, new=found.new, gone=found.gone)
+    return Scope(view, judged if new_only else view, judged, compared, baseline)

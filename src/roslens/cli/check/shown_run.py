@@ -1,0 +1,66 @@
+"""The run that pages show: one that was kept, or one made now of which nothing is kept."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.check.analysed import analysed
+from roslens.cli.workplace.trust_option import admitted_by
+from roslens.cli.workplace.workplace import STORE, open_store
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.cli.check.analysed import FinishedProgress
+    from roslens.store.read import RunView
+
+
+@contextmanager
+def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterator[RunView]:
+    """Yield the run that the options name; with ``--no-store`` one that is made now and is gone with the context.
+
+    Raises:
+        RoslensError: there is no run, or the workspace cannot be analysed.
+    """
+    if not options.no_store:
+        with open_store(options.path) as store:
+            yield store.view(options.number)
+        return
+    import os
+    import tempfile
+    import time
+
+    from roslens.cli.workplace.configuration import find_configuration
+    from roslens.source.workspace.find import root_of
+    from roslens.store.runs import Store
+
+    begun = time.monotonic()
+    if options.number is not None:
+        raise UsageError(f"--run {options.number} with --no-store", expected="one of them")
+    root = root_of([options.path])
+    asked = argparse.Namespace(
+        paths=[options.path],
+        model=None,
+        jobs=None,
+        graph=False if options.no_graph else None,
+        no_cache=options.no_cache,
+        no_store=True,
+    )
+    with (
+        # Not in memory: pages are written and served by several readers at once.
+        tempfile.TemporaryDirectory(prefix="roslens-run-") as folder,
+        Store.open(Path(folder, STORE)) as store,
+    ):
+        outcome = analysed(
+            asked,
+            root,
+            admitted_by(options, find_configuration(root, None)),
+            environment=dict(os.environ),
+            store=store,
+            progress=progress,
+            begun=begun,
+        )
+        yield store.view(outcome.run)

@@ -1,0 +1,159 @@
+"""The configurations of a workspace that pages show and that a check looks at: those declared, or what is launched."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from operator import attrgetter
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.model.configuration import Configuration
+from roslens.model.errors import RoslensError
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding
+from roslens.model.judged_configuration import JudgedConfiguration
+
+if TYPE_CHECKING:
+    from roslens.cli.graph.graph_source import GraphSource
+    from roslens.source.progress import Progress
+
+LOOKING = "Looking at configurations"
+"""The step in which they are assembled, one by one."""
+
+MOST = 8
+"""As many launch files are shown where nobody declares which ones matter: those that start most nodes."""
+
+
+class Named(msgspec.Struct, frozen=True):
+    """A configuration by the name that it is shown under: a launch file with arguments."""
+
+    name: str
+    launch: str
+    arguments: dict[str, str] = {}
+
+
+class Assembled(msgspec.Struct, frozen=True):
+    """Configurations by name, what the rules of the graph find in each, and what could not be assembled.
+
+    ``unstarted`` is what no known program starts.
+    """
+
+    configurations: dict[str, Configuration]
+    findings: dict[str, tuple[Finding, ...]]
+    failures: tuple[Failure, ...] = ()
+    unstarted: tuple[Configuration, ...] = ()
+
+    def judged(self) -> tuple[JudgedConfiguration, ...]:
+        """Return each with what is wrong with it, as a run keeps it."""
+        found = (JudgedConfiguration(name, one, self.findings[name]) for name, one in self.configurations.items())
+        return (*found, *(JudgedConfiguration(f"{one.title} ({one.generation})", one) for one in self.unstarted))
+
+    def all_findings(self) -> tuple[Finding, ...]:
+        """Return the findings of all configurations, sorted by place; what several have in common once.
+
+        Where it reads differently in several, as what comes near to a name does, the most severe one has its say, and
+        of these the first.
+        """
+        every: dict[str, Finding] = {}
+        for found in self.findings.values():
+            for finding in found:
+                known = every.get(finding.fingerprint)
+                if known is None or finding.severity.rank > known.severity.rank:
+                    every[finding.fingerprint] = finding
+        order = attrgetter("path", "line", "column", "rule", "entity", "message")
+        return tuple(sorted(every.values(), key=order))
+
+
+def named_configurations(source: GraphSource) -> tuple[Named, ...]:
+    """Return what ``roslens.toml`` declares, or else each launch file that no other includes."""
+    if declared := source.settings.graph.configurations:
+        return tuple(Named(name, one.launch, one.given()) for name, one in declared.items())
+    paths = source.first_launch_files()
+    often = Counter(path.rpartition("/")[2] for path in paths)
+    return tuple(
+        Named(path if often[name := path.rpartition("/")[2]] > 1 else name, f"{source.root}/{path}") for path in paths
+    )
+
+
+def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tuple[Named, ...]:
+    """Return those that start most nodes, in their order."""
+    sizes = {one.name: len(source.evaluated(one.launch, one.arguments)[1].nodes) for one in named}
+    kept = set(sorted(sizes, key=lambda name: (-sizes[name], name))[:most])
+    return tuple(one for one in named if one.name in kept)
+
+
+def telling_first(found: Assembled) -> Assembled:
+    """Return the same, those first of which most nodes are known."""
+
+    def order(name: str) -> tuple[int, int, str]:
+        nodes = found.configurations[name].nodes
+        return (-sum(node.resolved for node in nodes), -len(nodes), name)
+
+    names = sorted(found.configurations, key=order)
+    return Assembled(
+        {name: found.configurations[name] for name in names},
+        {name: found.findings[name] for name in names},
+        found.failures,
+        found.unstarted,
+    )
+
+
+def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | None = None) -> Assembled:
+    """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
+    from roslens.cli.graph.graph_findings import findings_of
+    from roslens.cli.graph.graph_linked import with_linked
+    from roslens.source.progress import Silent
+
+    watch = progress or Silent()
+    watch.step(LOOKING, len(named))
+    configurations: dict[str, Configuration] = {}
+    findings: dict[str, tuple[Finding, ...]] = {}
+    failures: list[Failure] = []
+    for one in named:
+        try:
+            made = source.launched(one.launch, one.arguments)
+            # What is declared is known by its name: how it is started, and whether it is whole.
+            declared = one.name in source.settings.graph.configurations
+            found = findings_of(source, made, one.name if declared else one.launch, one.arguments)
+        except Exception as error:  # noqa: BLE001 - one configuration must not lose the others
+            failures.append(_failure(one, error))
+        else:
+            configurations[one.name], findings[one.name] = made, tuple(found)
+            if not made.nodes:
+                failures.append(_empty(one, made))
+        watch.advance(item=one.name)
+    unstarted: tuple[Configuration, ...] = ()
+    try:
+        unstarted = source.unstarted(())
+        linked = with_linked(tuple(configurations.values()), unstarted, source.facts)
+        configurations = dict(zip(configurations, linked, strict=True))
+    except Exception as error:  # noqa: BLE001 - configurations stay, whatever the rest of the code is like
+        failures.append(_failure(Named("what no known program starts", ""), error))
+    return Assembled(configurations, findings, (*failures, *source.facts.broken), unstarted)
+
+
+def _failure(one: Named, error: Exception) -> Failure:
+    what = f'configuration "{one.name}": '
+    if isinstance(error, RoslensError):
+        return Failure("graph", what + error.what, expected=error.expected, advice=error.advice)
+    import traceback
+
+    return Failure(
+        "graph",
+        f"{what}{type(error).__name__}: {error}",
+        expected="a launch file that can be evaluated",
+        advice="Please report it with the file: this is a fault of roslens",
+        detail="".join(traceback.format_exception(error)),
+    )
+
+
+def _empty(one: Named, made: Configuration) -> Failure:
+    reasons = [f"{reason.proof.place}: {reason.reason}" for reason in made.unresolved[:1]]
+    return Failure(
+        "graph",
+        f'configuration "{one.name}" starts no node that could be read',
+        expected="a launch file that starts at least one",
+        advice="; ".join(reasons) or f"Look at it with `roslens graph --launch {one.launch}`",
+    )

@@ -1,0 +1,188 @@
+"""What `roslens watch --serve` shows: a session as the document of the live page."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Collection, Iterator
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.cli.page.board_page import BoardPage, Looked
+from roslens.cli.page.page_document import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
+from roslens.cli.page.past_page import PastPage
+from roslens.cli.page.watch_detail import detail_of
+from roslens.cli.page.watch_graph import GraphPicture
+from roslens.dashboard.live.snapshot import Happening, Snapshot
+from roslens.judge.reference.expectation import Reference
+from roslens.live.publish.graph_json import graph_bytes
+from roslens.model.graph import Graph
+from roslens.store.handled import HandledAlerts
+
+if TYPE_CHECKING:
+    from roslens.dashboard.computation.picture import Grounds
+    from roslens.live.join.session import Session, Step
+    from roslens.model.reaction import Reaction
+    from roslens.store.past.recall import Recall
+
+_PACE_S = 0.25
+_IDLE_PACE_S = 5.0
+_WANTED_S = 5.0
+_MOST_SHARE = 0.05
+_SLOWEST_S = 4.0
+"""A large system is shown more slowly, so that showing it costs no more than this share of the time."""
+_KEPT = 50
+
+
+class PageSource:
+    """Makes a snapshot of a session when one is due, and hands it to the page as bytes.
+
+    Snapshots are made by who runs the session; :meth:`newest` may be called from any thread. While nobody asks for
+    them they are made less often.
+    """
+
+    def __init__(
+        self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float],
+        handled: HandledAlerts | None = None,
+    ) -> None:  # fmt: skip
+        """Show what is called ``title``.
+
+        Args:
+            title: of what is watched.
+            clock: writes times.
+            live: whether more will come.
+            steady: tells how long ago something was.
+            handled: keeps what somebody notes of alerts; by default as long as the page lasts.
+        """
+        self._title = title
+        self._clock = clock
+        self._live = live
+        self._steady = steady
+        self._picture = GraphPicture(shown_name)
+        self._happened: deque[Happening] = deque(maxlen=_KEPT)
+        self._failures: deque[str] = deque(maxlen=_KEPT)
+        self._asked = -math.inf
+        self._made = -math.inf
+        self._took = 0.0
+        self._shown: Snapshot | None = None
+        self._written: tuple[Snapshot | None, bytes] = (None, b"")
+        self._looked: Looked | None = None
+        self._recall: Recall | None = None
+        self.past: PastPage | None = None
+        self.board = BoardPage(lambda: self._looked, lambda: self._recall, handled or HandledAlerts(None), clock)
+
+    def draw_on(self, grounds: Callable[[Collection[str]], Grounds | None]) -> None:
+        """Draw everything where its source has it, as far as ``grounds`` knows that."""
+        self._picture = GraphPicture(shown_name, grounds)
+
+    def remember(self, recall: Recall) -> None:
+        """Show the past from a history, too."""
+        self._recall = recall
+        self.past = PastPage(recall, self._title, clock=self._clock, picture=lambda: self._picture)
+
+    def end_at(self, time: float) -> bool:
+        """Show how it stood at ``time``, from what is remembered; return whether something is known of then."""
+        seen = self.past.seen(time) if self.past is not None else None
+        shown = self.past.document(time) if self.past is not None else None
+        if seen is None or shown is None:
+            return False
+        view, moment = seen
+        self._looked = Looked(view, moment.verdicts, moment.graph, Reference(""), time)
+        self._shown = msgspec.structs.replace(shown, live=False)
+        return True
+
+    @property
+    def reactions(self) -> tuple[Reaction, ...]:
+        """What the reference says is to be done, as of the newest look."""
+        return self._looked.reference.reactions if self._looked is not None else ()
+
+    def newest(self) -> bytes:
+        """Return the newest snapshot as JSON; the same object while there is no newer one, empty before the first."""
+        shown = self.state()
+        if shown is not None and self._written[0] is not shown:
+            # Written when it is asked for: pages that follow are told what changed of it.
+            self._written = shown, msgspec.json.encode(shown)
+        return self._written[1]
+
+    def state(self) -> Snapshot | None:
+        """Return the newest snapshot; None before the first."""
+        self._asked = self._steady()
+        return self._shown
+
+    def detail(self, entity: str) -> bytes:
+        """Return all that is known of an entity, as of the newest snapshot; empty where it is not there."""
+        looked = self._looked
+        if looked is None:
+            return b""
+        found = detail_of(entity, looked.view, looked.standing, self._clock(looked.time), self._clock)
+        return msgspec.json.encode(found) if found is not None else b""
+
+    @property
+    def whole(self) -> Graph | None:
+        """The computation graph as of the newest snapshot; None before the first."""
+        return self._looked.graph if self._looked is not None else None
+
+    def graph(self) -> bytes:
+        """Return the computation graph as JSON, as of the newest snapshot; empty before the first."""
+        looked = self._looked
+        return graph_bytes(looked.graph) if looked is not None else b""
+
+    def take(self, step: Step) -> None:
+        """Remember what happened in a step."""
+        self._happened.extend(self._of_step(step))
+        self._failures.extend(shown_text(str(failure)) for failure in step.failures)
+
+    def due(self) -> bool:
+        """Return whether it is time for a new snapshot."""
+        now = self._steady()
+        pace = max(_PACE_S, min(self._took / _MOST_SHARE, _SLOWEST_S))
+        return now - self._made >= (pace if now - self._asked < _WANTED_S else _IDLE_PACE_S)
+
+    def make(self, session: Session, now: float, cost: str) -> None:
+        """Make the snapshot of ``now``."""
+        begun = self._steady()
+        looked = _look(session, now)
+        # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
+        self._shown = self._snapshot(looked, cost)
+        self._looked = looked
+        self._made = self._steady()
+        self._took = self._made - begun
+
+    def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
+        """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
+        return self._snapshot(_look(session, now), cost)
+
+    def _snapshot(self, looked: Looked, cost: str) -> Snapshot:
+        found = document(
+            looked.view,
+            looked.standing,
+            looked.graph,
+            self._picture,
+            time=looked.time,
+            clock=self._clock,
+            title=self._title,
+            live=self._live,
+            cost=cost,
+            happened=sorted(self._happened, key=lambda one: one.time)[::-1],
+            failures=tuple(reversed(self._failures)),
+        )
+        shown, muted = self.board.sorted(found.alerts, looked.time)
+        return bounded(msgspec.structs.replace(found, alerts=shown, muted=muted))
+
+    def _of_step(self, step: Step) -> Iterator[Happening]:
+        yield from (event_line(one, self._clock) for one in step.events if told_of(one))
+        yield from (verdict_line(one, self._clock) for one in step.changes)
+        for one in step.causes:
+            entity, name, when = shown_text(str(one.entity)), shown_name(one.entity.name), self._clock(one.time)
+            detail = shown_text(f"because of {one.cause}" if one.cause else "because of nothing else")
+            yield Happening(one.time, when, f"is still {one.state.value}", entity, name, one.state.value, detail)
+        for note in step.notes:
+            when, text = self._clock(note.time), shown_text(note.text)
+            yield Happening(note.time, when, note.kind.value, "", "reference", "", text)
+
+
+def _look(session: Session, now: float) -> Looked:
+    """Return values that never change: who asks for details in another thread reads them while the next are made."""
+    monitor = session.monitor
+    return Looked(session.tree(now), monitor.standing(), session.graph(), monitor.reference, now)

@@ -1,0 +1,364 @@
+"""`roslens react` of what runs now: which observers, who carries out, and where it is told."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import platform
+import sys
+import time
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from roslens.cli.page.watch_screen import time_of_day
+from roslens.cli.react.ask_terminal import AskNobody, AskTerminal
+from roslens.cli.react.hold_file import Held
+from roslens.cli.react.react_page import AskEverywhere, serve_reacting, write_refusals
+from roslens.cli.react.react_reload import Renewal
+from roslens.cli.terminal.until_stopped import when_stopped
+from roslens.cli.watch.param_reference import reference_sources
+from roslens.cli.watch.stretch import Stretch, never_saw
+from roslens.cli.watch.watch_live import length_of, sources_of
+from roslens.cli.workplace.user_folder import state_folder
+from roslens.live.join.session import Session, Step, run
+from roslens.live.publish.json_lines import verdict_line
+from roslens.model.errors import DocumentError, UsageError
+
+if TYPE_CHECKING:
+    from roslens.cli.watch.watch_reload import ReferenceFiles
+    from roslens.dashboard.journal.questions import Questions
+    from roslens.live.agent.host_hand import HostHand
+    from roslens.live.react.actor import Actor, Asker
+    from roslens.live.react.all_hands import AllHands
+    from roslens.live.react.far_agents import FarAgents
+    from roslens.live.react.gate import Limits
+    from roslens.live.react.node_places import NodePlaces
+    from roslens.live.react.ros_line import RosLine
+    from roslens.model.reaction import Decision
+    from roslens.store.journal import Journal
+
+_READY_WITHIN_S = 30.0
+_PLACES_EVERY_S = 1.0
+_LOG_LINES = 500
+
+
+def react_live(options: argparse.Namespace) -> int:
+    """React until the time is over or somebody stops it, and return the exit code.
+
+    Raises:
+        UsageError: the options make no sense, or no ROS is observed in which anything could be done.
+        DocumentError: the reference has no reactions, or calls for what cannot be done.
+    """
+    from roslens.cli.watch.watch_reload import ReferenceFiles
+    from roslens.store.journal import Journal
+
+    limits = _limits(options)
+    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
+    if not files.reference.reactions:
+        shown = ", ".join(str(one) for one in options.reference)
+        raise UsageError(f"no reaction in {shown}", expected="a document with `reactions:`")
+    if options.mode == "ask" and not sys.stdin.isatty() and options.serve is None:
+        raise UsageError(
+            "--mode ask where nobody can answer", expected="a terminal, or --serve PORT",
+            advice="Take --mode dry-run or act",
+        )  # fmt: skip
+    length = length_of(options.length, "--for") if options.length is not None else None
+    path = options.journal or state_folder(os.environ) / "journal.jsonl"
+    with contextlib.ExitStack() as stack:
+        journal = stack.enter_context(Journal(path))
+        return _Reacting(options, files, limits, journal, stack).run(length)
+
+
+def _limits(options: argparse.Namespace) -> Limits:
+    from roslens.live.react.gate import Limits
+    from roslens.live.react.maintenance import parse_window
+    from roslens.model.reaction import Mode
+
+    for name in ("at_most", "most_restarts"):
+        if getattr(options, name) < 0:
+            raise UsageError(f"--{name.replace('_', '-')} {getattr(options, name)}", expected="0 or more")
+    try:
+        windows = tuple(parse_window(one) for one in options.maintenance)
+    except ValueError as error:
+        raise UsageError(f"--maintenance: {error}") from None
+    return Limits(
+        Mode(options.mode), cool_down_s=length_of(options.cool_down, "--cool-down"), at_most=options.at_most,
+        most_restarts=options.most_restarts, windows=windows,
+    )  # fmt: skip
+
+
+def _done_before(path: Path, within_s: float) -> Iterator[tuple[Decision, float]]:
+    """Yield what was done before this process began, and how many seconds ago: a monitor that crashes counts on."""
+    import msgspec
+
+    from roslens.model.reaction import ActionCall, Decision
+    from roslens.store.read_journal import JournalReader
+
+    now = time.time()
+    reader = JournalReader(path)
+    try:
+        for entry in reader.entries():
+            if entry.what != "announced" or not 0 <= now - entry.time < within_s:
+                continue
+            fields = entry.fields
+            try:
+                action = msgspec.convert(fields["action"], ActionCall)
+                told = [str(fields[name]) for name in ("decision", "reaction", "entity")]
+            except (KeyError, msgspec.ValidationError):
+                continue
+            yield Decision(told[0], told[1], told[2], 0, action, entry.time), now - entry.time
+    finally:
+        reader.close()
+
+
+class _Telling:
+    """A journal whose entries are shown, and published in ROS, once they are on the disk."""
+
+    def __init__(self, journal: Journal, as_json: bool) -> None:
+        self._journal = journal
+        self._json = as_json
+        self.publish: Callable[[str], None] = lambda _: None
+
+    def add(self, what: str, time: float, **fields: Any) -> object:
+        """Append an entry, then tell it."""
+        import msgspec
+
+        from roslens.report.history.journal_text import journal_line
+
+        entry = self._journal.add(what, time, **fields)
+        told = msgspec.to_builtins(entry)
+        text = msgspec.json.encode({"is": "journal", **told}).decode()
+        print(text if self._json else journal_line(entry, time_of_day), flush=True)
+        self.publish(text)
+        return entry
+
+
+class _Reacting:
+    """One run of `roslens react`."""
+
+    def __init__(
+        self, options: argparse.Namespace, files: ReferenceFiles, limits: Limits, journal: Journal,
+        stack: contextlib.ExitStack,
+    ) -> None:  # fmt: skip
+        from roslens.live.react.gate import Gate, recalled
+        from roslens.live.react.node_places import NodePlaces
+
+        self._options = options
+        self._files = files
+        self._reference = files.reference
+        self._stack = stack
+        self._held = Held(os.environ)
+        self._path = journal.path
+        self._questions: Questions | None = None
+        if options.serve is not None and options.mode != "dry-run":
+            from roslens.dashboard.journal.questions import Questions
+
+            self._questions = Questions()
+        self._folder: Path = journal.path.parent
+        self._journal = _Telling(journal, options.json)
+        self._gate = Gate(limits)
+        recalled(self._gate, _done_before(journal.path, limits.restarts_per_s), time.monotonic())
+        self._places: NodePlaces = NodePlaces()
+        self._log: deque[str] = deque(maxlen=_LOG_LINES)
+        self._failed = False
+        self._places_due = 0.0
+
+    def run(self, length: float | None) -> int:
+        """React; return the exit code."""
+        from roslens.live.observe.child_source import ChildSource
+
+        started = time.time()
+        session = self._session = Session(self._reference, start=started)
+        # What may be refused comes before anything is started.
+        here, far, topic = self._here(), self._far_agents(), self._journal_topic()
+        sources = sources_of(self._options)
+        tools = [one.tool for one in sources if isinstance(one, ChildSource)]
+        hands = self._hands = self._all_hands(tools, here, far)
+        self._stack.callback(hands.close)
+        hands.prepare(self._reference.reactions)
+        if topic:
+            self._journal.publish = partial(hands.say, topic)
+        self._wait_until_ready(hands)
+        address, shown = self._page(session)
+        actor = self._actor(hands, started)
+        renewal = Renewal(self._files, session, actor.reactor, hands, self._journal, steady=time.monotonic)
+        ended = when_stopped(self._stack)
+        stretch = Stretch(session, length, ended)
+        names = [one.name for one in self._reference.reactions]
+        self._journal.add(
+            "began", started, mode=self._options.mode, reactions=names, host=platform.node(), observers=tools,
+            references=[str(one) for one in self._options.reference], page=address,
+        )  # fmt: skip
+        try:
+            run(
+                session,
+                [*sources, _Wakes(hands)],
+                wall=time.time,
+                stopped=stretch.over,
+                told=lambda step: self._told(actor, here, renewal.look(step), shown),
+            )
+        finally:
+            self._journal.add("ended", time.time(), text="nothing is done any more")
+        for failure in never_saw(sources, stretch.passed):
+            self._failed = True
+            print(f"roslens: {failure}", file=sys.stderr)
+        return 3 if self._failed else 0
+
+    def _told(self, actor: Actor, here: _Here | None, step: Step, shown: Callable[[Step], None] | None) -> None:
+        for failure in step.failures:
+            self._log.append(f"{time_of_day(step.time)} {failure}")
+            if not self._options.quiet:
+                print(f"roslens: {failure}", file=sys.stderr)
+        if self._options.json and self._options.verbose:
+            for one in step.changes:
+                print(verdict_line(one), flush=True)
+        self._log.extend(f"{time_of_day(one.time)} {one.entity} {one.change.value} {one.detail}" for one in step.events)
+        self._log.extend(
+            f"{time_of_day(one.time)} {one.entity} {one.quantity} {one.state.value}" for one in step.changes
+        )
+        if step.events or step.time >= self._places_due or step.time < self._places_due - 10 * _PLACES_EVERY_S:
+            self._places_due = step.time + _PLACES_EVERY_S
+            graph = self._session.graph()
+            self._places.take(graph)
+            if here is not None:
+                own = platform.node()
+                here.records.keep({one.pid for one in graph.nodes if one.host == own and one.pid})
+        actor.take(step)
+        if self._questions is not None:
+            write_refusals(self._questions, self._journal)
+        # The page last: what is due does not wait for it.
+        if shown is not None:
+            shown(step)
+
+    def _page(self, session: Session) -> tuple[str, Callable[[Step], None] | None]:
+        if self._options.serve is None:
+            return "", None
+        return serve_reacting(self._stack, session, platform.node(), self._options, self._path, self._questions)
+
+    def _actor(self, hands: AllHands, started: float) -> Actor:
+        from roslens.live.react.actor import Actor
+        from roslens.live.react.reactor import Reactor
+
+        places: list[Asker] = [self._questions] if self._questions is not None else []
+        # In mode `act`, too: a reaction may be more careful than that.
+        if self._options.mode != "dry-run" and sys.stdin.isatty():
+            places.append(AskTerminal())
+        asker = AskEverywhere(places) if places else AskNobody()
+        reactor = Reactor(self._reference.reactions, start=started)
+        return Actor(reactor, self._gate, self._journal, hands, asker, held=self._held, steady=time.monotonic)
+
+    def _all_hands(self, tools: Sequence[str], here: _Here | None, far: FarAgents | None) -> AllHands:
+        from roslens.live.react.all_hands import AllHands
+
+        lines = [_ros_line(tool, self._options) for tool in tools]
+        hands = AllHands(
+            lines, self._places, platform.node(), here=here.hand if here is not None else None,
+            far=far, recordings=self._folder / "recordings", monitor=self._by_monitor,
+        )  # fmt: skip
+        if here is not None:
+            here.told = hands.told
+        return hands
+
+    def _far_agents(self) -> FarAgents | None:
+        if self._options.enrolled is None:
+            return None
+        from roslens.cli.watch.agent_address import DEFAULT_REQUESTS_PORT, address_of
+        from roslens.live.agent.enrol import read_monitor
+        from roslens.live.react.far_agents import FarAgents
+
+        listen = self._options.agents or f"0.0.0.0:{DEFAULT_REQUESTS_PORT}"
+        enrolment = read_monitor(self._options.enrolled)
+        try:
+            found = FarAgents(address_of(listen, DEFAULT_REQUESTS_PORT), enrolment, self._say)
+        except OSError as error:
+            raise UsageError(f"cannot listen on {listen!r}: {error.strerror or error}") from None
+        self._stack.callback(found.close)
+        return found
+
+    def _say(self, text: str) -> None:
+        if not self._options.quiet:
+            print(f"roslens: {text}", file=sys.stderr, flush=True)
+
+    def _here(self) -> _Here | None:
+        if self._options.allow is None:
+            return None
+        from roslens.live.agent.allow_list import read_allow_list
+
+        return _Here(read_allow_list(self._options.allow), self._held, self._folder / "nodes")
+
+    def _by_monitor(self, decision: Decision) -> Callable[[], str]:
+        """Look at what an action of the monitor itself needs, and return what carries it out."""
+        from roslens.live.act.actions import snapshot, webhook
+
+        if decision.action.kind == "webhook":
+            return partial(webhook.act, decision)
+        now = decision.at_s
+        standing = snapshot.Standing(
+            self._session.graph(), tuple(self._session.monitor.standing()), tuple(self._session.readings(now)),
+            tuple(self._log),
+        )  # fmt: skip
+        return partial(snapshot.act, decision, standing, self._folder / "snapshots")
+
+    def _journal_topic(self) -> str:
+        topic = str(self._options.publish_journal or "")
+        if topic and not topic.startswith("/"):
+            raise UsageError(f"--publish-journal {topic!r}", expected="a resolved name such as `/roslens/journal`")
+        return topic
+
+    def _wait_until_ready(self, hands: AllHands) -> None:
+        end = time.monotonic() + _READY_WITHIN_S
+        while hands.waiting() and time.monotonic() < end:
+            hands.poll()
+            time.sleep(0.02)
+        for place, why in hands.unready().items():
+            raise DocumentError(f"this action cannot be carried out: {why}", where=place)
+
+
+class _Wakes:
+    """A source that has nothing to tell, and ends the session's waiting when something was carried out."""
+
+    def __init__(self, hands: AllHands) -> None:
+        self.descriptors = hands.descriptors
+
+    def poll(self, _: float) -> tuple[()]:
+        """Return nothing."""
+        return ()
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+class _Here:
+    """Acts on this host."""
+
+    def __init__(self, allow: Any, held: Callable[[], str], output: Path) -> None:
+        from roslens.live.agent.host_hand import Done, HostHand
+        from roslens.live.agent.process_record import ProcessRecords
+        from roslens.live.react.actor import CarriedOut
+
+        self.records = ProcessRecords()
+        self.told: Callable[[CarriedOut], None] = lambda _: None
+
+        def told(done: Done) -> None:
+            self.told(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
+
+        self.hand: HostHand = HostHand(allow, self.records, told, output=output, held=held)
+
+
+def _ros_line(tool: str, options: argparse.Namespace) -> RosLine:
+    from roslens.children.safe_path import python_words
+    from roslens.live.adapters.child import find_ros2_python, ros2_command
+    from roslens.live.react.ros_line import RosLine
+
+    if tool == "ros1":
+        words = ["--master", options.master] if options.master else []
+        code = "from roslens.live.adapters.ros1.acting import main; sys.exit(main(sys.argv[1:]))"
+        return RosLine(1, python_words(sys.executable, code, words, path=sys.path), os.environ, time.monotonic)
+    words = ["--domain", str(options.domain)] if options.domain is not None else []
+    python = find_ros2_python(options.python or "", os.environ)
+    command = ros2_command(python, words, "roslens.live.adapters.ros2.acting")
+    return RosLine(2, command, os.environ, time.monotonic)

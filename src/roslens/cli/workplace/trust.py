@@ -1,0 +1,186 @@
+"""Which plug-ins of a workspace may run: those whose folder and content the user trusts.
+
+A ``roslens.toml`` comes with the source that is looked at, so a plug-in that it names by a path is a stranger's code.
+It runs once the user has said so, for this folder and this content: after any change the question is asked again.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from hashlib import sha256
+from pathlib import Path
+
+import msgspec
+
+from roslens.cli.workplace.configuration import Configuration
+from roslens.cli.workplace.user_folder import user_folder, write_private
+from roslens.model.errors import UsageError
+
+_FILE = "trusted.json"
+
+
+class Trusted(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What a user trusts: the hash of what would run, by the folder of the configuration that names it."""
+
+    folders: dict[str, str] = {}
+
+
+def code_of(configuration: Configuration) -> tuple[str, ...]:
+    """Return what the configuration would have run: paths of plug-ins, commands of tools, servers."""
+    tools = configuration.source.tools.commands
+    commands = (f"[tools.{name}] {shlex.join(one.command)}" for name, one in sorted(tools.items()))
+    return (*configuration.source.plugins, *commands, *servers_of(configuration))
+
+
+def servers_of(configuration: Configuration) -> tuple[str, ...]:
+    """Return the servers that it names, as it names them: what is found would go there, and what they say is taken."""
+    named = (("store", configuration.store), ("engine", configuration.engine))
+    return tuple(f"{key} = {value}" for key, value in named if "://" in value)
+
+
+def hash_of(configuration: Configuration) -> str:
+    """Return the hash of all files that would run, with their names."""
+    digest = sha256()
+    base = Path(configuration.base or ".")
+    for name in configuration.source.plugins:
+        digest.update(f"plug-in {name}\0".encode("utf-8", "surrogateescape"))
+        for file in _files(base / name):
+            digest.update(os.fsencode(file) + b"\0" + _content(file))
+    for name, tool in sorted(configuration.source.tools.commands.items()):
+        for word in (name, *tool.command):
+            digest.update(f"command {word}\0".encode("utf-8", "surrogateescape"))
+            # A script of the workspace is what would run, whether it comes first or behind an interpreter.
+            if (base / word).is_file():
+                digest.update(_content(base / word))
+    for server in servers_of(configuration):
+        digest.update(f"server {server}\0".encode("utf-8", "surrogateescape"))
+    return digest.hexdigest()
+
+
+def _files(path: Path) -> Iterator[Path]:
+    if path.is_dir():
+        yield from sorted(file for file in path.rglob("*") if "__pycache__" not in file.parts and file.is_file())
+    elif path.is_file():
+        yield path
+
+
+def _content(file: Path) -> bytes:
+    try:
+        with file.open("rb") as stream:
+            digest = sha256()
+            while piece := stream.read(1 << 20):
+                digest.update(piece)
+    except OSError:
+        return b"unreadable"
+    return digest.digest()
+
+
+def read_trusted(environment: Mapping[str, str]) -> Trusted:
+    """Return what the user trusts.
+
+    Raises:
+        UsageError: the file that says it is damaged.
+    """
+    path = user_folder(environment) / _FILE
+    try:
+        return msgspec.json.decode(path.read_bytes(), type=Trusted)
+    except FileNotFoundError:
+        return Trusted()
+    except (OSError, msgspec.DecodeError) as error:
+        raise UsageError(
+            f"{path} cannot be read: {error}", expected="folders and hashes", advice="Remove it, then trust again"
+        ) from error
+
+
+def write_trusted(trusted: Trusted, environment: Mapping[str, str]) -> None:
+    """Keep what the user trusts.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    write_private(user_folder(environment) / _FILE, msgspec.json.format(msgspec.json.encode(trusted)) + b"\n")
+
+
+def is_trusted(configuration: Configuration, environment: Mapping[str, str]) -> bool:
+    """Return whether the user trusts what this configuration would have run, as it is now."""
+    return read_trusted(environment).folders.get(_folder(configuration)) == hash_of(configuration)
+
+
+def trust(configuration: Configuration, environment: Mapping[str, str]) -> None:
+    """Trust what this configuration would have run, as it is now."""
+    folders = {**read_trusted(environment).folders, _folder(configuration): hash_of(configuration)}
+    write_trusted(Trusted(folders), environment)
+
+
+def revoke(configuration: Configuration, environment: Mapping[str, str]) -> bool:
+    """Trust it no more; return whether it was trusted in any state."""
+    folders = dict(read_trusted(environment).folders)
+    known = folders.pop(_folder(configuration), "")
+    write_trusted(Trusted(folders), environment)
+    return bool(known)
+
+
+def _folder(configuration: Configuration) -> str:
+    return os.path.realpath(configuration.base or ".")
+
+
+def admitted(
+    configuration: Configuration,
+    *,
+    given: bool,
+    environment: Mapping[str, str],
+    ask: Callable[[str], bool] | None = None,
+) -> Configuration:
+    """Return the configuration with only the plug-ins that may run; the others are named in it as not trusted.
+
+    Args:
+        configuration: as it was read.
+        given: whether the command line says that it is trusted.
+        environment: of this process, for where the user's own files are.
+        ask: asks the user; None where nobody can be asked.
+
+    Raises:
+        UsageError: what the user trusts cannot be read.
+    """
+    code = code_of(configuration)
+    if not code or given or is_trusted(configuration, environment):
+        return configuration
+    if ask is not None and ask(_question(configuration)):
+        trust(configuration, environment)
+        return configuration
+    return withheld(configuration)
+
+
+def withheld(configuration: Configuration) -> Configuration:
+    """Return the configuration without servers, plug-ins and commands; the latter are named as not trusted."""
+    tools = configuration.source.tools
+    tools = msgspec.structs.replace(tools, commands={}, untrusted=tuple(sorted(tools.commands)))
+    source = msgspec.structs.replace(
+        configuration.source, plugins=(), untrusted=configuration.source.plugins, tools=tools
+    )
+    engine = "" if "://" in configuration.engine else configuration.engine
+    return msgspec.structs.replace(configuration, source=source, store="", engine=engine)
+
+
+def _question(configuration: Configuration) -> str:
+    listed = "".join(f"  {name}\n" for name in code_of(configuration))
+    return (
+        f"{configuration.path} names plug-ins or commands, which are programs that would run as you, or servers:\n"
+        f"{listed}"
+        f"Trust them as they are now? [y/N] "
+    )
+
+
+def asked_on_terminal(*, quiet: bool) -> Callable[[str], bool] | None:
+    """Return what asks on the terminal; None where there is none, or the user wants no questions."""
+    if quiet or not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return None
+
+    def ask(question: str) -> bool:
+        print(question, end="", file=sys.stderr, flush=True)
+        return sys.stdin.readline().strip().lower() in {"y", "yes"}
+
+    return ask

@@ -10,7 +10,7 @@ import pytest
 from roslens.cli.check.check_watch import answers, warm
 from roslens.cli.check.saved_files import Saved, SavedFiles
 from roslens.cli.main import main
-from roslens.source.fresh_package import FreshPackages
+from roslens.source.measure.fresh_package import FreshPackages
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.store.cache import Cache
 

@@ -90,10 +90,10 @@ def _macros():
 
 def _cpp(content: bytes) -> None:
     from roslens.model.source import Language
-    from roslens.source.analyse_file import analyse_file
     from roslens.source.extract.interpreter.vocabulary_index import indexed
     from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
     from roslens.source.extract.units.workspace_units import facts_of_workspace
+    from roslens.source.measure.analyse_file import analyse_file
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.CPP, MacroSettings())
@@ -102,10 +102,10 @@ def _cpp(content: bytes) -> None:
 
 def _python(content: bytes) -> None:
     from roslens.model.source import Language
-    from roslens.source.analyse_file import analyse_file
     from roslens.source.extract.interpreter.vocabulary_index import indexed
     from roslens.source.extract.lowering.python.python_program import program_of_python
     from roslens.source.extract.units.workspace_units import facts_of_workspace
+    from roslens.source.measure.analyse_file import analyse_file
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.PYTHON, MacroSettings())

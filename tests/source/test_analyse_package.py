@@ -9,9 +9,10 @@ import pytest
 
 from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source import parsed_file
-from roslens.source.analyse_package import PackageTask, measure_task
 from roslens.source.extract.ir.kept_program import program_keys, unpack
 from roslens.source.keys import content_hash
+from roslens.source.measure.analyse_package import measure_task
+from roslens.source.measure.package_task import PackageTask
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import CountingSettings, MacroSettings
 from roslens.store.cache import Cache
@@ -30,7 +31,7 @@ def parses(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         seen.append(language.value)
         return parse_file(content, language, macros)
 
-    monkeypatch.setattr("roslens.source.analyse_package.parse_file", parsing)
+    monkeypatch.setattr("roslens.source.measure.analyse_package.parse_file", parsing)
     return seen
 
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import pytest
 
 from roslens.model.source import Language
-from roslens.source.analyse_file import analyse_file
 from roslens.source.keys import content_hash
+from roslens.source.measure.analyse_file import analyse_file
 from roslens.source.metrics.complexity.cyclomatic_complexity import of_function
 from roslens.source.settings import CountingSettings, MacroSettings
 

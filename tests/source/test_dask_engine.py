@@ -9,9 +9,9 @@ import pytest
 
 from roslens.children.safe_path import safe_environment
 from roslens.model.errors import UsageError
-from roslens.source.dask_engine import DaskEngine
-from roslens.source.executor import InProcess, ProcessPool, executor_for
-from roslens.source.task_limits import TaskLimits
+from roslens.source.engines.dask_engine import DaskEngine
+from roslens.source.engines.executor import InProcess, ProcessPool, executor_for
+from roslens.source.engines.task_limits import TaskLimits
 
 # Workers can only run what they can import: built-in functions serve as the work.
 

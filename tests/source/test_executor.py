@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.source.executor import InProcess, ProcessPool, executor_for
+from roslens.source.engines.executor import InProcess, ProcessPool, executor_for
 
 # Workers can only run what they can import: built-in functions serve as the work.
 

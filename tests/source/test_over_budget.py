@@ -5,14 +5,15 @@ from pathlib import Path
 
 import pytest
 
-import roslens.source.analyse_package as analyse_package
 import roslens.source.extract.workspace.workspace_programs as workspace_programs
+import roslens.source.measure.analyse_package as analyse_package
 from roslens.intake.bounded_file import MOST_SOURCE_BYTES
 from roslens.intake.time_budget import OverBudgetError, time_budget
 from roslens.model.source import Language, Location, Package, Role, SourceFile
-from roslens.source.analyse_package import PackageTask, measure_task
 from roslens.source.extract.workspace.workspace_programs import LowerTask, lower_files
 from roslens.source.inventory import take_inventory
+from roslens.source.measure.analyse_package import measure_task
+from roslens.source.measure.package_task import PackageTask
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import CountingSettings, MacroSettings, WorkspaceSettings
 from roslens.source.syntax.cpp_query import parse_tree

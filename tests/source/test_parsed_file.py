@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.model.source import Language
-from roslens.source.analyse_file import analyse_file
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.lowering.python.python_program import program_of_python
+from roslens.source.measure.analyse_file import analyse_file
 from roslens.source.parsed_file import macro_preset, parse_file
 from roslens.source.settings import MacroSettings
 

@@ -1,5 +1,5 @@
-from roslens.source.task_batch import MOST, batch_size, run_batch
-from roslens.source.task_limits import TaskLimits
+from roslens.source.engines.task_batch import MOST, batch_size, run_batch
+from roslens.source.engines.task_limits import TaskLimits
 
 
 def test_the_last_batches_are_small():

@@ -2,8 +2,8 @@
 
 import pytest
 
-from roslens.source.executor import ProcessPool
-from roslens.source.task_limits import TaskLimits, run_limited
+from roslens.source.engines.executor import ProcessPool
+from roslens.source.engines.task_limits import TaskLimits, run_limited
 
 
 def test_without_a_bound_it_is_the_function():

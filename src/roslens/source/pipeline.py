@@ -20,14 +20,14 @@ from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models, model_key
-from roslens.source.executor import executor_for
+from roslens.source.engines.executor import executor_for
 from roslens.source.fetch.fetched_set import FetchedSet, only_fetched
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.known_manifests import KnownManifests
+from roslens.source.measure.package_task import PackageTask, package_task
 from roslens.source.nameable_rules import nameable_rules
 from roslens.source.owned_findings import owned_findings
-from roslens.source.package_task import package_task
 from roslens.source.packaging_files import packaging
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
@@ -52,9 +52,9 @@ if TYPE_CHECKING:
     from roslens.plugins.member import Member
     from roslens.plugins.outcome import Outcome
     from roslens.plugins.points import Manifest
-    from roslens.source.analyse_package import MeasuredPackage, PackageTask
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack, Past
+    from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.tools.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
@@ -134,7 +134,7 @@ def analyse(
         look_back: gives the histories that process metrics are told of; None for none.
         revision: what the folders hold where that is a past revision of another folder.
         kept_runs: how many of the newest runs stay in the store; None for all.
-        engine: where packages are measured, see :func:`roslens.source.executor.executor_for`.
+        engine: where packages are measured, see :func:`roslens.source.engines.executor.executor_for`.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -303,9 +303,9 @@ def _known(plugins: Discovered) -> dict[str, Quantity]:
 
 def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
-    from roslens.source.finish_package import Finisher
     from roslens.source.history.judged_process import judged_process, not_judged
     from roslens.source.history.process_stage import Told, with_process
+    from roslens.source.measure.finish_package import Finisher
 
     models = chosen_models(run.settings.models, run.base, _known(run.plugins))
     wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
@@ -375,8 +375,8 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
 
 def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress) -> Iterator[MeasuredPackage]:
     """Measure packages, the largest first, and keep what was learned of their files."""
-    from roslens.source.analyse_package import nothing_measured
-    from roslens.source.measured_packages import measured_packages
+    from roslens.source.measure.analyse_package import nothing_measured
+    from roslens.source.measure.measured_packages import measured_packages
 
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))

@@ -26,7 +26,7 @@ from roslens.source.workspace.find import Workspace
 
 if TYPE_CHECKING:
     from roslens.plugins.pool import ProcessWorkers
-    from roslens.source.analyse_package import MeasuredPackage
+    from roslens.source.measure.analyse_package import MeasuredPackage
 
 GRAPH = "roslens.source.rules.graph:plugin"
 BUILTIN = ("roslens.source.tools.cccc:plugin", GRAPH)

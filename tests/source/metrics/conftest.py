@@ -24,7 +24,7 @@ import pytest
 from roslens.model.entity import Entity
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Dependency, Language, Location, Package, Role, SourceFile
-from roslens.source.analyse_file import analyse_file
+from roslens.source.measure.analyse_file import analyse_file
 from roslens.source.metrics.measure_file import measure_file
 from roslens.source.metrics.measure_package import measure_package
 from roslens.source.metrics.measure_workspace import measure_workspace

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roslens.cli.check.saved_files import SavedFiles
     from roslens.cli.workplace.configuration import Configuration
     from roslens.model.finding import Finding
-    from roslens.source.fresh_package import Fresh, FreshPackages
+    from roslens.source.measure.fresh_package import Fresh, FreshPackages
 
 PERIOD_S = 0.1
 """How often time stamps are looked at."""
@@ -58,7 +58,7 @@ def watch_files(options: argparse.Namespace, root: Path, configuration: Configur
     from roslens.cli.check.analysed import settings_of
     from roslens.cli.check.saved_files import SavedFiles
     from roslens.cli.workplace.workplace import CACHE, own_folder
-    from roslens.source.fresh_package import FreshPackages
+    from roslens.source.measure.fresh_package import FreshPackages
     from roslens.store.cache import Cache
 
     settings = settings_of(options, configuration, dict(os.environ))

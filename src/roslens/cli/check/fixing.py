@@ -90,8 +90,8 @@ class _Looker:
         self._packages = packages
 
     def look(self, texts: Mapping[str, bytes]) -> Iterator[Finding]:
-        from roslens.source.fresh_package import FreshPackages
         from roslens.source.keys import content_hash
+        from roslens.source.measure.fresh_package import FreshPackages
         from roslens.store.cache import Cache
 
         changed = {path: text for path, text in texts.items() if content_hash(text) != self._files[path].content_hash}

@@ -93,7 +93,7 @@ def _libraries() -> Iterator[tuple[str, str]]:
 
 def _grammars() -> Iterator[tuple[str, str]]:
     from roslens.model.source import Language
-    from roslens.source.analyse_file import analyse_file
+    from roslens.source.measure.analyse_file import analyse_file
     from roslens.source.settings import MacroSettings
 
     for language, text in ((Language.CPP, b"int f() { return 1; }"), (Language.PYTHON, b"def f():\n    return 1\n")):

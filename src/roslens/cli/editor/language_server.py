@@ -23,7 +23,7 @@ from roslens.cli.workplace.workplace import CACHE, own_folder
 from roslens.model.edit import Edit
 from roslens.model.errors import RoslensError
 from roslens.model.finding import RuleInfo
-from roslens.source.fresh_package import FreshPackages
+from roslens.source.measure.fresh_package import FreshPackages
 from roslens.store.cache import Cache
 
 FIX_ALL = "source.fixAll.roslens"

@@ -45,7 +45,7 @@ class PastRuns:
         from roslens.source.fetch.fetched_set import read_fetched_set
         from roslens.source.history.parts_of_commits import PartsOfCommits
         from roslens.source.keys import analyser_version, key_of
-        from roslens.source.remembered_facts import RememberedFacts
+        from roslens.source.measure.remembered_facts import RememberedFacts
 
         self.root = root
         self.store = store

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from roslens.source.remembered_facts import RememberedFacts
+from roslens.source.measure.remembered_facts import RememberedFacts
 
 
 class PastRevision(msgspec.Struct, frozen=True):

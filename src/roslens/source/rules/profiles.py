@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from roslens.model.source import Package
-from roslens.source.rules.rule import Rule
 
 PROFILES = {
     "ros2": "Packages of ROS 2: what goes wrong on robots, in code, manifests, builds and launch files.",
@@ -40,8 +37,3 @@ def profiles_of(package: Package) -> tuple[str, ...]:
     ros2 = bool(names & _ROS_2_LIBRARIES) or package.build_type.startswith("ament")
     ros1 = bool(names & _ROS_1_LIBRARIES) or package.build_type in _ROS_1_BUILD_TYPES
     return tuple(name for name, is_on in (("ros2", ros2 or not ros1), ("ros1", ros1)) if is_on)
-
-
-def members(profile: str, rules: Sequence[Rule]) -> tuple[Rule, ...]:
-    """Return the rules that a profile has on."""
-    return tuple(rule for rule in rules if profile in rule.profiles)

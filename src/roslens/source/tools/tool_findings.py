@@ -12,7 +12,7 @@ from roslens.model.source import SourceFile
 from roslens.plugins.grounds import Grounds, package_grounds
 from roslens.plugins.outcome import Outcome, RawFinding, settle
 from roslens.plugins.points import FileInput, PackageInput
-from roslens.source.analyse_package import MeasuredPackage
+from roslens.source.measure.analyse_package import MeasuredPackage
 from roslens.source.tools.tool import ToolFinding
 from roslens.source.tools.tool_checks import checks_of, rule_id, rule_of
 from roslens.source.workspace.find import Workspace

@@ -31,7 +31,7 @@ from roslens.source.tools.tool_rules import seen_rules
 from roslens.source.tools.used import NOT_RUN, plain
 
 if TYPE_CHECKING:
-    from roslens.source.analyse_package import MeasuredPackage
+    from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
     from roslens.source.workspace.find import Workspace

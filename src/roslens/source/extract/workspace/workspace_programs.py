@@ -12,7 +12,7 @@ from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budg
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, SourceFile
-from roslens.source.executor import executor_for
+from roslens.source.engines.executor import executor_for
 from roslens.source.extract.ir.kept_program import becomes_nodes, pack, program_keys, unpack
 from roslens.source.extract.ir.program import Program
 from roslens.source.keys import content_hash

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
-from roslens.source.rules.registered_classes import same_class
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
+from roslens.source.rules.views.registered_classes import same_class
 
 _COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_nodes")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import is_ros_package
+from roslens.source.rules.views.cmake_view import Written
 
 _AFTER = frozenset(
     {"INCLUDE_DIRS", "LIBRARIES", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS", "SKIP_CMAKE_CONFIG_GENERATION"}

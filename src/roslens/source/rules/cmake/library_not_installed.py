@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import msgspec
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 _AFTER = frozenset({"INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"})
 _AUTOMATIC = ("ament_auto_package", "autoware_package")

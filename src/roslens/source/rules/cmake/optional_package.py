@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 _CHECKS = frozenset({"find_package_handle_standard_args", "ament_auto_find_build_dependencies"})
 

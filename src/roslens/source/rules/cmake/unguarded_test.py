@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 _TESTS = frozenset({
     "ament_add_gtest", "ament_add_gmock", "ament_add_pytest_test", "ament_add_ros_isolated_gtest",

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.launch_view import ROS_1_ARGUMENT
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.launch_view import ROS_1_ARGUMENT
 from roslens.source.workspace.elements import Element
 
 

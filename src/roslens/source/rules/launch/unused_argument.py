@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.launch_view import ROS_1_ARGUMENT, ROS_2_ARGUMENT, LaunchXml
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.launch_view import ROS_1_ARGUMENT, ROS_2_ARGUMENT, LaunchXml
 
 _OTHERS = ("pass_all_args", "$(eval", "$(command", "<include", "<let", "<set_")
 _LONGEST = 200_000

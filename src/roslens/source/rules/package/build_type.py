@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from roslens.model.finding import Severity
 from roslens.model.source import Export
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 _AMENT = ("ament_package", "ament_auto_package")
 _CATKIN = ("catkin_package", "catkin_metapackage")

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.edit import Edit
-from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.dependency_uses import BUILD, RUN, TEST, Use
 
 _FOR_BUILD = frozenset({"build", "depend", "buildtool", "build_export", "buildtool_export"})
 _FOR_RUN = frozenset({"exec", "run", "depend"})

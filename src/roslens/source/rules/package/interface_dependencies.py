@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from roslens.model.edit import Edit
 from roslens.model.finding import Severity
-from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 
 def found(view: PackageView) -> Iterator[Hit]:

@@ -8,8 +8,8 @@ from roslens.model.source import Language, Role
 from roslens.source.extract.builds.plugin_xml import PluginClass
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
-from roslens.source.rules.registered_classes import same_class
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.registered_classes import same_class
 
 _ASKING = frozenset({"pluginlib", "nodelet", "class_loader"})
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 from roslens.model.edit import Edit
 from roslens.model.finding import Severity
-from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.manifest_edits import joined
 from roslens.source.rules.package_view import PackageView
@@ -19,6 +18,7 @@ from roslens.source.rules.system_packages import (
     looks_like_ros_package,
     stands_for,
 )
+from roslens.source.rules.views.dependency_uses import BUILD, RUN, TEST, Use
 
 _WHAT = {
     "#include": "headers are included of packages",

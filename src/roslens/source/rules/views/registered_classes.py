@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.source import Language, Role
-
-if TYPE_CHECKING:
-    from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.views.package_files import PackageFiles
 
 _COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _PLUGIN = re.compile(
@@ -32,7 +29,7 @@ class Registered(msgspec.Struct, frozen=True):
     line: int
 
 
-def registered_classes(package: PackageView) -> tuple[tuple[Registered, ...], bool]:
+def registered_classes(package: PackageFiles) -> tuple[tuple[Registered, ...], bool]:
     """Return the classes, and whether these are all: a macro of the package's own may register more."""
     found: list[Registered] = []
     complete = True

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.views.package_files import PackageFiles
 
 if TYPE_CHECKING:
-    from roslens.source.rules.package_view import PackageView
     from roslens.source.workspace.elements import Element
 
 ROS_1_ARGUMENT = re.compile(r"\$\(arg\s+([\w/-]+)\s*\)")
@@ -27,7 +27,7 @@ class LaunchXml:
         is_test: it starts tests.
     """
 
-    def __init__(self, package: PackageView, path: str, *, is_test: bool) -> None:
+    def __init__(self, package: PackageFiles, path: str, *, is_test: bool) -> None:
         """Read a file; one that is broken has the elements before the fault."""
         from roslens.source.workspace.elements import read_elements
 
@@ -71,7 +71,7 @@ class LaunchXml:
         return Hit(rule, message, line, column, context=context, path=self.path)
 
 
-def launch_files(package: PackageView) -> tuple[LaunchXml, ...]:
+def launch_files(package: PackageFiles) -> tuple[LaunchXml, ...]:
     """Return the launch files in XML of a package."""
     files = package.of_language(Language.LAUNCH_XML, roles=(Role.OWN, Role.TEST))
     return tuple(LaunchXml(package, file.path, is_test=file.role is Role.TEST) for file in files)

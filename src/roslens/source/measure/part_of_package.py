@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
 from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
 from roslens.model.entity import Entity, EntityKind
+from roslens.source.measure.package_task import PackageTask
 from roslens.source.metrics.size import duplicated_lines
 from roslens.source.metrics.table import metrics_with
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.callbacks import REGISTERING_CPP, REGISTERING_PYTHON, STREAM, callbacks_of
 from roslens.source.rules.hit import Hit
-
-if TYPE_CHECKING:
-    from roslens.source.analyse_package import PackageTask
 
 
 def registered_elsewhere(

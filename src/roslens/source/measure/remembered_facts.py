@@ -8,7 +8,7 @@ import msgspec
 
 if TYPE_CHECKING:
     from roslens.model.entity import Entity
-    from roslens.source.analyse_file import FileAnalysis
+    from roslens.source.measure.analyse_file import FileAnalysis
 
 MOST_BYTES = 48 * 1024 * 1024
 """Of packages whose facts take more as they are kept, nothing is remembered: decoded they take several times that."""

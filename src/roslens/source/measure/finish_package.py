@@ -16,7 +16,7 @@ from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult
 from roslens.model.source import Package, SourceFile
 from roslens.plugins.outcome import Outcome
-from roslens.source.analyse_package import MeasuredPackage
+from roslens.source.measure.analyse_package import MeasuredPackage
 from roslens.source.metrics.packages import rcv, rqv
 from roslens.source.metrics.size import comment_ratio
 from roslens.source.settings import SourceSettings

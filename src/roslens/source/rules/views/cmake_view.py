@@ -1,7 +1,7 @@
 """The CMake files of a package as rules see them: commands in order, each with the conditions around it.
 
 Variables are followed as far as text goes: one that is set, in whatever arm, may be any of the values it is ever
-given. A rule that needs what a build really makes asks for :attr:`PackageView.build`.
+given.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.views.package_files import PackageFiles
 
 if TYPE_CHECKING:
     from roslens.source.extract.builds.cmake_syntax import Body, Command
-    from roslens.source.rules.package_view import PackageView
 
 MOST_VALUES = 400
 """Of one argument or variable; a list that is longer is cut."""
@@ -89,7 +89,7 @@ class CmakeView:
         commands: of all files, in the order in which they run; empty where there is none.
     """
 
-    def __init__(self, package: PackageView) -> None:
+    def __init__(self, package: PackageFiles) -> None:
         """Read the files that can be reached."""
         self._package = package
         self._values: dict[str, list[str]] = {"PROJECT_NAME": [], "CMAKE_PROJECT_NAME": []}

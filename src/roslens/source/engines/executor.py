@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from roslens.model.errors import UsageError
-from roslens.source.task_engine import Executor, Result, Task
-from roslens.source.task_limits import TaskLimits, run_limited
+from roslens.source.engines.task_engine import Executor, Result, Task
+from roslens.source.engines.task_limits import TaskLimits, run_limited
 
 ENGINES = ("in-process", "processes")
 """Names of engines; besides, the address of a scheduler is one."""
@@ -122,7 +122,7 @@ def executor_for(jobs: int, engine: str = "", *, folder: str = "") -> Executor:
     """
     wanted = jobs or os.cpu_count() or 1
     if engine.startswith(("tcp://", "tls://")):
-        from roslens.source.dask_engine import DaskEngine
+        from roslens.source.engines.dask_engine import DaskEngine
 
         return DaskEngine(engine, folder=folder, rest=ProcessPool(wanted))
     if engine not in ("", *ENGINES):

@@ -14,14 +14,14 @@ from roslens.model.result import PackageResult
 from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.plugins.outcome import Outcome
-from roslens.source.analyse_package import measure_task
 from roslens.source.chosen_models import chosen_models
-from roslens.source.finish_package import Finisher
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import content_hash
+from roslens.source.measure.analyse_package import measure_task
+from roslens.source.measure.finish_package import Finisher
+from roslens.source.measure.package_task import package_task
 from roslens.source.metrics.table import QUANTITIES
 from roslens.source.nameable_rules import nameable_rules
-from roslens.source.package_task import package_task
 from roslens.source.settings import MacroSettings, SourceSettings
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances

@@ -15,12 +15,12 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from roslens.model.errors import UsageError
+from roslens.source.engines.task_batch import batch_size, run_batch
+from roslens.source.engines.task_limits import TaskLimits
 from roslens.source.keys import analyser_version
-from roslens.source.task_batch import batch_size, run_batch
-from roslens.source.task_limits import TaskLimits
 
 if TYPE_CHECKING:
-    from roslens.source.task_engine import Executor
+    from roslens.source.engines.task_engine import Executor
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")

@@ -15,12 +15,12 @@ from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import Language, Location, Package, SourceFile
-from roslens.source.analyse_file import FileAnalysis, analyse_parsed
+from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
+from roslens.source.measure.package_task import PackageTask
+from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
-from roslens.source.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.rules.hit import Hit
-from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings
 from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
 
@@ -32,31 +32,6 @@ _ADVICE = {
     "cpp": "The rest of the file is measured; if a macro of yours stands here, name it under [macros] in roslens.toml",
     "python": "The rest of the file is measured; mend the place, or name the file under `ignore` in roslens.toml",
 }
-
-
-class PackageTask(msgspec.Struct, frozen=True):
-    """What a worker needs: the package, its files, where they are, and what is already known.
-
-    ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
-    of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
-    those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
-    ``texts`` are contents that count instead of what files hold, by path. ``left_out`` are paths of sources that are
-    not looked at, because only what is found in the others is wanted.
-    """
-
-    package: Package
-    root: str
-    files: tuple[SourceFile, ...]
-    facts_keys: dict[str, str]
-    counting: CountingSettings
-    macros: MacroSettings
-    cache: str = ""
-    program_keys: dict[str, str] = {}
-    rules: RuleSettings = RuleSettings()
-    wanted: frozenset[str] | None = None
-    others: tuple[str, ...] = ()
-    texts: dict[str, bytes] = {}
-    left_out: frozenset[str] = frozenset()
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
@@ -143,7 +118,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
     entities = measure_package(task.package, measured, task.counting)
     known_callbacks: frozenset[str] | set[str] = callbacks
     if task.left_out:
-        from roslens.source.part_of_package import registered_elsewhere, without_the_whole
+        from roslens.source.measure.part_of_package import registered_elsewhere, without_the_whole
 
         entities = without_the_whole(entities)
         known_callbacks = registered_elsewhere(task, hits, callbacks)

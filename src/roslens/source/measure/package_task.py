@@ -4,15 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
 
-from roslens.model.source import SourceFile
+import msgspec
+
+from roslens.model.source import Package, SourceFile
 from roslens.source.keys import analyser_version, key_of
-from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings, SourceSettings
 from roslens.source.workspace.find import FoundPackage
 
-if TYPE_CHECKING:
-    from roslens.source.analyse_package import PackageTask
+
+class PackageTask(msgspec.Struct, frozen=True):
+    """What a worker needs: the package, its files, where they are, and what is already known.
+
+    ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
+    of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
+    those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
+    ``texts`` are contents that count instead of what files hold, by path. ``left_out`` are paths of sources that are
+    not looked at, because only what is found in the others is wanted.
+    """
+
+    package: Package
+    root: str
+    files: tuple[SourceFile, ...]
+    facts_keys: dict[str, str]
+    counting: CountingSettings
+    macros: MacroSettings
+    cache: str = ""
+    program_keys: dict[str, str] = {}
+    rules: RuleSettings = RuleSettings()
+    wanted: frozenset[str] | None = None
+    others: tuple[str, ...] = ()
+    texts: dict[str, bytes] = {}
+    left_out: frozenset[str] = frozenset()
 
 
 def package_task(
@@ -40,8 +63,6 @@ def package_task(
         texts: contents that count instead of what files hold, by path.
         left_out: paths of sources that are not looked at.
     """
-    from roslens.source.analyse_package import PackageTask
-
     wanted = wanted_rules_of(settings.rules)
     syntax = key_of(analyser_version(), settings.macros, sorted(wanted))
     return PackageTask(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from roslens.source.task_limits import TaskLimits, run_limited
+from roslens.source.engines.task_limits import TaskLimits, run_limited
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")

@@ -11,10 +11,11 @@ from functools import partial
 
 import msgspec
 
-from roslens.source.analyse_package import MeasuredPackage, PackageTask, measure_task
-from roslens.source.executor import InProcess
-from roslens.source.remembered_facts import RememberedFacts
-from roslens.source.task_engine import Executor
+from roslens.source.engines.executor import InProcess
+from roslens.source.engines.task_engine import Executor
+from roslens.source.measure.analyse_package import MeasuredPackage, measure_task
+from roslens.source.measure.package_task import PackageTask
+from roslens.source.measure.remembered_facts import RememberedFacts
 
 _PACK = msgspec.msgpack.Encoder()
 _TASK = msgspec.msgpack.Decoder(PackageTask)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from posixpath import dirname
-from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.source import Language, Role
 from roslens.source.rules.system_packages import is_ros_package
-
-if TYPE_CHECKING:
-    from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.views.cmake_view import CmakeView
+from roslens.source.rules.views.launch_view import LaunchXml
+from roslens.source.rules.views.package_files import PackageFiles
 
 _FOUND = re.compile(r"\$\(find(?:-pkg-share|-pkg-prefix)?\s+([\w-]+)\)")
 _FOUND_IN_PYTHON = re.compile(
@@ -51,18 +50,18 @@ class Use(msgspec.Struct, frozen=True):
     required: bool = True
 
 
-def uses_of(view: PackageView) -> tuple[Use, ...]:
+def uses_of(view: PackageFiles, cmake: CmakeView, launch: Sequence[LaunchXml]) -> tuple[Use, ...]:
     """Return where a package uses others, those in the build first; one for each package, way and time."""
     found: dict[tuple[str, str, bool], Use] = {}
-    for use in (*_of_build(view), *_of_sources(view), *_of_launch(view)):
+    for use in (*_of_build(cmake), *_of_sources(view), *_of_launch(view, launch)):
         found.setdefault((use.name, use.when, use.how.startswith("find")), use)
         if len(found) >= MOST_USES:
             break
     return tuple(found.values())
 
 
-def _of_build(view: PackageView) -> Iterator[Use]:
-    for one in view.cmake.named("find_package"):
+def _of_build(cmake: CmakeView) -> Iterator[Use]:
+    for one in cmake.named("find_package"):
         if not one.words or one.defined:
             continue
         when = TEST if one.for_tests else BUILD
@@ -80,7 +79,7 @@ def _of_build(view: PackageView) -> Iterator[Use]:
                     yield Use(part, when, how, one.path, one.command.line, required)
 
 
-def _of_sources(view: PackageView) -> Iterator[Use]:
+def _of_sources(view: PackageFiles) -> Iterator[Use]:
     own = {view.package.name, *(one.partition("/")[0] for one in view.listing if "/" in one)}
     # Headers that the package carries below a folder of another's name.
     parts = [one.split("/") for one in view.listing if one.endswith((".h", ".hpp", ".hh"))]
@@ -107,8 +106,8 @@ def _of_sources(view: PackageView) -> Iterator[Use]:
                 yield Use(name, when, how, file.path, line)
 
 
-def _of_launch(view: PackageView) -> Iterator[Use]:
-    for file in view.launch:
+def _of_launch(view: PackageFiles, launch: Sequence[LaunchXml]) -> Iterator[Use]:
+    for file in launch:
         # A launch file of ROS 1 that was left in a package for ROS 2 is not used.
         left = view.ros == {2} and any(one.tag == "node" and "type" in one.attributes for one, _ in file.elements)
         if left or file.is_test or _AROUND.search(view.inside(dirname(file.path))):

@@ -1,4 +1,4 @@
-# The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, accuracy, lock, bench, testbed,
+# The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, site, accuracy, lock, bench, testbed,
 # fuzz, mutants.
 PYTHON ?= python3
 WS ?= build/demo
@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -93,6 +93,14 @@ parts:
 # Write the pages in docs/reference that come from declarations.
 docs: .venv/stamp
 	$(BIN)/python -m roslens.cli.reference docs/reference
+
+# Build the site of docs/ in build/site, from mkdocs.yml; a link that leads nowhere fails it. Open build/site/index.html.
+site: build/mkdocs/bin/mkdocs
+	NO_MKDOCS_2_WARNING=1 $< build --strict --quiet
+
+build/mkdocs/bin/mkdocs:
+	$(PYTHON) -m venv build/mkdocs
+	build/mkdocs/bin/python -m pip install --quiet "mkdocs-material>=9.5,<10"
 
 # Write docs/known_mistakes.md from its tables.
 known-mistakes: .venv/stamp

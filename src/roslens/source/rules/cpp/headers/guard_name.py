@@ -113,7 +113,7 @@ RULE = PackageRule(
         "paper2016 header_guard_format",
         "paper2016 header_guard_close",
     ),
-    fix="Renames the guard, by the profile (see [`cpp.guard`](cpp.guard.md)), where no other file of the "
+    fix="Renames the guard, by the profile (see `cpp.guard`), where no other file of the "
     "package knows the old name; names the end.",
     bad="#ifndef OTHER_H_\n#define OTHER_H_\n#endif\n",
     good="#ifndef ROBOT_DRIVER_H_\n#define ROBOT_DRIVER_H_\n#endif  // ROBOT_DRIVER_H_\n",

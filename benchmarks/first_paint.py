@@ -9,6 +9,7 @@ With --profile the functions that took most of the latter are told.
 from __future__ import annotations
 
 import importlib
+import shutil
 import socket
 import statistics
 import sys
@@ -26,7 +27,7 @@ from roslens.dashboard.server import create_app
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
 from roslens.model.graph import Endpoint, Role
 
-CHROMIUM = "/usr/bin/chromium"
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
 ARGUMENTS = ["--headless", "--no-sandbox", "--disable-gpu"]
 HEADS = ("paint ms", "server s", "page s", "script", "layout", "style", "elements")
 DIGITS = (0, 3, 3, 3, 3, 3, 0)

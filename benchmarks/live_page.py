@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import socket
 import statistics
 import subprocess
@@ -31,7 +32,7 @@ from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
-CHROMIUM = Path("/usr/bin/chromium")
+CHROMIUM = Path(shutil.which("chromium") or shutil.which("chromium-headless-shell") or "/usr/bin/chromium")
 TURN_S = 0.25
 TURNS = 4
 """Each connection tells in one of so many turns."""

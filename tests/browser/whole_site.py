@@ -79,7 +79,7 @@ class WholeSite:
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
-        site = module.FakeRun(packages=8).site()
+        site = module.FakeRun(packages=4).site()
         header = site.view.header
         site.runs = (StoredRun(4, header, 8, 90, 500, 70, 0), StoredRun(site.view.id, header, 8, 90, 500, 66, 1))
         site.review = Reviewing(self.accepted, site.view.findings)

@@ -9,11 +9,11 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from chromium import CHROMIUM
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from tour.stations import STATIONS, Station
 
-CHROMIUM = "/usr/bin/chromium"
 READ = "#cost:has-text('to the end'), #cost:has-text('costs')"
 
 
@@ -47,7 +47,7 @@ def main(arguments: list[str]) -> int:
     if "--every" in arguments:
         looks += [(1440, "dark"), (420, "light"), (420, "dark")]
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        browser = playwright.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox", "--disable-gpu"])
         for width, scheme in looks:
             for station, page in pictures(browser, base, width=width, scheme=scheme):
                 suffix = "" if (width, scheme) == looks[0] else f"_{width}_{scheme}"

@@ -1,7 +1,7 @@
 """What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
 
-The words are in the modules beside this one whose names begin with ``vocabulary_``; each registers itself by
-:func:`outer` and :func:`method`.
+The words are in the modules of ``overlays``, all of which are loaded; each registers itself by :func:`outer` and
+:func:`method`.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from functools import cache
 from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -64,37 +66,8 @@ _BETTER = {
 """By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
 LISTENER = "ParamListener"
 """The class that generate_parameter_library makes, in whatever namespace: it declares parameters."""
-_MODULES = (
-    "overlays.ros.vocabulary_options",
-    "overlays.ros.vocabulary_ros2",
-    "overlays.ros.vocabulary_qos",
-    "overlays.language.vocabulary_python",
-    "overlays.ros.vocabulary_generic",
-    "overlays.ros.vocabulary_parameters",
-    "overlays.ros.vocabulary_descriptors",
-    "overlays.ros.vocabulary_listeners",
-    "overlays.language.vocabulary_values",
-    "overlays.ros.vocabulary_ros1",
-    "overlays.ros.vocabulary_bags",
-    "overlays.ros.vocabulary_nodelets",
-    "overlays.ros.vocabulary_plugins",
-    "overlays.ros.vocabulary_markers",
-    "overlays.ros.vocabulary_realtime",
-    "overlays.language.vocabulary_durations",
-    "overlays.language.vocabulary_lists",
-    "overlays.language.vocabulary_numbers",
-    "overlays.language.vocabulary_texts",
-    "overlays.language.vocabulary_tags",
-    "overlays.language.vocabulary_argparse",
-    "overlays.ros.vocabulary_shared",
-    "overlays.ros.vocabulary_reconfigure",
-    "overlays.ros.vocabulary_controllers",
-    "overlays.ros.reconfigure_file",
-    "overlays.ros.vocabulary_transforms",
-    "overlays.ros.vocabulary_images",
-    "overlays.language.vocabulary_trees",
-    "overlays.language.command_words",
-)
+_OVERLAYS = Path(__file__).parents[1] / "overlays"
+"""Each module in its folders is loaded, and registers what it knows."""
 
 
 def outer(*names: str, quiet: bool = False) -> Function1[[Word], Word]:
@@ -136,8 +109,9 @@ def method(kind: str, *names: str, anywhere: bool = False, quiet: bool = False) 
 
 @cache
 def _load() -> None:
-    for name in _MODULES:
-        import_module(f"roslens.source.extract.{name}")
+    for folder in ("language", "ros"):
+        for module in iter_modules([str(_OVERLAYS / folder)]):
+            import_module(f"roslens.source.extract.overlays.{folder}.{module.name}")
 
 
 def known_names() -> frozenset[str]:

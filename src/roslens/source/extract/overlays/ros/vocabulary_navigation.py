@@ -1,0 +1,40 @@
+"""The vocabulary of nav2_util: a client of a service and a server of an action that nodes of Nav2 hold.
+
+Both are class templates of the interface. The client is given a name and a node (service_client.hpp), the server a
+node, a name and what executes a goal (simple_action_server.hpp); newer releases have them in nav2_ros_common.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Callable, Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.overlays.ros.record import endpoint
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+@outer("nav2_util.ServiceClient", "nav2_ros_common.ServiceClient")
+def service_client(engine: Context, _thing: Any, called: Called) -> Any:
+    """A client of a service."""
+    return endpoint(
+        engine, called.argument(1, "provided_node"), called, Role.SERVICE_CLIENT, called.argument(0, "service_name"),
+        _interface(called),
+    )  # fmt: skip
+
+
+@outer("nav2_util.SimpleActionServer", "nav2_ros_common.SimpleActionServer")
+def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+    """A server of an action, whose goals a function of the node executes."""
+    execute = called.argument(2, "execute_callback")
+    return endpoint(
+        engine, called.argument(0, "node"), called, Role.ACTION_SERVER, called.argument(1, "action_name"),
+        _interface(called), callback=execute if isinstance(execute, Callable) else None,
+    )  # fmt: skip
+
+
+def _interface(called: Called) -> Any:
+    return called.templates[0] if called.templates else Unknown("its type")

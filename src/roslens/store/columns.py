@@ -30,13 +30,13 @@ def by_kind(entities: Iterable[Entity]) -> list[Entity]:
     return sorted(entities, key=lambda entity: _RANKS[entity.kind])
 
 
-def measured_rows(unit: int, entities: Sequence[Entity]) -> Iterator[Row]:
-    """Yield ``unit, kind, quantity, first, values`` for entities that :func:`by_kind` put in order."""
+def measured_rows(entities: Sequence[Entity]) -> Iterator[Row]:
+    """Yield ``kind, quantity, first, values`` for entities that :func:`by_kind` put in order."""
     first = 0
     for kind, group in groupby(entities, key=attrgetter("kind")):
         values = [entity.values for entity in group]
         for quantity, numbers in _columns(values):
-            yield unit, kind.value, quantity, first, _encode(numbers).decode()
+            yield kind.value, quantity, first, _encode(numbers).decode()
         first += len(values)
 
 

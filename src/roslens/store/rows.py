@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import msgspec
@@ -25,6 +25,8 @@ FINDING = (
     'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
     "quantity, value, bound, model, gated, witnesses, others, edits"
 )
+TAGS = FINDING.split(", ").index("tag_set") + 1
+"""Place of the set of tags in a row of ``position, FINDING``."""
 SET_ASIDE = "path, state, reason, said_by, package, finding"
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
 RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models, repositories'
@@ -67,10 +69,10 @@ def to_package(text: str) -> Package:
     return _decode_package(text)
 
 
-def file_rows(unit: int, files: Iterable[SourceFile]) -> Iterator[Row]:
-    """Yield ``unit, position, FILE``."""
+def file_rows(files: Iterable[SourceFile]) -> Iterator[Row]:
+    """Yield ``position, FILE``."""
     for position, file in enumerate(files):
-        yield (unit, position, file.path, file.language.value, file.role.value, file.size, file.content_hash)
+        yield (position, file.path, file.language.value, file.role.value, file.size, file.content_hash)
 
 
 def to_file(row: Row) -> SourceFile:
@@ -79,11 +81,10 @@ def to_file(row: Row) -> SourceFile:
     return SourceFile(path, _LANGUAGES[language], _ROLES[role], size, content_hash)
 
 
-def entity_rows(unit: int, entities: Iterable[Entity]) -> Iterator[Row]:
-    """Yield ``unit, position, ENTITY``."""
+def entity_rows(entities: Iterable[Entity]) -> Iterator[Row]:
+    """Yield ``position, ENTITY``."""
     for position, entity in enumerate(entities):
         yield (
-            unit,
             position,
             entity.id,
             entity.kind.value,
@@ -102,11 +103,10 @@ def to_entity(row: Row, values: dict[str, float]) -> Entity:
     return Entity(identity, _KINDS[kind], name, path, line, end_line, parent, bool(approximate), values)
 
 
-def finding_rows(unit: int, findings: Iterable[Finding], tags_of: Callable[[tuple[str, ...]], int]) -> Iterator[Row]:
-    """Yield ``unit, position, FINDING``; ``tags_of`` gives the number of a set of tags."""
+def finding_rows(findings: Iterable[Finding]) -> Iterator[Row]:
+    """Yield ``position, FINDING`` with the tags themselves at :data:`TAGS`, of which only a store knows the number."""
     for position, finding in enumerate(findings):
         yield (
-            unit,
             position,
             finding.rule,
             finding.severity.value,
@@ -117,7 +117,7 @@ def finding_rows(unit: int, findings: Iterable[Finding], tags_of: Callable[[tupl
             finding.end_line,
             finding.end_column,
             finding.entity,
-            tags_of(finding.tags),
+            finding.tags,
             finding.tool,
             finding.fingerprint,
             finding.quantity,
@@ -160,13 +160,13 @@ def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
     )
 
 
-def set_aside_rows(unit: int, items: Iterable[SetAside]) -> Iterator[Row]:
-    """Yield ``unit, position, SET_ASIDE``."""
+def set_aside_rows(items: Iterable[SetAside]) -> Iterator[Row]:
+    """Yield ``position, SET_ASIDE``."""
     for position, one in enumerate(items):
         finding = msgspec.structs.replace(
             one.finding, value=storable_number(one.finding.value), bound=storable_number(one.finding.bound)
         )
-        yield (unit, position, finding.path, one.state.value, one.reason, one.by, one.package, to_json(finding))
+        yield (position, finding.path, one.state.value, one.reason, one.by, one.package, to_json(finding))
 
 
 def to_set_aside(row: Row) -> SetAside:
@@ -175,11 +175,10 @@ def to_set_aside(row: Row) -> SetAside:
     return SetAside(_decode_finding(finding), Disposition(state), reason, by, package)
 
 
-def failure_rows(unit: int, failures: Iterable[Failure]) -> Iterator[Row]:
-    """Yield ``unit, position, FAILURE``."""
+def failure_rows(failures: Iterable[Failure]) -> Iterator[Row]:
+    """Yield ``position, FAILURE``."""
     for position, failure in enumerate(failures):
         yield (
-            unit,
             position,
             failure.tool,
             failure.what,

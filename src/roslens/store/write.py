@@ -12,17 +12,16 @@ from typing import TYPE_CHECKING
 
 from roslens.model.entity import EntityKind
 from roslens.model.errors import StoreError
-from roslens.model.failure import Failure
-from roslens.model.finding import Finding
 from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
-from roslens.model.set_aside import SetAside
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.store import rows
-from roslens.store.columns import by_kind, measured_rows, numbers_of
+from roslens.store.columns import numbers_of
 from roslens.store.encodable import encodable, storable_values
 from roslens.store.lock import claim, release
 from roslens.store.sqlite_errors import as_store_errors
-from roslens.store.summary import rule_counts, summarise
+from roslens.store.rows import Row
+from roslens.store.summary import rule_counts
+from roslens.store.unit_rows import UnitRows, rows_of_failures, rows_of_findings, rows_of_set_aside, unit_rows
 
 if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration
@@ -75,11 +74,27 @@ class RunWriter:
             unit = self._find(key)
             if unit is None:
                 try:
-                    unit = self._add(key, result, brief=brief)
+                    unit = self._add(key, unit_rows(result, brief=brief))
                 except UnicodeEncodeError:
                     self._connection.execute("DELETE FROM unit WHERE key = ?", (key,))
-                    unit = self._add(key, encodable(result), brief=brief)
+                    unit = self._add(key, unit_rows(encodable(result), brief=brief))
         self._units[unit] = result.package.id
+
+    def add_rows(self, key: str, made: UnitRows) -> None:
+        """Keep a package's result, of which another process made the rows, under ``key``.
+
+        Args:
+            key: of the result.
+            made: the rows.
+
+        Raises:
+            StoreError: the store cannot be written.
+        """
+        with self._open():
+            unit = self._find(key)
+            if unit is None:
+                unit = self._add(key, made)
+        self._units[unit] = made.package
 
     def reuse(self, key: str) -> None:
         """Take the package's result that an earlier run kept under ``key``.
@@ -144,27 +159,25 @@ class RunWriter:
         found = self._connection.execute("SELECT id FROM unit WHERE key = ?", (key,)).fetchone()
         return found[0] if found else None
 
-    def _add(self, key: str, result: PackageResult, *, brief: bool) -> int:
-        connection = self._connection
-        entities = by_kind(one for one in result.entities if not brief or one.kind is EntityKind.PACKAGE)
-        findings = sorted(result.findings, key=_place)
+    def _add(self, key: str, made: UnitRows) -> int:
         unit = _inserted(
-            connection.execute(
+            self._connection.execute(
                 "INSERT INTO unit (key, package, manifest, summary) VALUES (?, ?, ?, ?)",
-                (key, result.package.id, rows.to_json(result.package), rows.to_json(summarise(result))),
+                (key, made.package, made.manifest, made.summary),
             )
         )
-        connection.executemany(_insert("file", f"position, {rows.FILE}"), rows.file_rows(unit, result.files))
-        connection.executemany(_insert("entity", f"position, {rows.ENTITY}"), rows.entity_rows(unit, entities))
-        connection.executemany(_insert("measured", 'kind, quantity, first, "values"'), measured_rows(unit, entities))
-        self._insert_findings(unit, findings, result.failures)
-        self._insert_set_aside(unit, result.set_aside)
+        self._insert("file", f"position, {rows.FILE}", unit, made.files)
+        self._insert("entity", f"position, {rows.ENTITY}", unit, made.entities)
+        self._insert("measured", 'kind, quantity, first, "values"', unit, made.measured)
+        self._insert_findings(unit, made.findings, made.failures)
+        self._insert("set_aside", f"position, {rows.SET_ASIDE}", unit, made.set_aside)
         return unit
 
-    def _insert_set_aside(self, unit: int, items: Iterable[SetAside]) -> None:
-        ordered = sorted(items, key=lambda one: _place(one.finding))
+    def _insert(self, table: str, columns: str, unit: int, found: Iterable[Row]) -> None:
+        marks = ", ".join("?" * (columns.count(",") + 2))
         self._connection.executemany(
-            _insert("set_aside", f"position, {rows.SET_ASIDE}"), rows.set_aside_rows(unit, ordered)
+            f"INSERT INTO {table} (unit, {columns}) VALUES ({marks})",  # noqa: S608 - names of this package
+            ((unit, *row) for row in found),
         )
 
     def set_aside_by(self) -> frozenset[str]:
@@ -198,12 +211,11 @@ class RunWriter:
                         sums[path] = sums.get(path, 0) + number
         return sums
 
-    def _insert_findings(self, unit: int, findings: Iterable[Finding], failures: Iterable[Failure]) -> None:
-        self._connection.executemany(
-            _insert("finding", f"position, {rows.FINDING}"),
-            rows.finding_rows(unit, findings, self._tag_sets.number_of),
-        )
-        self._connection.executemany(_insert("failure", f"position, {rows.FAILURE}"), rows.failure_rows(unit, failures))
+    def _insert_findings(self, unit: int, findings: Iterable[Row], failures: Iterable[Row] = ()) -> None:
+        number_of, at = self._tag_sets.number_of, rows.TAGS
+        numbered = ((*row[:at], number_of(tuple(row[at])), *row[at + 1 :]) for row in findings)
+        self._insert("finding", f"position, {rows.FINDING}", unit, numbered)
+        self._insert("failure", f"position, {rows.FAILURE}", unit, failures)
 
     def _insert_run(self, workspace: WorkspaceResult, header: RunHeader) -> int:
         connection = self._connection
@@ -253,10 +265,10 @@ class RunWriter:
                     "INSERT INTO unit (key, package, summary) VALUES (NULL, ?, ?)", (package, summary)
                 )
             )
-            self._insert_findings(shares[package], sorted(owned, key=_place), ())
+            self._insert_findings(shares[package], rows_of_findings(owned))
         unit = _inserted(self._connection.execute("INSERT INTO unit (key, package) VALUES (NULL, '')"))
-        self._insert_findings(unit, sorted(findings, key=_place), workspace.failures)
-        self._insert_set_aside(unit, workspace.set_aside)
+        self._insert_findings(unit, rows_of_findings(findings), rows_of_failures(workspace.failures))
+        self._insert("set_aside", f"position, {rows.SET_ASIDE}", unit, rows_of_set_aside(workspace.set_aside))
         return unit, shares
 
     def _vocabulary(self, workspace: WorkspaceResult) -> int:
@@ -294,11 +306,6 @@ def _inserted(cursor: sqlite3.Cursor) -> int:
     return number
 
 
-def _insert(table: str, columns: str) -> str:
-    marks = ", ".join("?" * (columns.count(",") + 2))
-    return f"INSERT INTO {table} (unit, {columns}) VALUES ({marks})"  # noqa: S608 - names of this package
-
-
 def _counts(connection: sqlite3.Connection, units: Iterable[int]) -> tuple[int, ...]:
     """Return how many files, entities, findings and failures the units have."""
     wanted = rows.to_json(list(units))
@@ -309,10 +316,6 @@ def _counts(connection: sqlite3.Connection, units: Iterable[int]) -> tuple[int, 
         ).fetchone()[0]
         for table in ("file", "entity", "finding", "failure")
     )
-
-
-def _place(finding: Finding) -> tuple[str, int, int, str, str, str]:
-    return (finding.path, finding.line, finding.column, finding.rule, finding.entity, finding.message)
 
 
 def _package_order(package: str) -> tuple[bool, str]:

@@ -14,7 +14,7 @@ CROWDED = {
     "dashboard": 38,
     "source/rules": 31,
     "model": 34,
-    "store": 32,
+    "store": 30,
     "live/adapters/ros1": 31,
     "source/rules/cpp/functions": 30,
     "source/syntax": 29,

@@ -17,7 +17,7 @@ VALUES = st.dictionaries(st.sampled_from("abcdef"), NUMBERS)
 @given(st.lists(st.tuples(KINDS, VALUES), max_size=12))
 def test_what_goes_in_comes_out(drawn):
     entities = by_kind(Entity(f"e{number}", kind, "", values=values) for number, (kind, values) in enumerate(drawn))
-    rows = sorted(row[1:] for row in measured_rows(7, entities))
+    rows = sorted(measured_rows(entities))
     columns = Columns(rows)
     for position, entity in enumerate(entities):
         assert columns.values(entity.kind.value, position) == entity.values
@@ -37,16 +37,14 @@ def test_one_row_holds_one_quantity_of_a_kind():
             Entity("g", EntityKind.FUNCTION, "", values={"calls": 2.5}),
         ]
     )
-    assert list(measured_rows(7, entities)) == [
-        (7, "package", "loc", 0, "[9]"),
-        (7, "function", "loc", 1, "[3,null]"),
-        (7, "function", "calls", 1, "[1,2.5]"),
+    assert list(measured_rows(entities)) == [
+        ("package", "loc", 0, "[9]"),
+        ("function", "loc", 1, "[3,null]"),
+        ("function", "calls", 1, "[1,2.5]"),
     ]
 
 
 def test_sqlite_reads_a_column():
-    ((_unit, _kind, _quantity, _first, text),) = measured_rows(
-        1, [Entity("p", EntityKind.PACKAGE, "", values={"a": 3})]
-    )
+    ((_kind, _quantity, _first, text),) = measured_rows([Entity("p", EntityKind.PACKAGE, "", values={"a": 3})])
     with closing(sqlite3.connect(":memory:")) as connection:
         assert connection.execute("SELECT key, value FROM json_each(?)", (text,)).fetchall() == [(0, 3)]

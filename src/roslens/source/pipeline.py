@@ -19,11 +19,11 @@ from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
-from roslens.source.chosen_models import chosen_models, model_key
+from roslens.source.chosen_models import chosen_models
 from roslens.source.engines.executor import executor_for
 from roslens.source.fetch.fetched_set import FetchedSet, only_fetched
 from roslens.source.inventory import Inventory, take_inventory
-from roslens.source.keys import analyser_version, key_of
+from roslens.source.keys import key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.measure.package_task import PackageTask, package_task
 from roslens.source.nameable_rules import nameable_rules
@@ -33,7 +33,8 @@ from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, 
 from roslens.source.progress import Progress, Silent
 from roslens.source.repositories import repositories_of
 from roslens.source.set_aside_in_run import whole_run
-from roslens.source.settings import ProcessSettings, RuleSettings, SourceSettings
+from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.shaping import known_quantities, manifests_of, shaping_key
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.stage_of_run import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
@@ -46,15 +47,13 @@ if TYPE_CHECKING:
     from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.finding import Finding, RuleInfo
     from roslens.model.judged_configuration import JudgedConfiguration
-    from roslens.model.quantity import Quantity
     from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
-    from roslens.plugins.member import Member
     from roslens.plugins.outcome import Outcome
-    from roslens.plugins.points import Manifest
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack, Past
     from roslens.source.measure.analyse_package import MeasuredPackage
+    from roslens.source.measure.finished_package import FinishedPackage, Finishing
     from roslens.source.tools.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
@@ -158,13 +157,13 @@ def analyse(
         left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
     plugins = discover_plugins(settings, base, log)
     if settings.options:
-        check_options(_manifests(settings, plugins), settings.options)
+        check_options(manifests_of(settings, plugins), settings.options)
     if settings.rules != RuleSettings():
         from roslens.source.rules.selection import check_rule_settings
         from roslens.source.rules.table import native_rules
 
         check_rule_settings(settings.rules, native_rules())
-    shaping = _shaping(settings, base, plugins)
+    shaping = shaping_key(settings, base, plugins)
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
@@ -259,55 +258,14 @@ class _Run(msgspec.Struct, frozen=True):
         return key_of(key, self.clock.epoch_s) if self.tools is not None and self.tools.has_failed else key
 
 
-def _manifests(settings: SourceSettings, plugins: Discovered) -> dict[str, Manifest]:
-    """Return the manifests of all that options may be for."""
-    from roslens.source.tools.table import tool_named
-    from roslens.source.tools.used import TOOLS
-
-    tools = {name: tool_named(name).manifest for name in TOOLS if name in settings.options}
-    return {**tools, **{member.name: member.manifest for member in plugins.members}}
-
-
-def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
-    """Return a key of everything besides files that shapes a package's result."""
-    models = [model_key(name, base, _known(plugins)) for name in settings.models]
-    members = [
-        (member.name, member.manifest.version, member.fingerprint, _programs(member)) for member in plugins.members
-    ]
-    # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
-    own = msgspec.structs.replace(settings, plugins=(), untrusted=(), process=ProcessSettings())
-    return key_of(analyser_version(), own, models, members)
-
-
-def _programs(member: Member) -> list[tuple[str, int, int]]:
-    """Return the programs a plug-in needs, with what changes when one is installed, upgraded or removed."""
-    from shutil import which
-
-    found = []
-    for need in member.manifest.needs:
-        kind, _, name = need.partition(":")
-        if kind == "program" and (path := which(name)):
-            stat = Path(path).stat()
-            found.append((path, stat.st_size, stat.st_mtime_ns))
-    return found
-
-
-def _known(plugins: Discovered) -> dict[str, Quantity]:
-    """Return every quantity that a model may name."""
-    from roslens.source.history.judged_process import BOUNDABLE
-    from roslens.source.metrics.table import QUANTITIES
-
-    offered = (quantity for member in plugins.members for quantity in member.manifest.quantities)
-    return {**QUANTITIES, **BOUNDABLE, **{quantity.key: quantity for quantity in offered}}
-
-
 def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.judged_process import judged_process, not_judged
     from roslens.source.history.process_stage import Told, with_process
     from roslens.source.measure.finish_package import Finisher
+    from roslens.source.measure.finished_package import FinishedPackage, Finishing, rules_in
 
-    models = chosen_models(run.settings.models, run.base, _known(run.plugins))
+    models = chosen_models(run.settings.models, run.base, known_quantities(run.plugins))
     wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
     files = run.inventory.files
     packages = {found.package.id: found.package for found in run.workspace.packages}
@@ -320,22 +278,28 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
     )
     seen: set[str] = set()
+    failures = (*run.workspace.failures, *run.inventory.failures)
     finisher = Finisher(
         run.settings,
         models,
         packages,
         files,
-        (*run.workspace.failures, *run.inventory.failures),
+        failures,
         run.silence,
         nameable_rules(run.settings, models, stage.rules),
     )
+    alone = not stage.members and run.tools is None and not run.silence.acceptances.entries
+    finishing = Finishing(run.settings, models, failures, brief=run.revision is not None) if alone else None
     with stage, store.writing(header) as writer:
-        for measured, said in _looked_at(stage, _measured(run, changed, cache, watch), rest):
+        for measured, said in _looked_at(stage, _measured(run, changed, cache, watch, finishing), rest):
+            if isinstance(measured, FinishedPackage):
+                seen.update(measured.rules)
+                writer.add_rows(run.units[measured.package], measured.rows)
+                continue
             if run.tools is not None:
                 said += run.tools.outcome(measured)
             result = finisher.finish(measured, said)
-            seen.update(rule for finding in result.findings for rule in (finding.rule, *finding.witnesses))
-            seen.update(one.finding.rule for one in result.set_aside)
+            seen.update(rules_in(result))
             writer.add(run.key_kept(run.units[measured.package]), result, brief=run.revision is not None)
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
@@ -373,7 +337,9 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     )
 
 
-def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress) -> Iterator[MeasuredPackage]:
+def _measured(
+    run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress, finishing: Finishing | None
+) -> Iterator[MeasuredPackage | FinishedPackage]:
     """Measure packages, the largest first, and keep what was learned of their files."""
     from roslens.source.measure.analyse_package import nothing_measured
     from roslens.source.measure.measured_packages import measured_packages
@@ -381,9 +347,10 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))
     executor = executor_for(run.jobs, run.engine, folder=run.workspace.root)
-    for task, result in measured_packages(executor, tasks, run.revision.remembered if run.revision else None):
+    remembered = run.revision.remembered if run.revision else None
+    for task, result in measured_packages(executor, tasks, remembered, finishing):
         if isinstance(result, BaseException):
-            measured = nothing_measured(task, result)
+            measured: MeasuredPackage | FinishedPackage = nothing_measured(task, result)
         else:
             measured = result
             cache.put(measured.analyses)
@@ -417,14 +384,19 @@ def _bytes(task: PackageTask) -> int:
 
 
 def _looked_at(
-    stage: PluginStage, packages: Iterator[MeasuredPackage], rest: list[Outcome]
-) -> Iterator[tuple[MeasuredPackage, Outcome]]:
+    stage: PluginStage, packages: Iterator[MeasuredPackage | FinishedPackage], rest: list[Outcome]
+) -> Iterator[tuple[MeasuredPackage | FinishedPackage, Outcome]]:
     """Yield each package with what plug-ins say of it; what they say of no package goes to ``rest``."""
+    from roslens.plugins.outcome import Outcome
+    from roslens.source.measure.analyse_package import MeasuredPackage
+
     if not stage.wide:
         for measured in packages:
-            yield measured, stage.run_package(measured)
+            # Only where there are no plug-ins is one finished already.
+            yield measured, stage.run_package(measured) if isinstance(measured, MeasuredPackage) else Outcome()
         return
-    all_measured = sorted(packages, key=lambda measured: measured.package)
+    measuring = (one for one in packages if isinstance(one, MeasuredPackage))
+    all_measured = sorted(measuring, key=lambda measured: measured.package)
     outcomes = [stage.run_package(measured) for measured in all_measured]
     shares, none = shared_out(stage.run_workspace(all_measured, outcomes), stage.files)
     rest.append(none)

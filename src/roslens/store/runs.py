@@ -15,15 +15,15 @@ from roslens.model.result import PackageResult, PackageSummary, RunHeader
 from roslens.store import rows
 from roslens.store.connect import Readers, connect, shrink
 from roslens.store.folder import prepare_folder
-from roslens.store.lock import claim, release
 from roslens.store.migrate import migrate
 from roslens.store.question import Run
 from roslens.store.read import RunView, read_unit
 from roslens.store.sqlite_errors import as_store_errors
+from roslens.store.writing.lock import claim, release
 
 if TYPE_CHECKING:
     from roslens.store.revisions import KeptRevision
-    from roslens.store.write import RunWriter
+    from roslens.store.writing.write import RunWriter
 
 WAIT_S = 10.0
 """How long a run waits for another one that is writing."""
@@ -172,7 +172,7 @@ class Store:
     def writing(self, header: RunHeader) -> RunWriter:
         """Return the writer of a new run, to be used in a ``with`` block; see :class:`RunWriter`."""
         # Imported late: a run in which nothing changed writes nothing.
-        from roslens.store.write import RunWriter
+        from roslens.store.writing.write import RunWriter
 
         return RunWriter(self._connection, self._path, header.started, self._wait_s)
 

@@ -17,11 +17,11 @@ from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.store import rows
 from roslens.store.columns import numbers_of
 from roslens.store.encodable import encodable, storable_values
-from roslens.store.lock import claim, release
-from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.rows import Row
+from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.summary import rule_counts
-from roslens.store.unit_rows import UnitRows, rows_of_failures, rows_of_findings, rows_of_set_aside, unit_rows
+from roslens.store.writing.lock import claim, release
+from roslens.store.writing.unit_rows import UnitRows, rows_of_failures, rows_of_findings, rows_of_set_aside, unit_rows
 
 if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration

@@ -35,6 +35,7 @@ PRIOR = {
     "example": "application", "on_bringup": "application",
     "device_access": "driver", "device_dependency": "driver", "device_name": "driver", "driver_name": "driver",
     "driver_text": "driver", "robot_part": "driver", "robot_repository": "driver",
+    "graph_asks": "application", "graph_commands": "application", "graph_measures": "driver", "graph_obeys": "driver",
     "general": "library", "headers": "library", "library_name": "library", "no_node": "library",
 }  # fmt: skip
 """What a mark speaks for before any package is seen: the packages have few of some, and then this decides."""
@@ -55,6 +56,7 @@ def recorded(path: Path = MARKS) -> list[tuple[str, str, str, frozenset[str]]]:
 def record(folder: Path) -> None:
     """Write the marks of the packages of the study, as the last run of a folder shows them."""
     from roslens.source.study.role import facts_of
+    from roslens.source.study.role_graph import spoken_by_package
     from roslens.source.study.role_marks import marks_of
     from roslens.store.runs import Store
 
@@ -63,11 +65,12 @@ def record(folder: Path) -> None:
     rows = []
     with Store.open(folder / ".roslens" / "store.sqlite") as store:
         view = store.view(None)
+        spoken = spoken_by_package(one.configuration for one in view.configurations())
         for summary in view.packages():
-            result = view.package(summary.id)
+            result = view.outline(summary.id)
             if result and summary.name in labels:
                 label = labels[summary.name]
-                marks = " ".join(sorted(marks_of(facts_of(result))))
+                marks = " ".join(sorted(marks_of(facts_of(result, spoken.get(summary.name)))))
                 rows.append((summary.name, label["Repository"], ROLES[int(label["Level"]) - 1], marks))
     with MARKS.open("w", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
@@ -103,7 +106,7 @@ def fit(names: Sequence[str], marks: Matrix, roles: NDArray[np.int64], start: Ma
 
 def matrix(rows: Sequence[tuple[str, str, str, frozenset[str]]]) -> tuple[list[str], Matrix, NDArray[np.int64]]:
     """Return the names of marks, the matrix with a last column of ones, and the numbers of roles."""
-    names = sorted({mark for row in rows for mark in row[3]})
+    names = sorted({*PRIOR, *(mark for row in rows for mark in row[3])})
     marks = np.array([[float(name in row[3]) for name in names] + [1.0] for row in rows])
     return names, marks, np.array([ROLES.index(row[2]) for row in rows])
 

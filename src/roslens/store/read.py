@@ -146,6 +146,22 @@ class RunView:
             shares = [finding for unit in found[1:] for finding in _unit_findings(connection, unit[0])]
             return msgspec.structs.replace(result, findings=(*result.findings, *shares)) if shares else result
 
+    def outline(self, package: str) -> PackageResult | None:
+        """Return the package with this id, its files and the names of its entities; no values, findings or failures."""
+        with self._run.reading() as connection:
+            found = connection.execute(
+                "SELECT unit.id, unit.manifest FROM run_unit JOIN unit ON unit.id = run_unit.unit "
+                "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> '' AND unit.manifest IS NOT NULL",
+                (self.id, package),
+            ).fetchone()
+            if found is None:
+                return None
+            return PackageResult(
+                rows.to_package(found[1]),
+                tuple(map(rows.to_file, _of_unit(connection, rows.FILE, "file", found[0]))),
+                tuple(rows.to_entity(row, {}) for row in _of_unit(connection, rows.ENTITY, "entity", found[0])),
+            )
+
     def files(self, *, package: str | None = None, path: str | None = None) -> Iterator[tuple[str, SourceFile]]:
         """Yield package ids and files."""
         where = Conditions()

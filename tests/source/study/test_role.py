@@ -9,6 +9,7 @@ import pytest
 
 from roslens.model.source import Dependency, Language, Location, Package, Role, SourceFile
 from roslens.source.study.role import KINDS, ROLES, decide, weights
+from roslens.source.study.role_graph import Spoken
 from roslens.source.study.role_marks import RoleFacts, marks_of, words
 
 BENCHMARK = Path(__file__).parents[3] / "benchmarks" / "roles.py"
@@ -83,7 +84,7 @@ def test_tests_are_no_code_of_the_package():
 
 def test_every_mark_has_a_weight_for_every_role(benchmark):
     rows = benchmark.recorded()
-    assert {mark for row in rows for mark in row[3]} | {"bias"} == set(weights())
+    assert {mark for row in rows for mark in row[3]} | {"bias", *benchmark.PRIOR} == set(weights())
     assert all(set(of) == set(ROLES) for of in weights().values())
     assert set(benchmark.PRIOR) <= set(weights())
     everything = facts(
@@ -91,7 +92,9 @@ def test_every_mark_has_a_weight_for_every_role(benchmark):
         needs=("serial", "driver_base", "kobuki_node"),
         description="A demo of a driver", repository="kobuki_driver", nodes=False,
     )  # fmt: skip
-    assert set(marks_of(everything)) == set(weights()) - {"bias", "general", "robot_part"}
+    spoken = Spoken(("geometry_msgs/Twist", "sensor_msgs/Imu"), asked=("move_base_msgs/MoveBaseAction",))
+    marks = set(marks_of(msgspec.structs.replace(everything, spoken=spoken)))
+    assert marks == set(weights()) - {"bias", "general", "robot_part", "graph_obeys"}
 
 
 def test_words_are_lower_case_and_whole():

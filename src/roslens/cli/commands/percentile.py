@@ -43,13 +43,14 @@ def run(options: argparse.Namespace) -> int:
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES
     from roslens.report.study.standings import standings_csv, standings_json, standings_of, standings_text
-    from roslens.source.study.role import role_in_run
+    from roslens.source.study.role import RolesInRuns
     from roslens.source.study.run_corpus import language_of
 
     field = load_field()
     found: list[Standing] = []
     with open_store(options.path) as store:
         view = store.view(options.number)
+        roles = RolesInRuns()
         packages = {one.id: one for one in view.packages() if one.id != OUTSIDE_PACKAGES}
         if unknown := [name for name in options.package if name not in packages]:
             raise UsageError(f'no package "{unknown[0]}" in this run', expected=f"one of {len(packages)} packages")
@@ -60,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
                 f'no quantity "{unknown[0]}" in the field {field.name}', expected="a key such as loc or eloc.max"
             )
         for name in options.package or packages:
-            groups = (f"role={role_in_run(view, packages[name])}", f"language={language_of(packages[name])}")
+            groups = (f"role={roles(view, packages[name])}", f"language={language_of(packages[name])}")
             found.extend(standings_of(packages[name], quantities, field, groups))
     if options.quantity:
         found = [one for one in found if one.quantity in options.quantity]

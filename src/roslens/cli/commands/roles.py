@@ -39,17 +39,18 @@ def run(options: argparse.Namespace) -> int:
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES
     from roslens.report.writing.csv_table import write_rows
-    from roslens.source.study.role import decide, facts_of
+    from roslens.source.study.role import RolesInRuns
 
     decided = {}
+    roles = RolesInRuns()
     with open_store(options.path) as store:
         view = store.view(options.number)
         names = [one.id for one in view.packages() if one.id != OUTSIDE_PACKAGES]
         if unknown := [name for name in options.package if name not in names]:
             raise UsageError(f'no package "{unknown[0]}" in this run', expected=_some(names))
         for name in options.package or names:
-            if result := view.package(name):
-                decided[name] = decide(facts_of(result))
+            if decision := roles.decision(view, name):
+                decided[name] = decision
     if options.format == "csv":
         head = ("package", "role", "kind", "margin", "reasons")
         out = StringIO(newline="")

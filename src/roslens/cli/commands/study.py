@@ -133,7 +133,7 @@ def _models(names: Sequence[str], known: Sequence[Quantity]) -> tuple[QualityMod
 
 def _of_runs(options: argparse.Namespace) -> Corpus:
     from roslens.cli.workplace.workplace import open_store
-    from roslens.source.study.role import role_in_run
+    from roslens.source.study.role import RolesInRuns
     from roslens.source.study.run_corpus import corpus_of_runs
 
     with ExitStack() as stack:
@@ -146,7 +146,7 @@ def _of_runs(options: argparse.Namespace) -> Corpus:
         names = options.model or sorted({name for _, view in runs for name in view.header.models})
         known = {one.key: one for _, view in runs for one in view.quantities()}
         models = _models(names, [*known.values(), *_known()])
-        return corpus_of_runs(runs, models, role_in_run, options.quantity)
+        return corpus_of_runs(runs, models, RolesInRuns(), options.quantity)
 
 
 def _run(given: str) -> tuple[str, int | None]:

@@ -16,6 +16,7 @@ import msgspec
 
 from roslens.model.entity import EntityKind
 from roslens.model.result import PackageResult, PackageSummary
+from roslens.source.study.role_graph import Spoken, spoken_by_package
 from roslens.source.study.role_marks import RoleFacts, counts_of, has_code, marks_of, parts, words
 from roslens.store.read import RunView
 
@@ -68,17 +69,41 @@ def weights() -> Mapping[str, Mapping[str, float]]:
     return msgspec.json.decode(path.read_bytes(), type=dict[str, dict[str, float]])
 
 
-def facts_of(result: PackageResult) -> RoleFacts:
-    """Return what is looked at of an analysed package."""
+def facts_of(result: PackageResult, spoken: Spoken | None = None) -> RoleFacts:
+    """Return what is looked at of an analysed package.
+
+    Args:
+        result: of the package; its values and findings are not needed.
+        spoken: by its nodes, where that is known.
+    """
     nodes = any(one.kind is EntityKind.FUNCTION and one.name.partition("(")[0] == "main" for one in result.entities)
     repository = result.package.repository.rpartition("/")[2]
-    return RoleFacts(result.package, result.files, repository, nodes)
+    return RoleFacts(result.package, result.files, repository, nodes, spoken)
 
 
-def role_in_run(view: RunView, summary: PackageSummary) -> str:
-    """Return the kind or role of a package of a run."""
-    result = view.package(summary.id)
-    return decide(facts_of(result)).shown if result else ""
+class RolesInRuns:
+    """Tells the roles of packages of runs; what the graphs of a run say is read once."""
+
+    def __init__(self) -> None:
+        """Know nothing yet."""
+        self._spoken: dict[int, tuple[RunView, dict[str, Spoken]]] = {}
+
+    def __call__(self, view: RunView, summary: PackageSummary) -> str:
+        """Return the kind or role of a package of a run."""
+        found = self.decision(view, summary.id)
+        return found.shown if found else ""
+
+    def decision(self, view: RunView, package: str) -> RoleDecision | None:
+        """Return the role of a package of a run with its reasons; None where the run has no such package."""
+        result = view.outline(package)
+        return decide(facts_of(result, self._said(view).get(result.package.name))) if result else None
+
+    def _said(self, view: RunView) -> dict[str, Spoken]:
+        # The view is held, so that its number stays its own.
+        if id(view) not in self._spoken:
+            graphs = (one.configuration for one in view.configurations())
+            self._spoken[id(view)] = (view, spoken_by_package(graphs))
+        return self._spoken[id(view)][1]
 
 
 def _speaks(mark: str, role: str) -> float:

@@ -9,6 +9,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.model.source import Language, Package, Role, SourceFile
+from roslens.source.study.role_graph import Spoken, marks_of_graph
 
 _CODE = frozenset({Language.C, Language.CPP, Language.PYTHON})
 _LAUNCH = frozenset({Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML})
@@ -20,12 +21,21 @@ _BESIDE_CODE = frozenset({"setup.py", "conf.py", "__init__.py"})
 
 
 class RoleFacts(msgspec.Struct, frozen=True):
-    """A package's manifest and files, the last part of its repository's path, and whether it has nodes."""
+    """What is looked at of a package.
+
+    Attributes:
+        package: its manifest.
+        files: all that have a language.
+        repository: last part of the repository's path.
+        nodes: whether it has a ``main``.
+        spoken: what its nodes say to others; None where the run has no computation graph with them.
+    """
 
     package: Package
     files: tuple[SourceFile, ...]
     repository: str
     nodes: bool
+    spoken: Spoken | None = None
 
 
 class Words(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -62,7 +72,8 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
     own = [file for file in facts.files if file.role is Role.OWN]
     headers = sum("/include/" in f"/{file.path}" for file in own if file.language in (Language.C, Language.CPP))
     access = min(needs & known.device_access, default="")
-    general = not (robot or application or device or drives or access)
+    said = marks_of_graph(facts.spoken)
+    general = not (robot or application or device or drives or access or said)
     found = {
         "application_name": f'"{application}" in its name or repository' if application else "",
         "application_text": _application_text(application, text),
@@ -83,6 +94,7 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
         "no_node": "" if facts.nodes or _plugins(facts.files) else "starts no node and exports no plug-in",
         "headers": f"{headers} public headers and no node" if headers >= 3 and not facts.nodes else "",
         "launch": "has launch files" if any(file.language in _LAUNCH for file in own) else "",
+        **said,
     }  # fmt: skip
     return {key: reason for key, reason in found.items() if reason}
 

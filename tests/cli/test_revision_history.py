@@ -298,3 +298,17 @@ def test_the_database_goes_away_between_two_revisions(tmp_path, capsys, monkeypa
         assert found["whole"] == [1, 2, 3]
         server.kill()
         assert "does not let in" in told(capsys, "trend", "loc", made.root)
+
+
+def test_a_partial_clone_says_what_brings_its_past(tmp_path, capsys):
+    made = SmallRepository(tmp_path / "r")
+    made.commit("first", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_cpp=function("a", 1))
+    made.git("tag", "1.0.0")
+    made.commit("second", day=1, a_DOT_cpp=function("a", 2))
+    made.git("config", "uploadpack.allowFilter", "true")
+    clone = tmp_path / "clone"
+    made.git("clone", "-q", "--filter=blob:none", f"file://{made.root}", str(clone))
+    assert main(["history", str(clone), "--every", "release", "-q"]) == 2
+    said = capsys.readouterr().err
+    assert "git cannot give the files of revision" in said
+    assert "roslens fetch --whole" in said

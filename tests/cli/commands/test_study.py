@@ -138,6 +138,14 @@ def test_evidence_of_a_package(tmp_path, capsys, monkeypatch):
     assert 'no package "arms" in this run; expected such as arm' in capsys.readouterr().err
 
 
+def test_evidence_of_a_run_without_packages(tmp_path, capsys):
+    (tmp_path / "README").write_text("x")
+    main(["check", str(tmp_path), "-q", "-o", str(tmp_path / "out.json")])
+    capsys.readouterr()
+    assert main(["evidence", "arm", "--workspace", str(tmp_path)]) == 2
+    assert 'no package "arm" in this run; expected a run that has packages' in capsys.readouterr().err
+
+
 def test_process_metrics_are_of_repositories(tmp_path, capsys, monkeypatch):
     words = ["git", "-c", "user.name=a", "-c", "user.email=a@b.example", "-C"]
     for name in ("one", "two"):

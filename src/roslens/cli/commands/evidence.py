@@ -56,7 +56,11 @@ def run(options: argparse.Namespace) -> int:
             from difflib import get_close_matches
 
             near = get_close_matches(options.package, names, n=3) or names[:3]
-            raise UsageError(f'no package "{options.package}" in this run', expected=f"such as {', '.join(near)}")
+            raise UsageError(
+                f'no package "{options.package}" in this run',
+                expected=f"such as {', '.join(near)}" if near else "a run that has packages",
+                advice="" if near else "Run `roslens check` on a folder with packages",
+            )
         needed = {one.name for one in result.package.dependencies}
         beside = [view.package(one.id) for one in view.packages() if one.name in needed]
         claimed = {one.package.name: claimed_level(PackageFolder(one, root)) for one in beside if one is not None}

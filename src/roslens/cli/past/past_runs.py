@@ -65,7 +65,7 @@ class PastRuns:
         Raises:
             RoslensError: git does not have the revision, or the store cannot be written.
         """
-        from roslens.source.history.git_answer import HistoryError
+        from roslens.source.history.git_answer import LACKS_OBJECTS, HistoryError
         from roslens.store.revisions import KeptRevision
 
         if (known := self._known.get(state.id)) is not None:
@@ -77,7 +77,7 @@ class PastRuns:
             raise UsageError(
                 f'git cannot give the files of revision "{state.id[:12]}": {error}',
                 expected="a repository that has them",
-                advice="In a partial clone, check the revision out once, so that git fetches them",
+                advice=LACKS_OBJECTS,
             ) from error
         run = self._analysed(state, begun)
         commits = () if self.states.is_one else state.commits
@@ -126,6 +126,8 @@ class PastRuns:
 
     def _lacking(self) -> tuple[Failure, ...]:
         """Return what of the revision on disk is not there."""
+        from roslens.source.history.git_answer import LACKS_OBJECTS
+
         found = []
         if self._trees.lacking:
             found.append(
@@ -133,7 +135,7 @@ class PastRuns:
                     "history",
                     f'git lacks {len(self._trees.lacking)} files of the revision, such as "{self._trees.lacking[0]}"',
                     "a clone with all objects",
-                    "Fetch them: git fetch --refetch --no-filter",
+                    LACKS_OBJECTS,
                     partial=True,
                 )
             )

@@ -15,6 +15,10 @@ _ALWAYS = ("core.quotePath=false", "i18n.logOutputEncoding=UTF-8", "mailmap.file
 """What the answer must not depend on: settings of the user and of the repository."""
 
 
+LACKS_OBJECTS = "Bring them: `roslens fetch --whole` for what it fetched, else `git fetch --refetch --no-filter`"
+"""What to do about a clone in which contents of the past are missing."""
+
+
 class HistoryError(Exception):
     """Git did not answer; the text is what it said, in one line."""
 

@@ -14,7 +14,7 @@ from roslens.model.process import RepositoryProcess
 from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
 from roslens.source.forge.ask_forges import ForgeAnswers
 from roslens.source.history.commit_log import CommitLog
-from roslens.source.history.git_answer import HistoryError
+from roslens.source.history.git_answer import LACKS_OBJECTS, HistoryError
 from roslens.source.history.measure_history import measure_history
 from roslens.source.history.read_log import read_log
 from roslens.source.history.repository_head import RepositoryHead, head_of, tops_of
@@ -189,7 +189,7 @@ def without_contents(path: str, *, has_changes: bool) -> Failure:
         path,
         f'repository "{path}" lacks objects of its history, as a partial clone does: {lacks} are not known',
         "a clone with all objects",
-        "Fetch them: git fetch --refetch --no-filter, or clone without --filter",
+        LACKS_OBJECTS,
     )
 
 

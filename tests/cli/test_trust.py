@@ -8,9 +8,9 @@ import pytest
 
 from roslens.cli.main import main
 from roslens.cli.terminal.boundary import NOT_ANALYSED
+from roslens.cli.workplace import trust as module
 from roslens.cli.workplace.configuration import find_configuration
 from roslens.cli.workplace.trust import admitted, is_trusted, trust
-from roslens.cli.workplace import trust as module
 from roslens.model.errors import UsageError
 
 MANIFEST = '<package format="3"><name>a</name><version>1.0.0</version><description>d</description>\

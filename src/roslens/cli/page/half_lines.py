@@ -68,13 +68,14 @@ def ends_of(connection: str) -> tuple[str, str, str]:
     return connection_ends(EntityId.parse(connection))
 
 
-def half_lines(graph: Graph, rows: Iterable[Row]) -> dict[Ends, HalfLine]:
-    """Return every line from a node to a topic and from a topic to a node."""
-    lines: dict[Ends, HalfLine] = {}
-    for one in graph.endpoints:
-        ends = _ends(one)
-        if ends is not None:
-            lines.setdefault(ends, HalfLine())
+def half_lines(joined: Iterable[Ends], rows: Iterable[Row]) -> dict[Ends, HalfLine]:
+    """Return every line from a node to a topic and from a topic to a node.
+
+    Args:
+        joined: what the graph joins, each once.
+        rows: of the tree.
+    """
+    lines = {ends: HalfLine() for ends in joined}
     node = ""
     for row in rows:
         if row.kind == "node":
@@ -90,6 +91,11 @@ def half_lines(graph: Graph, rows: Iterable[Row]) -> dict[Ends, HalfLine]:
                 line.state = worse(line.state, row.state)
                 line.take(row)
     return lines
+
+
+def joined_by(graph: Graph) -> tuple[Ends, ...]:
+    """Return which node a graph joins to which topic and which topic to which node, each once."""
+    return tuple(dict.fromkeys(ends for one in graph.endpoints if (ends := _ends(one)) is not None))
 
 
 def _ends(endpoint: Endpoint) -> Ends | None:

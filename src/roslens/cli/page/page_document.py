@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import lru_cache
-from hashlib import blake2b
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.cli.page.board_page import MOST_ALERTS
 from roslens.cli.page.half_lines import encodable, ends_of
+from roslens.cli.page.row_list import COLUMNS, RowList, row_key, shown_name, shown_text
 from roslens.cli.page.watch_causes import causes_of
 from roslens.cli.page.watch_graph import GraphPicture
-from roslens.cli.page.watch_screen import nameless, urgency, value_text
-from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
+from roslens.cli.page.watch_screen import urgency
+from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Snapshot
 from roslens.live.publish.diagnostics import sentence
-from roslens.live.system.worth_a_row import badge, not_judged, worth_a_row
+from roslens.live.system.worth_a_row import not_judged
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
@@ -27,19 +25,8 @@ from roslens.model.verdict import Verdict
 if TYPE_CHECKING:
     from roslens.live.system.tree import SystemView
 
-COLUMNS = (
-    ("rate", "Rate"),
-    ("largest_gap", "Gap"),
-    ("latency", "Latency"),
-    ("loss", "Loss"),
-    ("bandwidth", "Bandwidth"),
-    ("cpu", "CPU"),
-    ("memory", "Memory"),
-)
 _GRAVITY = {severity.value: severity.rank for severity in Severity}
 _PROCESS = f"{EntityKind.PROCESS.value}:"
-_LONGEST_NAME = 200
-_LONGEST_TEXT = 600
 
 
 def document(
@@ -55,9 +42,13 @@ def document(
     cost: str,
     happened: Iterable[Happening],
     failures: tuple[str, ...] = (),
+    row_list: RowList | None = None,
 ) -> Snapshot:
-    """Return a system at one instant as the live page shows it, be it now or once."""
-    rows = tuple(_rows(view.children, 0, ""))
+    """Return a system at one instant as the live page shows it, be it now or once.
+
+    Rows of what did not change since ``row_list`` made the ones before are the same again.
+    """
+    rows = (row_list or RowList()).of(view)
     return Snapshot(
         version=VERSION,
         time=time,
@@ -108,65 +99,6 @@ def verdict_line(one: Verdict, clock: Callable[[float], str]) -> Happening:
     return Happening(one.since, clock(one.since), f"is {one.state.value}", entity, name, one.state.value, detail)
 
 
-def shown_name(name: str) -> str:
-    """Return a name from outside as text that can be encoded, and short enough to show."""
-    return _cut(name, _LONGEST_NAME)
-
-
-def shown_text(text: str) -> str:
-    """Return a text from outside as text that can be encoded, and short enough to show."""
-    return _cut(text, _LONGEST_TEXT)
-
-
-def _cut(text: str, longest: int) -> str:
-    if len(text) > longest:
-        text = f"{text[: longest * 2 // 3]}…{text[-(longest // 3) :]}"
-    return encodable(text)
-
-
-def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
-    for part in parts:
-        if not worth_a_row(part):
-            continue
-        key = _key(above, part.id)
-        values = {name: value for name, value in part.values.items() if math.isfinite(value)}
-        shown = {name: _shown(name, float(f"{values[name]:.3g}")) for name, _ in COLUMNS if name in values}
-        yield Row(
-            key,
-            encodable(part.id),
-            _name(part),
-            part.kind,
-            depth,
-            part.state.value if part.state else UNJUDGED,
-            part.counts,
-            values,
-            shown,
-            part.observer,
-            part.worst.value if part.worst else UNJUDGED,
-            badge(part),
-        )
-        yield from _rows(part.children, depth + 1, key)
-
-
-@lru_cache(maxsize=65536)
-def _key(above: str, entity: str) -> str:
-    return blake2b(f"{above}\0{entity}".encode("utf-8", "replace"), digest_size=6).hexdigest()
-
-
-@lru_cache(maxsize=65536)
-def _shown(key: str, value: float) -> str:
-    return value_text(key, value)
-
-
-def _name(part: SystemView) -> str:
-    if not part.name:
-        return nameless(part)
-    if part.kind == "connection":
-        _, _, subscriber = ends_of(part.id)
-        return f"→ {shown_name(subscriber) or 'anybody'}"
-    return shown_name(part.name)
-
-
 def _title(quantity: str) -> str:
     signal = BY_KEY.get(quantity)
     return signal.title.lower() if signal else quantity
@@ -196,7 +128,7 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
         topic, publisher, subscriber = ends_of(entity)
         name = f"{publisher or '?'} → {topic} → {subscriber or 'anybody'}"
     return Alert(
-        key=_key(entity, one.expectation),
+        key=row_key(entity, one.expectation),
         entity=encodable(entity),
         name=shown_name(name),
         kind=one.entity.kind.value,

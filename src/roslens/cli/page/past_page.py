@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.page.page_document import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
+from roslens.cli.page.page_document import bounded, document, event_line, told_of, verdict_line
+from roslens.cli.page.row_list import shown_name, shown_text
 from roslens.cli.page.watch_detail import detail_of, limits_of
 from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.page.watch_screen import value_text

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
-from roslens.cli.page.half_lines import Ends, HalfLine, encodable, half_lines, worse
+from roslens.cli.page.half_lines import Ends, HalfLine, encodable, half_lines, joined_by, worse
 from roslens.cli.page.whole_lines import whole_lines
 from roslens.dashboard.computation.noise import DEFAULT, kinds_of_noise
 from roslens.dashboard.computation.picture import MANY, Grounds
@@ -44,11 +44,14 @@ class GraphPicture:
         self._short = short
         self._grounds = grounds
         self._sheet = Sheet()
+        self._joined: tuple[Graph, tuple[Ends, ...]] | None = None
 
     def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
         """Return the picture of what the graph and the tree know; nodes are shown as they are judged themselves."""
         states = _states(graph, rows, verdicts)
-        halves = half_lines(graph, rows)
+        if self._joined is None or self._joined[0] is not graph:
+            self._joined = graph, joined_by(graph)
+        halves = half_lines(self._joined[1], rows)
         topics, left_out = _topics(rows, halves)
         nodes = _nodes(graph, rows, halves)
         hosts = _hosts(rows)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.page.board_page import BoardPage, Looked
-from roslens.cli.page.page_document import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
+from roslens.cli.page.page_document import bounded, document, event_line, told_of, verdict_line
 from roslens.cli.page.past_page import PastPage
+from roslens.cli.page.row_list import RowList, shown_name, shown_text
 from roslens.cli.page.watch_detail import detail_of
 from roslens.cli.page.watch_graph import GraphPicture
 from roslens.dashboard.live.snapshot import Happening, Snapshot
@@ -60,6 +61,7 @@ class PageSource:
         self._live = live
         self._steady = steady
         self._picture = GraphPicture(shown_name)
+        self._rows = RowList()
         self._happened: deque[Happening] = deque(maxlen=_KEPT)
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
@@ -166,6 +168,7 @@ class PageSource:
             cost=cost,
             happened=sorted(self._happened, key=lambda one: one.time)[::-1],
             failures=tuple(reversed(self._failures)),
+            row_list=self._rows,
         )
         shown, muted = self.board.sorted(found.alerts, looked.time)
         return bounded(msgspec.structs.replace(found, alerts=shown, muted=muted))

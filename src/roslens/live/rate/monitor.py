@@ -20,8 +20,9 @@ from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.state_checks import StateChecks
 from roslens.live.system.connection import Connection
+from roslens.live.system.live_tree import LiveTree
 from roslens.live.system.sampled import Sampled, finite
-from roslens.live.system.tree import SystemView, view_of
+from roslens.live.system.tree import SystemView
 from roslens.live.system.world import World
 from roslens.live.window.clock_watch import ClockWatch, Course
 from roslens.live.window.host_clocks import USUAL_TOLERANCE_S
@@ -59,6 +60,7 @@ class Monitor:
             ValueError: a pattern of the reference is none.
         """
         self._world = World()
+        self._tree = LiveTree(self._world)
         self._clock = ClockWatch(start)
         self._began = start
         self._held = self._settling = False
@@ -320,7 +322,7 @@ class Monitor:
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
         self._moved += self._lookout.look_again(self._clock.now)
-        return view_of(self._world, self._standing(), now)
+        return self._tree.view(self._standing(), now)
 
     def _entities(self) -> Iterator[Measured]:
         return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())

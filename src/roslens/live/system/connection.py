@@ -189,6 +189,11 @@ class Connection(Measured):
         return quiet
 
     @property
+    def newest(self) -> list[Window]:
+        """The first window of each observer, of the best first: what the latest values are taken from."""
+        return [windows[0] for windows in self._order]
+
+    @property
     def quiet_since(self) -> float | None:
         """When the monitor noticed the last tally of all, None where it noticed none."""
         self.catch_up()

@@ -76,6 +76,11 @@ class Sampled(Measured):
         self._values.clear()
 
     @property
+    def stamp(self) -> float:
+        """When the newest sample was taken, on the clock of its observer."""
+        return self._newest
+
+    @property
     def patience(self) -> float:
         """Seconds without a sample after which nothing is known any more."""
         return max(_STALE_S, 3 * self._spacing)

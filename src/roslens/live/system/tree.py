@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
-from typing import Protocol
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import NamedTuple, Protocol, TypeAlias
 
 import msgspec
 
-from roslens.live.standing.standing import Standing
 from roslens.live.system.command_name import command_name
-from roslens.live.system.sampled import Sampled
-from roslens.live.system.world import World
-from roslens.live.window.signals import ENDS
-from roslens.live.window.traffic import MEASURES
-from roslens.live.window.window import Window
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State
 
-_TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
 _WORSE = {state: place for place, state in enumerate(State)}
 UNKNOWN_NAME = ""
 """Name of the host of nodes of which nobody knows where they are, and of the node of topics nobody publishes."""
+
+
+States: TypeAlias = "Mapping[EntityId, Sequence[State]]"
+"""How entities stand by every sentence about them."""
+Told: TypeAlias = "tuple[dict[str, float], str]"
+"""Values by key of the signal, and how they were observed."""
 
 
 class SystemView(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -76,86 +75,127 @@ class Parts(Protocol):
     def connections_of(self, topic: str, node: str) -> Iterable[EntityId]:
         """Return the connections of a topic from one node."""
 
-    def values_of(self, entity: EntityId) -> tuple[dict[str, float], str]:
+    def values_of(self, entity: EntityId) -> Told:
         """Return the latest values of an entity, and how they were observed."""
 
 
-def view_of(world: World, standing: Iterable[Standing], now: float) -> SystemView:
-    """Return the tree at ``now``; an entity below several others counts once in what is above them all."""
-    states: dict[EntityId, list[State]] = {}
-    for one in standing:
-        states.setdefault(one.entity, []).append(one.state.state)
-    return tree_of(_Running(world, now), states)
+def tree_of(parts: Parts, states: States) -> SystemView:
+    """Return the tree of parts and of how each entity stands by every sentence about it.
+
+    An entity below several others counts once in what is above them all.
+    """
+    return Plan(parts, states).view(parts.values_of, states)
 
 
-def tree_of(parts: Parts, states: dict[EntityId, list[State]]) -> SystemView:
-    """Return the tree of parts and of how each entity stands by every sentence about it."""
-    return _Tree(parts, states).build()
+class _Sums(NamedTuple):
+    """How a part stands itself, with all below it, and what alone is below it."""
+
+    state: State | None
+    worst: State | None
+    counts: dict[str, int]
+    below: dict[str, int]
 
 
-class _Running:
-    """The parts of a system that runs."""
+class _Part:
+    """A part of a plan, and its view as long as nothing of it changes.
 
-    def __init__(self, world: World, now: float) -> None:
-        self._world = world
-        self._now = now
-        self._topics: dict[str, tuple[dict[str, float], str]] = {}
-        self.host_of = world.host_of
+    Attributes:
+        entity: that it shows; a topic of several publishers has a part below each.
+        name: to show.
+        children: the parts below, in order.
+        below: everything in it, itself included.
+        view: made last; None where it has to be made.
+        sums: worst state and counts of ``view``; None where a state changed since.
+        above: the part that it is a child of; None of hosts.
+    """
 
-    @property
-    def graph(self) -> Graph | None:
-        return self._world.graph
+    __slots__ = ("above", "below", "children", "entity", "name", "sums", "view")
 
-    @property
-    def sampled(self) -> Collection[EntityId]:
-        return self._world.sampled
+    def __init__(self, entity: EntityId, children: Sequence[_Part] = (), name: str = "") -> None:
+        self.entity = entity
+        self.name = name or entity.name
+        self.children = tuple(children)
+        self.below: set[EntityId] = {entity}.union(*(one.below for one in self.children))
+        self.view: SystemView | None = None
+        self.sums: _Sums | None = None
+        self.above: _Part | None = None
+        for one in self.children:
+            one.above = self
 
-    @property
-    def topics(self) -> Iterable[str]:
-        return self._world.topics
+    def made(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
+        """Return its view, the same as before where nothing changed."""
+        before = self.view
+        if before is not None:
+            return before
+        children = tuple([one.view or one.made(values_of, states) for one in self.children])
+        entity = self.entity
+        sums = self.sums or self._sums(states)
+        self.sums = sums
+        values, observer = values_of(entity)
+        self.view = SystemView(
+            str(entity), self.name, entity.kind.value, sums.state, sums.counts, values, observer, children, sums.below,
+            sums.worst,
+        )  # fmt: skip
+        return self.view
 
-    def publishers_of(self, topic: str) -> Iterable[str]:
-        known = self._world.topics[topic]
-        return {*(known.publishers or known.former), *filter(None, known.connections)}
+    def _sums(self, states: States) -> _Sums:
+        entity = self.entity
+        state, own = _sum((entity,), states) if entity in states else _NOTHING
+        if len(self.below) == 1:
+            return _Sums(state, state, own, _NOTHING[1])
+        worst, counts = _sum(self.below, states)
+        return _Sums(state, worst, counts, _sum(self.below - {entity}, states)[1])
 
-    def connections_of(self, topic: str, node: str) -> Iterable[EntityId]:
-        return [one.id for one in self._world.topics[topic].connections.get(node, ())]
 
-    def values_of(self, entity: EntityId) -> tuple[dict[str, float], str]:
-        sampled = self._world.sampled.get(entity)
-        if sampled is not None:
-            return _of_sampled(sampled, self._now)
-        if entity.kind is EntityKind.TOPIC:
-            return self._of_topic(entity.name)
-        if entity.kind is EntityKind.CONNECTION:
-            connection = self._world.connection_of(entity)
-            if connection is not None:
-                connection.settle(self._now)
-                return _told((key, connection.value(key, 0)) for key in MEASURES)
-        return {}, ""
+class Plan:
+    """Where each entity of a system stands in its tree; views of what did not change are the same objects again."""
 
-    def _of_topic(self, name: str) -> tuple[dict[str, float], str]:
-        """Return the values of a topic, which stands below each of its publishers."""
-        if name not in self._topics:
-            topic = self._world.topics[name]
-            for one in topic.all_connections():
-                one.settle(self._now)
-            self._topics[name] = _told(topic.values(_TOPIC_SIGNALS, 0))
-        return self._topics[name]
+    def __init__(self, parts: Parts, states: Collection[EntityId]) -> None:
+        """Place what is there, and what ``states`` are about."""
+        self._hosts = _Placing(parts, states).hosts()
+        self._places: dict[EntityId, list[_Part]] = {}
+        waiting = [*self._hosts]
+        while waiting:
+            part = waiting.pop()
+            self._places.setdefault(part.entity, []).append(part)
+            waiting += part.children
+
+    def change(self, values: Iterable[EntityId], states: Iterable[EntityId]) -> None:
+        """Let what shows these ``values`` be made anew, and what counts these ``states`` be counted anew."""
+        for entity in states:
+            for place in self._places.get(entity, ()):
+                part: _Part | None = place
+                while part is not None and part.sums is not None:
+                    part.view = part.sums = None
+                    part = part.above
+        for entity in values:
+            for place in self._places.get(entity, ()):
+                part = place
+                while part is not None and part.view is not None:
+                    part.view = None
+                    part = part.above
+
+    def view(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
+        """Return the whole tree."""
+        hosts = tuple([one.made(values_of, states) for one in self._hosts])
+        worst, counts = _sum(states, states)
+        return SystemView("system", "system", "system", None, counts, {}, "", hosts, counts, worst)
 
 
 _NOTHING: tuple[None, dict[str, int]] = (None, {})
 """What nothing judges; one for all, and nobody writes into it."""
 
 
-class _Tree:
-    def __init__(self, parts: Parts, states: dict[EntityId, list[State]]) -> None:
+class _Placing:
+    """Finds what stands below what."""
+
+    def __init__(self, parts: Parts, states: Collection[EntityId]) -> None:
         self._parts = parts
         self._graph = parts.graph
         self._states = states
         self._services: dict[str, set[EntityId]] = {}
 
-    def build(self) -> SystemView:
+    def hosts(self) -> list[_Part]:
         placed = self._placed()
         self._place_services()
         for node in self._services:
@@ -163,13 +203,10 @@ class _Tree:
         commands = {}
         for process in self._graph.processes if self._graph else ():
             commands[f"{process.host}/{process.pid}"] = command_name(process.command)
-        hosts: dict[str, list[SystemView]] = {}
-        below: dict[str, set[EntityId]] = {}
+        hosts: dict[str, list[_Part]] = {}
         for node in sorted(placed):
-            view, entities = self._node(node, placed[node])
             host = self._parts.host_of(node) if node else UNKNOWN_NAME
-            hosts.setdefault(host, []).append(view)
-            below.setdefault(host, set()).update(entities)
+            hosts.setdefault(host, []).append(self._node(node, placed[node]))
         others = [one for one in self._states if one.kind not in (EntityKind.NODE, EntityKind.TOPIC)]
         for entity in dict.fromkeys((*self._parts.sampled, *others)):
             if entity.kind is EntityKind.HOST:
@@ -177,15 +214,8 @@ class _Tree:
             elif entity.kind is EntityKind.PROCESS:
                 host = entity.name.rpartition("/")[0]
                 shown = " ".join(filter(None, (entity.name, commands.get(entity.name, ""))))
-                hosts.setdefault(host, []).append(self._view(entity, {entity}, (), shown))
-                below.setdefault(host, set()).add(entity)
-        views = []
-        everything: set[EntityId] = set(self._states)
-        for name in sorted(hosts):
-            entity = EntityId(EntityKind.HOST, name)
-            views.append(self._view(entity, {entity} | below.get(name, set()), tuple(hosts[name])))
-        worst, counts = self._sum(everything)
-        return SystemView("system", "system", "system", None, counts, {}, "", tuple(views), counts, worst)
+                hosts.setdefault(host, []).append(_Part(entity, (), shown))
+        return [_Part(EntityId(EntityKind.HOST, name), hosts[name]) for name in sorted(hosts)]
 
     def _placed(self) -> dict[str, set[str]]:
         """Return the topics of each node; those without a publisher under no name."""
@@ -200,18 +230,10 @@ class _Tree:
                 placed.setdefault(name, set()).add(topic)
         return placed
 
-    def _node(self, node: str, topics: set[str]) -> tuple[SystemView, set[EntityId]]:
-        entity = EntityId(EntityKind.NODE, node)
-        below = {entity}
-        views = []
-        for name in sorted(topics):
-            view, entities = self._topic(name, node)
-            views.append(view)
-            below |= entities
-        for service in sorted(self._services.get(node, ())):
-            views.append(self._view(service, {service}, ()))
-            below.add(service)
-        return self._view(entity, below, tuple(views)), below
+    def _node(self, node: str, topics: set[str]) -> _Part:
+        below = [self._topic(name, node) for name in sorted(topics)]
+        below += [_Part(service) for service in sorted(self._services.get(node, ()))]
+        return _Part(EntityId(EntityKind.NODE, node), below)
 
     def _place_services(self) -> None:
         """Note the servers of each service of which something is known; those without one under no name."""
@@ -224,43 +246,14 @@ class _Tree:
                 for node in servers.get(entity.name) or (UNKNOWN_NAME,):
                     self._services.setdefault(node, set()).add(entity)
 
-    def _topic(self, topic: str, node: str) -> tuple[SystemView, set[EntityId]]:
+    def _topic(self, topic: str, node: str) -> _Part:
         mine = sorted(self._parts.connections_of(topic, node))
-        entity = EntityId(EntityKind.TOPIC, topic)
-        below = {entity, *mine}
-        return self._view(entity, below, tuple(self._view(one, {one}, ()) for one in mine)), below
-
-    def _view(
-        self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...], name: str = ""
-    ) -> SystemView:
-        state, own = self._sum({entity}) if entity in self._states else _NOTHING
-        worst, counts, others = state, own, _NOTHING[1]
-        if len(below) > 1 or entity not in below:
-            worst, counts = self._sum(below | {entity})
-            others = self._sum(below - {entity})[1]
-        values, observer = self._parts.values_of(entity)
-        shown = name or entity.name
-        kind = entity.kind.value
-        return SystemView(str(entity), shown, kind, state, counts, values, observer, children, others, worst)
-
-    def _sum(self, entities: set[EntityId]) -> tuple[State | None, dict[str, int]]:
-        states = [state for entity in entities if entity in self._states for state in self._states[entity]]
-        if not states:
-            return _NOTHING
-        counts = {state.value: states.count(state) for state in State if state in states}
-        return max(states, key=_WORSE.__getitem__, default=None), counts
+        return _Part(EntityId(EntityKind.TOPIC, topic), [_Part(one) for one in mine])
 
 
-def _of_sampled(sampled: Sampled, now: float) -> tuple[dict[str, float], str]:
-    values = sampled.latest(now)
-    return values, sampled.observer.value if sampled.observer and values else ""
-
-
-def _told(signals: Iterable[tuple[str, tuple[float | None, Window | None]]]) -> tuple[dict[str, float], str]:
-    values: dict[str, float] = {}
-    observer = ""
-    for key, (value, window) in signals:
-        if value is not None:
-            values[key] = value
-            observer = observer or (window.observer.value if window else "")
-    return values, observer
+def _sum(entities: Iterable[EntityId], states: States) -> tuple[State | None, dict[str, int]]:
+    found = [state for entity in entities if entity in states for state in states[entity]]
+    if not found:
+        return _NOTHING
+    counts = {state.value: count for state in State if (count := found.count(state))}
+    return max(set(found), key=_WORSE.__getitem__), counts

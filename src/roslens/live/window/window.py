@@ -41,6 +41,7 @@ class Window:
     Attributes:
         observer: who saw it.
         host: on which the observer stands.
+        additions: how often something late was put in between what was known.
         length: seconds that are kept.
         most: buckets that are kept.
         until: end of the newest tally, which only ever grows.
@@ -62,6 +63,7 @@ class Window:
         "_least",
         "_strange",
         "_summed",
+        "additions",
         "begun",
         "buckets",
         "bytes",
@@ -102,6 +104,7 @@ class Window:
         self.news = self.stepped = False
         self.voice: Voice | None = None
         self.lag = 0.0
+        self.additions = 0
         self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
 
@@ -335,6 +338,7 @@ class Window:
                     return False
                 late = Bucket.of(tally, 0.0)
                 self.buckets.insert(number, late)
+                self.additions += 1
                 self._summed = False
                 return True
             if bucket.end > tally.start + EPSILON_S:

@@ -1,0 +1,169 @@
+"""The latest values of everything that a monitor knows, read again only where something may have changed them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.live.system.connection import Connection
+from roslens.live.system.sampled import Sampled
+from roslens.live.system.topic import Topic
+from roslens.live.system.tree import Told
+from roslens.live.system.world import World
+from roslens.live.window.signals import ENDS
+from roslens.live.window.traffic import MEASURES
+from roslens.live.window.window import Window
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Graph
+from roslens.model.tally import Observer
+
+_TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
+_WORDS = {one: one.value for one in Observer}
+_NOTHING: Told = ({}, "")
+
+
+class Readings:
+    """Values by entity, each the same object until it changes.
+
+    What a connection tells changes with its tallies, and by itself once it is silent for longer than is usual; what a
+    topic tells with its connections and the graph; what is sampled with a sample, and when that is too old.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._told: dict[EntityId, Told] = {}
+        self._connections: dict[Connection, _Mark] = {}
+        self._topics: dict[str, int] = {}
+        self._samples: dict[EntityId, tuple[Sampled, float, bool]] = {}
+        self._graph: Graph | None = None
+
+    def of(self, entity: EntityId) -> Told:
+        """Return the latest values of an entity, and how they were observed."""
+        return self._told.get(entity, _NOTHING)
+
+    def refresh(self, now: float) -> list[EntityId]:
+        """Bring everything to ``now`` on the monitor's clock; return of what the values are others than before."""
+        changed: list[EntityId] = []
+        self._forget()
+        touched = self._read_connections(now, changed)
+        self._read_topics(touched, now, changed)
+        self._read_samples(now, changed)
+        return changed
+
+    def _forget(self) -> None:
+        """Let go of what the world has no more."""
+        world = self._world
+        if len(self._connections) > len(world.connections):
+            there = set(world.connections.values())
+            for gone in [one for one in self._connections if one not in there]:
+                del self._connections[gone]
+                self._told.pop(gone.id, None)
+        for name in self._topics.keys() - world.topics.keys():
+            del self._topics[name]
+            self._told.pop(_topic_id(name), None)
+        for entity in self._samples.keys() - world.sampled.keys():
+            del self._samples[entity]
+            self._told.pop(entity, None)
+
+    def _read_connections(self, now: float, changed: list[EntityId]) -> set[str]:
+        """Read the connections that may tell something else; return the topics of these."""
+        touched = set()
+        marks = self._connections
+        for one in self._world.connections.values():
+            mark = marks.get(one)
+            if mark is not None and mark.holds(one, now):
+                continue
+            one.settle(now)
+            touched.add(one.topic)
+            self._take(one.id, _of_connection(one), changed)
+            marks[one] = _Mark(one)
+        return touched
+
+    def _read_topics(self, touched: set[str], now: float, changed: list[EntityId]) -> None:
+        world, known = self._world, self._topics
+        graph, self._graph = self._graph, world.graph
+        every = graph is not world.graph
+        for name, topic in world.topics.items():
+            ends = sum(map(len, topic.connections.values()))
+            if every or name in touched or known.get(name) != ends:
+                known[name] = ends
+                self._take(topic.id, _of_topic(topic, now), changed)
+
+    def _read_samples(self, now: float, changed: list[EntityId]) -> None:
+        for entity, sampled in self._world.sampled.items():
+            mark = (sampled, sampled.stamp, sampled.fresh(now))
+            if self._samples.get(entity) != mark:
+                self._samples[entity] = mark
+                values = sampled.latest(now)
+                observer = sampled.observer.value if sampled.observer and values else ""
+                self._take(entity, (values, observer), changed)
+
+    def _take(self, entity: EntityId, told: Told, changed: list[EntityId]) -> None:
+        if self._told.get(entity) != told:
+            self._told[entity] = told
+            changed.append(entity)
+
+
+class _Mark:
+    """By what a connection that was just brought to an instant is known to tell the same later."""
+
+    __slots__ = ("_until", "_windows")
+
+    def __init__(self, connection: Connection) -> None:
+        self._windows = tuple((one, one.until, one.additions, one.unheard) for one in connection.newest)
+        self._until = min((one.noticed + one.patience - max(one.lag, 0.0) for one in connection.newest), default=0.0)
+
+    def holds(self, connection: Connection, now: float) -> bool:
+        if now > self._until:
+            return False
+        windows = connection.newest
+        if len(windows) != len(self._windows):
+            return False
+        for known, window in zip(self._windows, windows, strict=True):
+            if (
+                known[0] is not window
+                or known[1] != window.until
+                or known[2] != window.additions
+                or known[3] is not window.unheard
+            ):
+                return False
+        return True
+
+
+def _of_connection(connection: Connection) -> Told:
+    windows = connection.newest
+    if len(windows) != 1:
+        return _told((key, connection.value(key, 0)) for key in MEASURES)
+    (window,) = windows
+    if not window.spacing or window.unheard:
+        return _NOTHING
+    # The same as asking the connection for one signal after the other, which takes twice as long.
+    cache = window.cache
+    values = {}
+    for key, measure in MEASURES.items():
+        if key not in cache:
+            cache[key] = measure(window)
+        value = cache[key]
+        if value is not None:
+            values[key] = value
+    return values, _WORDS[window.observer] if values else ""
+
+
+def _of_topic(topic: Topic, now: float) -> Told:
+    for one in topic.all_connections():
+        one.settle(now)
+    return _told(topic.values(_TOPIC_SIGNALS, 0))
+
+
+def _topic_id(name: str) -> EntityId:
+    return EntityId(EntityKind.TOPIC, name)
+
+
+def _told(signals: Iterable[tuple[str, tuple[float | None, Window | None]]]) -> Told:
+    values: dict[str, float] = {}
+    observer = ""
+    for key, (value, window) in signals:
+        if value is not None:
+            values[key] = value
+            if not observer and window:
+                observer = _WORDS[window.observer]
+    return values, observer

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from roslens.cli.page.door import add_door_arguments
 from roslens.cli.react import react_simulate
+from roslens.cli.react.react_options import add_hand_arguments, add_limit_arguments
 from roslens.cli.terminal.streams import add_stream_arguments
 from roslens.cli.watch.observers import add_observer_arguments
 from roslens.cli.watch.param_reference import add_reference_argument, reference_argument
@@ -35,11 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--mode", choices=MODES, default="dry-run",
         help="dry-run: only say it; ask: in the terminal; act: do it (default: dry-run)",
     )  # fmt: skip
-    parser.add_argument("--allow", type=Path, metavar="FILE", help="what may be done to processes of this host")
-    parser.add_argument(
-        "--enrolled", type=Path, metavar="FOLDER", help="ask agents that `roslens agent --enrol` enrolled"
-    )
-    parser.add_argument("--agents", metavar="HOST[:PORT]", help="where they connect to (default: 0.0.0.0:7412)")
+    add_hand_arguments(parser)
     parser.add_argument("--journal", type=Path, metavar="FILE", help="default: in the state folder of this user")
     parser.add_argument(
         "--serve", metavar="[HOST:]PORT",
@@ -50,19 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     held = parser.add_mutually_exclusive_group()
     held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all that is done from here, at once")
     held.add_argument("--release", action="store_true", help="go on, also with what was given up")
-    limits = parser.add_argument_group("limits")
-    limits.add_argument(
-        "--cool-down", default="10s", metavar="TIME", help="between the same on the same (default: 10s)"
-    )
-    limits.add_argument("--at-most", type=int, default=10, metavar="N", help="actions a minute, of all (default: 10)")
-    limits.add_argument(
-        "--most-restarts", type=int, default=3, metavar="N",
-        help="of a node in 10 minutes, then it is given up until --release (default: 3)",
-    )  # fmt: skip
-    limits.add_argument(
-        "--maintenance", action="append", default=[], metavar="WINDOW",
-        help="when nothing is done to the robot: `Mon-Fri 22:00-23:30`; may be given again",
-    )  # fmt: skip
+    add_limit_arguments(parser)
     react_simulate.add_arguments(parser)
     add_observer_arguments(parser)
     parser.add_argument(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from roslens.cli.check.analysed import add_kept_arguments
 from roslens.cli.conformance.shown_sides import add_against_argument
 from roslens.cli.graph.shown_graphs import add_shown_argument
 from roslens.cli.page.door import add_door_arguments, door_of
+from roslens.cli.served.reacting import add_reacting_arguments, checked, refusals_to
 from roslens.cli.terminal.streams import add_stream_arguments, progress_for
 from roslens.cli.watch.observers import add_observer_arguments, given
 from roslens.cli.watch.param_reference import add_reference_argument
@@ -20,6 +22,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.page.watch_page import PageSource
+    from roslens.dashboard.journal.questions import Questions
     from roslens.dashboard.live.further import Further
 
 TEXT = "Serve the pages of the last run on this machine."
@@ -27,6 +30,8 @@ EXAMPLES = """\
   roslens serve
   roslens serve ~/robot_ws --port 8081
   roslens serve --live --reference robot.yaml      with a page of the robot that runs
+  roslens serve --live --reference robot.yaml --react ask --tokens people.txt
+                                                   and ask who may operate before anything is done about faults
   roslens serve --bag drive.bag --reference robot.yaml
                                                    or of a recording of it
   roslens serve --history robot.sqlite --journal   or of what a watch kept of it, and of what was done about faults
@@ -56,6 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     add_reference_argument(live)
     add_observer_arguments(live)
+    add_reacting_arguments(parser)
     add_against_argument(parser)
     add_stream_arguments(parser)
 
@@ -74,6 +80,7 @@ def run(options: argparse.Namespace) -> int:
     of_bag = bool(options.bag)
     if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+    checked(options)
     from roslens.cli.check.kept_new import shown_new
     from roslens.cli.check.shown_run import shown_run
     from roslens.cli.conformance.shown_sides import against, shown_sides
@@ -86,7 +93,10 @@ def run(options: argparse.Namespace) -> int:
     from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
-    door = door_of(options, options.host, acting=options.live or options.accept)
+    questions = _questions(options)
+    door = door_of(
+        options, options.host, acting=options.live or options.accept, told=lambda entry: refusals_to(questions, entry)
+    )
     progress = progress_for(options)
     with (
         shown_run(options, progress) as view,
@@ -105,7 +115,7 @@ def run(options: argparse.Namespace) -> int:
             print(f"roslens: {door.address(url)} (Ctrl-C ends it)", file=sys.stderr, flush=True)
             read_graphs()
 
-        with _beside(options) as page:
+        with _beside(options, site.name, questions) as (page, further):
             if page:
                 page.draw_on(source_grounds(site))
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=of_bag)
@@ -121,14 +131,36 @@ def run(options: argparse.Namespace) -> int:
                 past=page.past if page else None,
                 board=page.board if page else None,
                 state=page.state if page else None,
-                further=_journal(options, site.name, page),
+                further=further or _journal(options, site.name, page),
                 access=door.access,
                 tls=door.tls,
             )
     return 0
 
 
-def _beside(options: argparse.Namespace) -> AbstractContextManager[PageSource | None]:
+def _questions(options: argparse.Namespace) -> Questions | None:
+    if not options.react:
+        return None
+    from roslens.cli.react.react_live import questions_of
+
+    return questions_of(options.react)
+
+
+@contextmanager
+def _beside(
+    options: argparse.Namespace, title: str, questions: Questions | None
+) -> Iterator[tuple[PageSource | None, Further | None]]:
+    if options.react:
+        from roslens.cli.served.reacting import reacting_beside
+
+        with reacting_beside(options, title, questions) as beside:
+            yield beside
+        return
+    with _shown_beside(options) as page:
+        yield page, None
+
+
+def _shown_beside(options: argparse.Namespace) -> AbstractContextManager[PageSource | None]:
     if options.bag:
         from roslens.cli.served.recording import recording_beside
 

@@ -53,14 +53,9 @@ def react_live(options: argparse.Namespace) -> int:
         UsageError: the options make no sense, or no ROS is observed in which anything could be done.
         DocumentError: the reference has no reactions, or calls for what cannot be done.
     """
-    from roslens.cli.watch.watch_reload import ReferenceFiles
     from roslens.store.journal import Journal
 
-    limits = _limits(options)
-    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
-    if not files.reference.reactions:
-        shown = ", ".join(str(one) for one in options.reference)
-        raise UsageError(f"no reaction in {shown}", expected="a document with `reactions:`")
+    limits, files = limits_of(options), files_with_reactions(options)
     if options.mode == "ask" and not sys.stdin.isatty() and options.serve is None:
         raise UsageError(
             "--mode ask where nobody can answer", expected="a terminal, or --serve PORT",
@@ -70,10 +65,44 @@ def react_live(options: argparse.Namespace) -> int:
     path = options.journal or state_folder(os.environ) / "journal.jsonl"
     with contextlib.ExitStack() as stack:
         journal = stack.enter_context(Journal(path))
-        return _Reacting(options, files, limits, journal, stack).run(length)
+        questions = questions_of(options.mode) if options.serve is not None else None
+        reacting = Reacting(options, files, limits, journal, stack, questions)
+        reacting.prepare()
+        if options.serve is not None:
+            reacting.show(*serve_reacting(stack, reacting.session, platform.node(), options, journal.path, questions))
+        return reacting.run(Stretch(reacting.session, length, when_stopped(stack)))
 
 
-def _limits(options: argparse.Namespace) -> Limits:
+def files_with_reactions(options: argparse.Namespace) -> ReferenceFiles:
+    """Return the references of the options.
+
+    Raises:
+        UsageError: none of them says what is to be done.
+        DocumentError: one is wrong.
+    """
+    from roslens.cli.watch.watch_reload import ReferenceFiles
+
+    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
+    if not files.reference.reactions:
+        shown = ", ".join(str(one) for one in options.reference)
+        raise UsageError(f"no reaction in {shown or 'no reference'}", expected="a document with `reactions:`")
+    return files
+
+
+def questions_of(mode: str) -> Questions | None:
+    """Return what asks on a page; None where nothing is ever done."""
+    from roslens.dashboard.journal.questions import Questions
+
+    # In mode `act`, too: a reaction may be more careful than that.
+    return Questions() if mode != "dry-run" else None
+
+
+def limits_of(options: argparse.Namespace) -> Limits:
+    """Return how much may be done.
+
+    Raises:
+        UsageError: an option is wrong.
+    """
     from roslens.live.react.gate import Limits
     from roslens.live.react.maintenance import parse_window
     from roslens.model.reaction import Mode
@@ -137,12 +166,16 @@ class _Telling:
         return entry
 
 
-class _Reacting:
-    """One run of `roslens react`."""
+class Reacting:
+    """Watches what runs and does what a reference says: prepared, shown where that is wanted, and run.
+
+    Attributes:
+        session: of the watch.
+    """
 
     def __init__(
         self, options: argparse.Namespace, files: ReferenceFiles, limits: Limits, journal: Journal,
-        stack: contextlib.ExitStack,
+        stack: contextlib.ExitStack, questions: Questions | None,
     ) -> None:  # fmt: skip
         from roslens.live.react.gate import Gate, recalled
         from roslens.live.react.node_places import NodePlaces
@@ -152,12 +185,7 @@ class _Reacting:
         self._reference = files.reference
         self._stack = stack
         self._held = Held(os.environ)
-        self._path = journal.path
-        self._questions: Questions | None = None
-        if options.serve is not None and options.mode != "dry-run":
-            from roslens.dashboard.journal.questions import Questions
-
-            self._questions = Questions()
+        self._questions = questions
         self._folder: Path = journal.path.parent
         self._journal = _Telling(journal, options.json)
         self._gate = Gate(limits)
@@ -166,49 +194,61 @@ class _Reacting:
         self._log: deque[str] = deque(maxlen=_LOG_LINES)
         self._failed = False
         self._places_due = 0.0
+        self._started = time.time()
+        self.session = Session(self._reference, start=self._started)
+        self._address = ""
+        self._shown: Callable[[Step], None] | None = None
 
-    def run(self, length: float | None) -> int:
-        """React; return the exit code."""
+    def show(self, address: str, shown: Callable[[Step], None]) -> None:
+        """Tell ``shown`` each step; its pages are at ``address``."""
+        self._address, self._shown = address, shown
+
+    def prepare(self) -> None:
+        """Start observers and what acts, and wait until all that may have to be done can be.
+
+        Raises:
+            UsageError: the options make no sense, or no ROS is observed in which anything could be done.
+            DocumentError: the reference calls for what cannot be done.
+        """
         from roslens.live.observe.child_source import ChildSource
 
-        started = time.time()
-        session = self._session = Session(self._reference, start=started)
         # What may be refused comes before anything is started.
-        here, far, topic = self._here(), self._far_agents(), self._journal_topic()
-        sources = sources_of(self._options)
-        tools = [one.tool for one in sources if isinstance(one, ChildSource)]
-        hands = self._hands = self._all_hands(tools, here, far)
+        self._own, far, topic = self._here(), self._far_agents(), self._journal_topic()
+        self._sources = sources_of(self._options)
+        self._tools = [one.tool for one in self._sources if isinstance(one, ChildSource)]
+        hands = self._hands = self._all_hands(self._tools, self._own, far)
         self._stack.callback(hands.close)
         hands.prepare(self._reference.reactions)
         if topic:
             self._journal.publish = partial(hands.say, topic)
         self._wait_until_ready(hands)
-        address, shown = self._page(session)
-        actor = self._actor(hands, started)
+
+    def run(self, stretch: Stretch) -> int:
+        """React until ``stretch`` is over; return the exit code."""
+        session, hands, here = self.session, self._hands, self._own
+        actor = self._actor(hands, self._started)
         renewal = Renewal(self._files, session, actor.reactor, hands, self._journal, steady=time.monotonic)
-        ended = when_stopped(self._stack)
-        stretch = Stretch(session, length, ended)
         names = [one.name for one in self._reference.reactions]
         self._journal.add(
-            "began", started, mode=self._options.mode, reactions=names, host=platform.node(), observers=tools,
-            references=[str(one) for one in self._options.reference], page=address,
+            "began", self._started, mode=self._options.mode, reactions=names, host=platform.node(),
+            observers=self._tools, references=[str(one) for one in self._options.reference], page=self._address,
         )  # fmt: skip
         try:
             run(
                 session,
-                [*sources, _Wakes(hands)],
+                [*self._sources, _Wakes(hands)],
                 wall=time.time,
                 stopped=stretch.over,
-                told=lambda step: self._told(actor, here, renewal.look(step), shown),
+                told=lambda step: self._told(actor, here, renewal.look(step)),
             )
         finally:
             self._journal.add("ended", time.time(), text="nothing is done any more")
-        for failure in never_saw(sources, stretch.passed):
+        for failure in never_saw(self._sources, stretch.passed):
             self._failed = True
             print(f"roslens: {failure}", file=sys.stderr)
         return 3 if self._failed else 0
 
-    def _told(self, actor: Actor, here: _Here | None, step: Step, shown: Callable[[Step], None] | None) -> None:
+    def _told(self, actor: Actor, here: _Here | None, step: Step) -> None:
         for failure in step.failures:
             self._log.append(f"{time_of_day(step.time)} {failure}")
             if not self._options.quiet:
@@ -222,7 +262,7 @@ class _Reacting:
         )
         if step.events or step.time >= self._places_due or step.time < self._places_due - 10 * _PLACES_EVERY_S:
             self._places_due = step.time + _PLACES_EVERY_S
-            graph = self._session.graph()
+            graph = self.session.graph()
             self._places.take(graph)
             if here is not None:
                 own = platform.node()
@@ -231,13 +271,8 @@ class _Reacting:
         if self._questions is not None:
             write_refusals(self._questions, self._journal)
         # The page last: what is due does not wait for it.
-        if shown is not None:
-            shown(step)
-
-    def _page(self, session: Session) -> tuple[str, Callable[[Step], None] | None]:
-        if self._options.serve is None:
-            return "", None
-        return serve_reacting(self._stack, session, platform.node(), self._options, self._path, self._questions)
+        if self._shown is not None:
+            self._shown(step)
 
     def _actor(self, hands: AllHands, started: float) -> Actor:
         from roslens.live.react.actor import Actor
@@ -298,7 +333,7 @@ class _Reacting:
             return partial(webhook.act, decision)
         now = decision.at_s
         standing = snapshot.Standing(
-            self._session.graph(), tuple(self._session.monitor.standing()), tuple(self._session.readings(now)),
+            self.session.graph(), tuple(self.session.monitor.standing()), tuple(self.session.readings(now)),
             tuple(self._log),
         )  # fmt: skip
         return partial(snapshot.act, decision, standing, self._folder / "snapshots")

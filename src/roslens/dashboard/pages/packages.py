@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import msgspec
+
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.layout.tiers import cycles_of, needs_of, tiers_of
@@ -15,6 +17,8 @@ from roslens.model.result import PackageSummary
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter, tag_filter
 
+FIRST = 200
+"""Rows of a served page that did not ask for all: with 4,000 a browser lays out 120,000 elements."""
 TELLING = (
     "comment_ratio",
     "cyclomatic_complexity",
@@ -34,8 +38,9 @@ def build(site: Site, request: Request) -> View | None:
             site, tags=tag_filter(include, exclude), text=query.get("text"), every_value=_every_value(request)
         ),
         query.get("sort"),
-        None if request.complete else request.limits.rows,
+        _limit(request),
     )
+    table = msgspec.structs.replace(table, all=PageRef("packages", query=query.replaced(show="all")))
     return View(
         ref=PageRef("packages", query=query.pairs),
         title="Packages",
@@ -43,6 +48,14 @@ def build(site: Site, request: Request) -> View | None:
         tables=(table, *_repositories(site, tag_filter(include, exclude), request)),
         shown={"tags": site.tag_counts, "every_value": _every_value(request), "of_all": number_of_packages(site.by_id)},
     )
+
+
+def _limit(request: Request) -> int | None:
+    """Return how many rows are shown: written pages hold all, for nobody can be asked for the rest."""
+    if request.complete:
+        return None
+    first = request.medium == "served" and request.query.get("show") != "all"
+    return min(FIRST, request.limits.rows) if first else request.limits.rows
 
 
 def _every_value(request: Request) -> bool:

@@ -38,6 +38,7 @@ _LIVE = "/live/"
 LIVE_WEB = WEB.parent / "live" / "web"
 _OF_GRAPHS = ("/computation/", "/nodes/", "/topics/")
 _GRACE_S = 2
+_RETRY_S = 5
 _ADVICE = "start `roslens serve` with --host HOST"
 _MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
 
@@ -86,7 +87,12 @@ def create_app(
 
     async def failed(request: HttpRequest, error: Exception) -> Response:  # noqa: ARG001 - Starlette's shape
         view = View(PageRef("help"), "The run cannot be read", {}, shown={"what": str(error), "advice": ""})
-        return HTMLResponse(renderer.message(view, links), status_code=503)
+        try:
+            text = renderer.message(view, links)
+        except StoreError:
+            # What stands around every page is read from the store, too.
+            text = renderer.text("alone.html", what=str(error), live=_LIVE if snapshot is not None else "")
+        return HTMLResponse(text, status_code=503, headers={"retry-after": str(_RETRY_S)})
 
     async def entity(request: HttpRequest) -> Response:
         asked = request.query_params.get("id", "")

@@ -93,6 +93,14 @@ class Readers:
         finally:
             self._take_back(connection)
 
+    def wait_at_most(self, seconds: float) -> None:
+        """Wait no longer than so many seconds for another process's lock from now on."""
+        with self._lock:
+            self._wait_s = min(self._wait_s, seconds)
+            for connection in self._idle:
+                connection.close()
+            self._idle.clear()
+
     def _take_back(self, connection: sqlite3.Connection) -> None:
         with self._lock:
             if self._closed:

@@ -62,6 +62,10 @@ class Run:
         self._path = path
         self.number = number
 
+    def wait_at_most(self, seconds: float) -> None:
+        """Read no longer than so many seconds after another process locked the store; then it cannot be read."""
+        self._readers.wait_at_most(seconds)
+
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
         """Lend a connection to read with.

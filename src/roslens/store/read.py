@@ -63,6 +63,10 @@ class RunView:
         self.header = header
         self._read_last: tuple[tuple[int, str | None], Columns] | None = None
 
+    def wait_at_most(self, seconds: float) -> None:
+        """Wait no longer than so many seconds for another process that holds the store alone."""
+        self._run.wait_at_most(seconds)
+
     @cached_property
     def workspace(self) -> WorkspaceResult:
         """What only the packages together show."""

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import sqlite3
+import time
 from pathlib import Path
 
 import pytest
+from dashboard.journal.test_journal_pages import Client
 
 from roslens.cli.main import main
 from roslens.cli.workplace.workplace import CACHE, STORE, open_store
+from roslens.dashboard.server import create_app
+from roslens.dashboard.site import Site
+from roslens.store.runs import Store
 
 Said = pytest.CaptureFixture[str]
 
@@ -67,3 +72,44 @@ def test_a_cache_that_is_gone_is_not_missed(checked: Path) -> None:
     (checked / ".roslens" / CACHE).unlink(missing_ok=True)
     with open_store(str(checked)) as store:
         assert store.view(None).packages()
+
+
+PAGES = (
+    "/", "/packages", "/packages/tiny", "/findings", "/graph", "/metrics", "/rules", "/failures", "/search?q=tiny",
+    "/hotspots", "/packages.csv", "/findings.json",
+)  # fmt: skip
+
+
+def test_a_store_that_is_held_alone_is_said_on_every_page_and_soon(checked: Path) -> None:
+    store = checked / ".roslens" / STORE
+    with sqlite3.connect(store) as connection:
+        # A write-ahead log lets nobody keep readers out; without one, as on a network, a writer does.
+        assert connection.execute("PRAGMA journal_mode = DELETE").fetchone() == ("delete",)
+    with open_store(str(checked)) as opened:
+        view = opened.view(None)
+        view.wait_at_most(0.05)
+        client = Client(create_app(Site(view, quantities={one.key: one for one in view.quantities()})))
+        holder = sqlite3.connect(store, isolation_level=None)
+        holder.execute("BEGIN EXCLUSIVE")
+        begun = time.monotonic()
+        for path in PAGES:
+            found = client.get(path)
+            assert found.status_code == 503, path
+            assert "the store is in use by another process" in found.text, path
+            assert "Wait until it is finished" in found.text, path
+        assert time.monotonic() - begun < 2 * len(PAGES)
+        holder.execute("ROLLBACK")
+        holder.close()
+        assert [client.get(path).status_code for path in PAGES[:4]] == [200] * 4
+
+
+def test_who_holds_the_store_from_the_start_is_said(
+    checked: Path, capsys: Said, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(Store.open.__func__.__kwdefaults__, "wait_s", 0.05)
+    holder = sqlite3.connect(checked / ".roslens" / STORE, isolation_level=None)
+    holder.execute("PRAGMA locking_mode = EXCLUSIVE")
+    holder.execute("BEGIN EXCLUSIVE")
+    assert main(["serve", str(checked), "--port", "0"]) == 2
+    assert "the store is in use by another process" in capsys.readouterr().err
+    holder.close()

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from roslens.dashboard.journal.questions import Questions
     from roslens.dashboard.live.further import Further
 
+PATIENCE_S = 1.0
+"""How long a page waits for a process that holds the store alone."""
 TEXT = "Serve the pages of the last run on this machine."
 EXAMPLES = """\
   roslens serve
@@ -118,6 +120,8 @@ def run(options: argparse.Namespace) -> int:
         with _beside(options, site.name, questions) as (page, further):
             if page:
                 page.draw_on(source_grounds(site))
+            # A page that waited for minutes would tell nothing, and keep all others waiting.
+            view.wait_at_most(PATIENCE_S)
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=of_bag)
             site.against = against(site, sides) if sides else None
             serve(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from dashboard.live.scripted_robot import ScriptedRobot
 
 import roslens
 from roslens.cli.page.watch_screen import nameless
+from roslens.cli.terminal.streams import LineProgress
 from roslens.dashboard.computation.system import VERB
 from roslens.dashboard.server import create_app
 from roslens.judge.quality.constraint import Constraint
@@ -18,10 +20,11 @@ from roslens.judge.ranges.range import Range
 from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Role
+from roslens.source.rules.graph.ends import WORDS
 
 TEXTS = [
     (path, path.read_text("utf-8"))
-    for folder in ("dashboard", "cli", "report")
+    for folder in ("dashboard", "cli", "report", "source/rules")
     for suffix in ("*.py", "*.html", "*.js")
     for path in sorted((Path(roslens.__file__).parent / folder).rglob(suffix))
     if "vendor" not in path.parts
@@ -45,6 +48,20 @@ def test_a_limit_says_how_many_are_outside(client: Client) -> None:
 
 def test_who_hears_a_topic_subscribes_to_it() -> None:
     assert VERB[Role.SUBSCRIPTION] == "subscribes to"
+
+
+def test_findings_of_graphs_say_it_like_the_pages() -> None:
+    assert WORDS[Role.SUBSCRIPTION] == VERB[Role.SUBSCRIPTION]
+
+
+def test_a_step_of_unknown_length_has_no_number_of_all() -> None:
+    lines = io.StringIO()
+    progress = LineProgress(lines, verbose=True)
+    progress.step("Evaluating nodes", 0)
+    progress.advance(1, "talker")
+    progress.step("Parsing", 2)
+    progress.advance(1, "a.cpp")
+    assert lines.getvalue().splitlines() == ["Evaluating nodes: 1 talker", "Parsing: 2", "Parsing: 1/2 a.cpp"]
 
 
 def test_a_service_of_which_nobody_knows_the_server_has_no_publisher() -> None:

@@ -103,7 +103,8 @@ class LineProgress:
         now = time.monotonic()
         if self._verbose or now - self._last >= self._every_s:
             self._last = now
-            print(f"{self._title}: {self._done}/{self._total} {item}", file=self._stream, flush=True)
+            of_all = f"/{self._total}" if self._total else ""
+            print(f"{self._title}: {self._done}{of_all} {item}".rstrip(), file=self._stream, flush=True)
 
     def finish(self) -> None:
         """Nothing is left on the line."""

@@ -20,8 +20,8 @@ def test_an_interface_package_that_is_not_declared_is_told_once():
     (one,) = findings(package("slam", "std_msgs"))
     assert (one.path, one.line, one.entity) == ("slam/src/slam.cpp", 7, "package:slam")
     assert one.message == (
-        "/slam (slam/src/slam.cpp:7) subscribes /scan as sensor_msgs/msg/LaserScan, but slam/package.xml does not "
-        "depend on `sensor_msgs`. Add `<depend>sensor_msgs</depend>`."
+        "/slam (slam/src/slam.cpp:7) subscribes to /scan as sensor_msgs/msg/LaserScan, but slam/package.xml does "
+        "not depend on `sensor_msgs`. Add `<depend>sensor_msgs</depend>`."
     )
 
 

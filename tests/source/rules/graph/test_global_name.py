@@ -15,8 +15,8 @@ def test_a_global_name_in_code_is_a_note_once_a_place():
     )
     assert one.severity is Severity.NOTE
     assert one.message == (
-        "/a (src/a.cpp:3) publishes topic `/scan`, a global name. Write `scan` and remap or push a namespace in the "
-        "launch file."
+        "/a (src/a.cpp:3) publishes the topic `/scan`, a global name. Write `scan` and remap or push a namespace in "
+        "the launch file."
     )
 
 

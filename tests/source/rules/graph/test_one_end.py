@@ -19,8 +19,8 @@ def test_two_names_that_mean_each_other_are_one_finding_at_the_end_that_waits():
     assert one.severity is Severity.WARNING
     assert (one.path, one.line) == ("src/slam.cpp", 8)
     assert one.message == (
-        "/slam (src/slam.cpp:8) subscribes topic /scan_row, which nobody publishes. Candidate: /scan_raw of /lidar "
-        "(src/lidar.cpp:3), nearly the same name. Correct or remap one of the two names."
+        "/slam (src/slam.cpp:8) subscribes to the topic /scan_row, which nobody publishes. Candidate: /scan_raw of "
+        "/lidar (src/lidar.cpp:3), nearly the same name. Correct or remap one of the two names."
     )
 
 

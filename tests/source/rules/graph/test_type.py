@@ -16,7 +16,7 @@ def test_the_rarer_type_is_found_fault_with():
     )
     assert one.severity is Severity.ERROR
     assert (one.path, one.line) == ("src/c.cpp", 5)
-    assert "topic /p has 2 types: /a (src/a.cpp:3) publishes it, /b (src/b.cpp:4) subscribes it as" in one.message
+    assert "topic /p has 2 types: /a (src/a.cpp:3) publishes it, /b (src/b.cpp:4) subscribes to it as" in one.message
 
 
 def test_services_and_topics_of_one_name_are_two_things():

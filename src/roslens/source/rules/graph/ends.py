@@ -20,7 +20,7 @@ KIND = {
 }
 WORDS = {
     Role.PUBLISHER: "publishes",
-    Role.SUBSCRIPTION: "subscribes",
+    Role.SUBSCRIPTION: "subscribes to",
     Role.SERVICE_SERVER: "serves",
     Role.SERVICE_CLIENT: "calls",
     Role.ACTION_SERVER: "serves",

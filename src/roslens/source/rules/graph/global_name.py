@@ -50,7 +50,7 @@ def _told(end: End, *others: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (), ())
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
-        f"{end.told} {WORDS[end.role]} {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
+        f"{end.told} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
         f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file.{doubt}"
     )
     return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given)

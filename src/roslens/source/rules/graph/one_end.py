@@ -94,7 +94,7 @@ def _told(key: tuple[str, str], of_name: list[End], why: Expected | None, view: 
     said = listed([f"{one.told} {WORDS[one.role]}" for one in of_name])
     missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}
     nobody = missing[kind][0 if waits else 1]
-    message = f"{said} {kind} {name}, which nobody {nobody}."
+    message = f"{said} the {kind} {name}, which nobody {nobody}."
     if why is not None:
         message += f" {why.words}"
     elif waits:

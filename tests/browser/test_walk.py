@@ -109,8 +109,8 @@ def test_what_was_driven_is_held_against_what_is_in_the_source(page: Page) -> No
     for words in (
         ("/robot_state_publisher", "not there", "the source"),
         ("/battery_monitor", "transient_local", "volatile"),
-        ("/joystick", "not there", "what runs"),
-        ("/sonar_board", "not there", "what runs"),
+        ("/joystick", "not there", "what ran"),
+        ("/sonar_board", "not there", "what ran"),
         ("max_linear_m_s", "0.8", "0.4"),
     ):
         row = rows.filter(has_text=words[0])

@@ -11,8 +11,10 @@ from dashboard.conftest import Client
 from roslens.cli.conformance.shown_sides import against
 from roslens.compare.conformance.observed import running_side
 from roslens.compare.conformance.side import Side
+from roslens.dashboard.pages import conformance
 from roslens.dashboard.server import create_app
 from roslens.dashboard.site import Site
+from roslens.dashboard.view import Query, Request
 from roslens.model.errors import UsageError
 from roslens.model.graph import Graph, Node
 
@@ -79,3 +81,15 @@ def test_sides_that_cannot_be_read_are_told(site: Site) -> None:
     site.against = None
     assert page.status_code == 200
     assert "what runs was not seen yet" in page.text
+
+
+def test_the_first_differences_are_shown_before_the_picture_and_all_where_asked(
+    shown: Any, site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(conformance, "FIRST", 1)
+    text = shown.get("/conformance").text
+    assert text.index('id="differences"') < text.index('id="difference"')
+    found = conformance.build(site, Request()).table("differences")
+    assert (len(found.rows), found.cut) == (1, True)
+    whole = conformance.build(site, Request(query=Query(found.all.query))).table("differences")
+    assert len(whole.rows) == whole.total == found.total > 1

@@ -122,7 +122,7 @@ def run(options: argparse.Namespace) -> int:
                 page.draw_on(source_grounds(site))
             # A page that waited for minutes would tell nothing, and keep all others waiting.
             view.wait_at_most(PATIENCE_S)
-            sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=of_bag)
+            sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=_named(options.bag))
             site.against = against(site, sides) if sides else None
             serve(
                 site,
@@ -140,6 +140,10 @@ def run(options: argparse.Namespace) -> int:
                 tls=door.tls,
             )
     return 0
+
+
+def _named(bag: list[Path] | None) -> str:
+    return ", ".join(one.name for one in bag) if bag else ""
 
 
 def _questions(options: argparse.Namespace) -> Questions | None:

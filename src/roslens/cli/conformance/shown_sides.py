@@ -30,14 +30,14 @@ def add_against_argument(parser: argparse._ActionsContainer) -> None:
 
 
 def shown_sides(
-    words: Sequence[str], live: Callable[[], Graph | None] | None, *, recorded: bool = False
+    words: Sequence[str], live: Callable[[], Graph | None] | None, *, recorded: str = ""
 ) -> Callable[[], list[Side]] | None:
     """Return what gives the sides beside source, read anew where they change; None where there is none.
 
     Args:
         words: what ``--against`` names.
         live: gives the graph of what is shown beside the run; None where nothing is.
-        recorded: whether that is a recording.
+        recorded: what that is called where it is a recording; empty of what runs.
 
     Raises:
         UsageError: a word is nothing to hold source against, or there are too many.
@@ -69,13 +69,13 @@ def shown_sides(
     return sides
 
 
-def _live(live: Callable[[], Graph | None] | None, *, recorded: bool) -> list[Side]:
+def _live(live: Callable[[], Graph | None] | None, *, recorded: str) -> list[Side]:
     from roslens.compare.conformance.observed import recorded_side, running_side
 
     graph = live() if live is not None else None
     if graph is None or not (graph.nodes or graph.endpoints):
         return []
-    return [recorded_side(graph, "the recording") if recorded else running_side(graph, "what runs")]
+    return [recorded_side(graph, recorded) if recorded else running_side(graph, "what runs")]
 
 
 def against(site: Site, sides: Callable[[], list[Side]]) -> Callable[[str], tuple[str, Conformance, list[Side]]]:

@@ -37,13 +37,25 @@ class Named(msgspec.Struct, frozen=True):
 class Assembled(msgspec.Struct, frozen=True):
     """Configurations by name, what the rules of the graph find in each, and what could not be assembled.
 
-    ``unstarted`` is what no known program starts.
+    ``unstarted`` is what no known program starts; ``among`` how many configurations there were where some were left
+    out, else 0.
     """
 
     configurations: dict[str, Configuration]
     findings: dict[str, tuple[Finding, ...]]
     failures: tuple[Failure, ...] = ()
     unstarted: tuple[Configuration, ...] = ()
+    among: int = 0
+
+    @property
+    def note(self) -> str:
+        """What readers of the pages have to know of those that were left out; empty where none were."""
+        if not self.among:
+            return ""
+        return (
+            f"{len(self.configurations)} of {self.among} launch files are shown, those that start most nodes; "
+            "`[graph.configurations]` in `roslens.toml` chooses others."
+        )
 
     def judged(self) -> tuple[JudgedConfiguration, ...]:
         """Return each with what is wrong with it, as a run keeps it."""
@@ -97,6 +109,7 @@ def telling_first(found: Assembled) -> Assembled:
         {name: found.findings[name] for name in names},
         found.failures,
         found.unstarted,
+        found.among,
     )
 
 

@@ -27,7 +27,7 @@ def site_at_once(
     from roslens.cli.graph.site import site_of
 
     kept = None if options.no_graph else kept_graphs(view, quiet=options.quiet)
-    site = site_of(view, kept)
+    site = site_of(view, kept, kept.note if kept is not None else "")
     if options.no_graph or kept is not None or not Path(view.header.root).is_dir():
         return site, progress.finish
     return site, GraphsBeside(site, view, cache_of(view, options), progress, quiet=options.quiet).start

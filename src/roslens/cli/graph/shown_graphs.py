@@ -58,8 +58,10 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     if not found:
         return None
     declared = bool(_settings_of(view.header).graph.configurations)
+    among = 0
     if not declared and len(found) > MOST:
         sizes = {one.name: -len(one.configuration.nodes) for one in found}
+        among = len(found)
         largest = set(sorted(sizes, key=lambda name: (sizes[name], name))[:MOST])
         if not quiet:
             _tell_left_out(len(largest), len(found))
@@ -68,6 +70,7 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
         {one.name: one.configuration for one in found},
         {one.name: one.findings for one in found},
         unstarted=tuple(one.configuration for one in every if one.configuration.unstarted),
+        among=among,
     )
     return kept if declared else telling_first(kept)
 

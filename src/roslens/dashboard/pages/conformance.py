@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
+import msgspec
+
 from roslens.compare.conformance.claim import NODE, PARAMETER
 from roslens.compare.conformance.disparity import Conformance, Disparity
+from roslens.compare.conformance.explain import RUNNING
+from roslens.compare.conformance.side import SideKind
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import ref_of
 from roslens.dashboard.computation.difference_picture import SIGNS, WORDS, Standing, difference_picture
@@ -20,6 +24,10 @@ from roslens.model.finding import Severity
 
 KIND_WORDS = {"source": "Source", "running": "Running", "recording": "Recorded", "reference": "Expected"}
 """The heading of a side's column, by its kind."""
+FIRST = 12
+"""Rows of differences before the picture; all of them where they are asked for."""
+_OVER = {RUNNING: "what ran"}
+"""Who is right, said of a recording."""
 HIGHEST_LEFT = 2000
 """Rows of a table; more than that nobody reads, and the CSV twin holds all."""
 
@@ -39,6 +47,7 @@ def build(site: Site, request: Request) -> View:
         shown = {"found": None, "problem": str(error), "names": names}
         return View(ref, "Expected against actual", {"problem": str(error)}, shown=shown)
     limit = None if request.complete else HIGHEST_LEFT
+    first = FIRST if limit and request.query.get("show") != "all" else limit
     system = site.book.systems.get(name)
     grave = [one for one in found.disparities if one.severity is not Severity.NOTE]
     notes = [one for one in found.disparities if one.severity is Severity.NOTE]
@@ -53,7 +62,10 @@ def build(site: Site, request: Request) -> View:
             "told": list(found.told),
         },
         tables=(
-            _table(site, system, found, "differences", "Differences", grave, limit),
+            msgspec.structs.replace(
+                _table(site, system, found, "differences", "Differences", grave, first),
+                all=PageRef("conformance", query=request.query.replaced(show="all", configuration=name)),
+            ),
             _table(site, system, found, "notes", "As it should be, or undecided", notes, limit),
         ),
         shown={
@@ -61,6 +73,7 @@ def build(site: Site, request: Request) -> View:
             "problem": "",
             "names": names,
             "chosen": name,
+            "note": site.book.note,
             "counts": counts,
             "picture": difference_picture(system, found.disparities, others) if system else None,
             "words": WORDS,
@@ -89,19 +102,20 @@ def _table(
         Column("why", "Why"),
         Column("place", "Place", "code", optional=True, sparse=True),
     )
-    cells = tuple(_row(site, system, one) for one in rows[:limit])
+    cells = tuple(_row(site, system, found, one) for one in rows[:limit])
     return Table(name, title, columns, cells, len(rows), empty="Nothing differs.")
 
 
-def _row(site: Site, system: System | None, one: Disparity) -> tuple[Cell, ...]:
+def _row(site: Site, system: System | None, found: Conformance, one: Disparity) -> tuple[Cell, ...]:
     path, _, line = one.place.rpartition(":")
-    also = f" {one.also} of its endpoints and parameters go with it." if one.also else ""
+    goes = "goes" if one.also == 1 else "go"
+    also = f" {one.also} of its endpoints and parameters {goes} with it." if one.also else ""
     return (
         Cell(one.severity.value),
         Cell(one.subject, ref=_page(system, one), hint=one.reason.value.replace("_", " ")),
         Cell(one.aspect.value),
         *(Cell(text) for text in one.told),
-        Cell(one.right),
+        Cell(one.right if SideKind.RUNNING.value in found.kinds else _OVER.get(one.right, one.right)),
         Cell(one.why + also),
         Cell(one.place, ref=file_ref(site, path, int(line)) if path and line.isdecimal() else None),
     )

@@ -22,7 +22,10 @@ from typing import Any
 import msgspec
 
 CONDITIONS = frozenset({"written", "no exception", "true", "set", "equal", "not", "and", "or"})
-"""Tags of conditions, which are compared in words: older revisions had nothing else."""
+REASONS = frozenset({"of node", "of parameter", "of handle", "of controller", "each of", "item of", "part of",
+                     "of environment", "random end", "not set", "of many"})  # fmt: skip
+IN_WORDS = CONDITIONS | REASONS
+"""Tags of conditions and reasons, which are compared in words: older revisions had nothing else."""
 
 
 def in_words(asked: Any) -> str:
@@ -37,7 +40,7 @@ def in_words(asked: Any) -> str:
 
 def plain(value: Any) -> Any:
     """Return a value as JSON has it: fields by their names, sets sorted."""
-    if isinstance(value, msgspec.Struct) and value.__struct_config__.tag in CONDITIONS:
+    if isinstance(value, msgspec.Struct) and value.__struct_config__.tag in IN_WORDS:
         return str(value)
     if isinstance(value, msgspec.Struct) and value.__struct_config__.tag == "asked":
         return in_words(value)

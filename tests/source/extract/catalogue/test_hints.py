@@ -6,6 +6,7 @@ from roslens.model.qos import Qos
 from roslens.source.extract.catalogue.hints import endpoint_of, hint_of, hinted, text_of
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.settings import NodeHint
 
@@ -39,7 +40,7 @@ def test_ros1_has_queues_and_latches_and_services_no_quality():
 
 
 def test_names_may_depend_on_parameters_and_words():
-    assert text_of("{topic=scan}/raw") == Text((Hole("parameter topic", "topic", "scan"), "/raw"))
+    assert text_of("{topic=scan}/raw") == Text((Hole(OfParameter("topic"), "topic", "scan"), "/raw"))
     assert text_of("{1}_out", (Text.of("in"),)).known == "in_out"
     assert text_of("{2}", (Text.of("in"),)).holes[0].reason == "argument 2 of its command line"
     assert read("{1} *").type.known is None

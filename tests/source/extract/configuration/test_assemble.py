@@ -18,6 +18,7 @@ from roslens.source.extract.facts.node_facts import (
     Target,
     TargetKind,
 )
+from roslens.source.extract.symbolic.reason import MAKER, NamePart, OfEnvironment, OfNode, OfParameter
 from roslens.source.extract.symbolic.text import Hole, IsSet, Text, Written
 
 CODE = Evidence("pkg/src/talker.cpp", 12, 5)
@@ -31,7 +32,7 @@ def end(role: Role, name: Text | str, kind: str = "std_msgs/msg/String", line: i
 
 
 def parameter_name(name: str, default: str | None = None) -> Text:
-    return Text((Hole(f"parameter {name}", name, default),))
+    return Text((Hole(OfParameter(str(name)), name, default),))
 
 
 def talker(**others) -> NodeFacts:
@@ -155,7 +156,7 @@ def test_else_its_default_does_and_that_is_likely():
 
 def test_without_a_default_the_name_is_a_pattern():
     configuration = configured(
-        talker(endpoints=(end(Role.SUBSCRIPTION, Text.of("in/", Hole("parameter t", "t"))),)), started()
+        talker(endpoints=(end(Role.SUBSCRIPTION, Text.of("in/", Hole(OfParameter("t"), "t"))),)), started()
     )
     (subscription,) = explicit(only(configuration))
     assert subscription.endpoint.name == "/in/*"
@@ -434,7 +435,7 @@ def component(*endpoints):
 
 
 def test_a_node_that_a_component_makes_is_in_the_namespace_that_its_options_say():
-    space = Text.of("__ns:=", Hole("namespace of the node that makes it", default=""), "/local_costmap")
+    space = Text.of("__ns:=", Hole(OfNode(NamePart.NAMESPACE, MAKER), default=""), "/local_costmap")
     words = (Text.of("--ros-args"), Text.of("-r"), space, Text.of("-r"), Text.of("costmap:__node:=costmap"))
     child = NodeFacts(
         "pkg.Talker", "pkg/src/map.cpp", 9, "ros2", name=Text.of("costmap"), arguments=words, number=1,
@@ -457,7 +458,7 @@ def test_a_node_that_a_component_makes_is_in_the_namespace_that_its_options_say(
 
 def test_what_a_parameter_decides_is_not_its_value():
     told = Text((Hole("result of joined() of {parameter topic}", "topic"),))
-    below = Text((Hole("parameter topic", "topic", "map", "namespace above the node"),))
+    below = Text((Hole(OfParameter("topic"), "topic", "map", "namespace above the node"),))
     found = {}
     for what, name in (("told", told), ("below", below)):
         facts = component(end(Role.PUBLISHER, name))
@@ -528,7 +529,7 @@ def test_the_manager_of_controllers_is_known_by_its_own_name():
     assert "/controller_manager/list_controllers" in {one.endpoint.name for one in explicit(node)}
 
 
-ROBOT = Hole("environment ROBOT", default="r1")
+ROBOT = Hole(OfEnvironment("ROBOT"), default="r1")
 SUPPOSED = "default of environment ROBOT"
 
 

@@ -12,10 +12,11 @@ from roslens.source.extract.facts.node_facts import (
     TargetKind,
 )
 from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.reason import NamePart, OfNode, OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 
 START, MAIN, CLASS = Evidence("pkg/a.launch", 3), Evidence("pkg/src/main.cpp", 12), Evidence("pkg/src/half.cpp", 5)
-OWN_NAME = Text((Hole("full name of the node", default="~"),))
+OWN_NAME = Text((Hole(OfNode(NamePart.FULL_NAME), default="~"),))
 HALF = NodeFacts(
     "pkg.Half", CLASS.path, 1, "ros1", "nodelet",
     endpoints=(
@@ -81,10 +82,10 @@ def test_unknown_remappings_leave_no_name_certain():
 
 
 def test_a_name_that_is_unknown():
-    unresolved = configuration(load(unknown("parameter name"))).nodes
+    unresolved = configuration(load(unknown(OfParameter("name")))).nodes
     assert [one.resolved for one in unresolved] == [False, True]
 
 
 def test_a_class_that_is_unknown_is_said():
-    found = configuration(LoadFact(Text.of("half"), unknown("parameter type"), MAIN))
+    found = configuration(LoadFact(Text.of("half"), unknown(OfParameter("type")), MAIN))
     assert [one.reason.partition(";")[0] for one in found.unresolved] == ["the class is unknown: {parameter type}"]

@@ -9,6 +9,7 @@ from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Overrides, Sure
 from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_parameters import Values
+from roslens.source.extract.symbolic.reason import EachOf
 from roslens.source.extract.symbolic.text import Text, unknown
 
 CODE, YAML = Evidence("a.py", 3), Evidence("a.yaml", 5)
@@ -100,7 +101,7 @@ def test_what_is_set_for_another_endpoint_or_policy_says_nothing():
 @pytest.mark.parametrize(
     ("overrides", "topic"),
     [
-        (USUAL, Text.of("/ns/", *unknown("each of them").parts)),
+        (USUAL, Text.of("/ns/", *unknown(EachOf("them")).parts)),
         (Overrides((), "", "which is not known"), TOPIC),
         (Overrides(("reliability",), "", "", ("allow",)), TOPIC),
     ],

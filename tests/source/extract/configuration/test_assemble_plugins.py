@@ -7,12 +7,13 @@ from roslens.source.extract.configuration.assemble import assemble
 from roslens.source.extract.configuration.assemble_plugins import MOST_TURNS
 from roslens.source.extract.facts.launched import Launch, Launched, Setting
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts, PluginFact, Target, TargetKind
+from roslens.source.extract.symbolic.reason import EachOf, OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text
 
 START, HERE, LOAD = Evidence("pkg/a.launch", 3), Evidence("pkg/src/a.cpp", 5), Evidence("pkg/src/a.cpp", 9)
 TARGETS = (Target(TargetKind.EXECUTABLE, "pkg", "prog", (HERE.path,), HERE),)
-LIST = Hole("each of parameter plugins", "plugins", among="[a]")
-EACH = Text((Hole("parameter {each of parameter plugins}.plugin", "*.plugin", named=(Text((LIST, ".plugin")),)),))
+LIST = Hole(EachOf(OfParameter("plugins")), "plugins", among="[a]")
+EACH = Text((Hole(OfParameter("{each of parameter plugins}.plugin"), "*.plugin", named=(Text((LIST, ".plugin")),)),))
 
 
 class Units:
@@ -95,7 +96,7 @@ def test_what_defaults_load_is_no_surer_than_they_are():
 
 
 def test_a_plugin_may_load_others():
-    inner = Text((Hole("parameter x.inner", "x.inner"),))
+    inner = Text((Hole(OfParameter("x.inner"), "x.inner"),))
 
     def again(chosen):
         names = () if chosen is None else tuple(one[1] for one in chosen.values)
@@ -112,7 +113,7 @@ def test_a_plugin_may_load_others():
 def test_it_ends_although_each_turn_asks_anew():
     def again(chosen):
         number = 0 if chosen is None else len(chosen.values)
-        return facts(Text((Hole(f"parameter p{number}", f"p{number}"),)))
+        return facts(Text((Hole(OfParameter(f"p{number}"), f"p{number}"),)))
 
     units = Units(again)
     found = configured(units)
@@ -148,7 +149,7 @@ def test_without_plugins_nothing_is_evaluated_twice():
 
 
 def test_words_of_a_text_are_asked_for():
-    words = Text((Hole("parameter sources", "sources", default=""),))
+    words = Text((Hole(OfParameter("sources"), "sources", default=""),))
 
     def again(chosen):
         (node,) = facts()

@@ -1,5 +1,6 @@
 from roslens.source.extract.domain.abstract_value import Building, Made, Obj, Unknown
 from roslens.source.extract.domain.evaluation_frame import Frame, join
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Text, Written, unknown
 
 
@@ -20,7 +21,7 @@ def test_texts_are_one_or_the_other():
 
 
 def test_a_parameter_stays_the_one_that_decides():
-    text = joined(Text(), unknown("parameter t", parameter="t", default="x"))
+    text = joined(Text(), unknown(OfParameter("t"), parameter="t", default="x"))
     assert text.holes[0].parameter == "t"
 
 

@@ -2,6 +2,7 @@ import pytest
 
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.domain.list_slices import is_slice, part_of
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Text, unknown
 
 
@@ -19,7 +20,7 @@ def test_parts_of_what_is_known():
 
 
 def test_parts_of_what_is_not():
-    hole = unknown("parameter names", parameter="names", default="[a, b]")
+    hole = unknown(OfParameter("names"), parameter="names", default="[a, b]")
     assert part_of(hole, "1:").holes[0].reason == "a part of {parameter names}"
     assert isinstance(part_of([1, 2], "a:b"), Unknown)
     assert part_of(Unknown("x"), "1:") == Unknown("x")

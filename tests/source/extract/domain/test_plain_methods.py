@@ -3,6 +3,7 @@ import pytest
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.domain.plain_methods import formatted, plain_method
 from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.symbolic.reason import NamePart, OfNode, OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text
 
 
@@ -52,8 +53,8 @@ def test_what_cannot_be_a_key_is_its_text():
     assert hashable(Text.of("a")) == Text.of("a")
 
 
-SPACE = Hole("namespace of the node", default="")
-TOPIC = Hole("parameter topic", "topic")
+SPACE = Hole(OfNode(NamePart.NAMESPACE), default="")
+TOPIC = Hole(OfParameter("topic"), "topic")
 
 
 def said(*parts):
@@ -80,7 +81,7 @@ def test_a_namespace_is_never_empty_and_begins_with_a_separator():
     of = said(SPACE)
     assert (of("empty"), of("front")) == (False, Text.of("/"))
     place = of("rfind", "/")
-    assert of("substr", 0, place) == Text((Hole("namespace above the node", default=""),))
+    assert of("substr", 0, place) == Text((Hole(OfNode(NamePart.ABOVE), default=""),))
 
 
 @pytest.mark.parametrize(
@@ -98,7 +99,7 @@ def test_methods_of_python_are_applied(name, arguments, result):
 
 
 def test_what_is_unknown_is_not_stripped_of_signs():
-    namespace = Text((Hole("parameter ns", "ns"),))
+    namespace = Text((Hole(OfParameter("ns"), "ns"),))
     assert plain_method(namespace, "strip", []) == namespace
     (hole,) = plain_method(namespace, "strip", [Text.of("/")]).holes
     assert (hole.reason, hole.parameter) == ("strip of {parameter ns}", "ns")

@@ -3,11 +3,12 @@ import pytest
 from roslens.source.extract.facts.environment_defaults import supposed, supposed_place, supposed_rule, with_defaults
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import Place, Rule
+from roslens.source.extract.symbolic.reason import OfEnvironment, OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text
 
 
 def variable(name, default=None):
-    return Hole(f"environment {name}", default=default)
+    return Hole(OfEnvironment(name), default=default)
 
 
 @pytest.mark.parametrize(
@@ -20,7 +21,7 @@ def variable(name, default=None):
         (Text.of("/b/", variable("R", "/r1")), "/b/*", ()),
         (Text.of("/", variable("R")), "/*", ()),
         (Text.of(variable("R", "r"), "/", variable("S")), "r/*", ("default of environment R",)),
-        (Text.of(Hole("parameter a", "a", "x")), "*", ()),
+        (Text.of(Hole(OfParameter("a"), "a", "x")), "*", ()),
         (Text.of(Hole("result of f()", default="x")), "*", ()),
     ],
 )
@@ -52,5 +53,5 @@ def test_a_remapping_says_which_of_its_names_is_supposed():
 
 
 def test_a_default_in_words():
-    text = Text.of("/", variable("R", "r1"), "/", variable("S"), "/", Hole("parameter a", "a", "x"))
+    text = Text.of("/", variable("R", "r1"), "/", variable("S"), "/", Hole(OfParameter("a"), "a", "x"))
     assert with_defaults(text) == "/{environment R, 'r1' where that is not set}/{environment S}/{parameter a}"

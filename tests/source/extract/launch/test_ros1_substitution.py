@@ -1,6 +1,7 @@
 import pytest
 
 from roslens.source.extract.launch.ros1_substitution import Scope, SubstitutionError, substitute, truth
+from roslens.source.extract.symbolic.reason import OfEnvironment
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 
@@ -15,7 +16,7 @@ class Files:
 SCOPE = Scope(
     Files(),
     "src/robot/launch",
-    {"name": Text.of("r2"), "open": unknown("environment X"), "n": Text.of("3")},
+    {"name": Text.of("r2"), "open": unknown(OfEnvironment("X")), "n": Text.of("3")},
     {"A": "b"},
 )
 
@@ -43,7 +44,7 @@ def test_substitutions(text, result):
 
 
 def test_holes_keep_reason_and_default():
-    assert substitute("$(optenv HOME /root)", SCOPE).parts == (Hole("environment HOME", default="/root"),)
+    assert substitute("$(optenv HOME /root)", SCOPE).parts == (Hole(OfEnvironment("HOME"), default="/root"),)
     assert substitute("$(eval open + 'x')", SCOPE).holes[0].reason.endswith("the name 'open' is unknown")
     assert substitute("$(find gone)", SCOPE).holes[0].reason == "folder of package gone, which is not in the workspace"
 

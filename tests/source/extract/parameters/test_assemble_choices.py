@@ -8,6 +8,7 @@ from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_choices import alternatives, as_decided, chosen_of
 from roslens.source.extract.parameters.assemble_parameters import Values
 from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.reason import NotSet, OfParameter
 from roslens.source.extract.symbolic.text import (
     And,
     AreEqual,
@@ -32,7 +33,7 @@ def values(place=ROS2, **given):
 
 
 def parameter(name, default=None):
-    return Text((Hole(f"parameter {name}", name, default),))
+    return Text((Hole(OfParameter(str(name)), name, default),))
 
 
 def choice(then, otherwise, test=None, condition="c"):
@@ -86,7 +87,7 @@ def test_a_parameter_that_is_set_or_not():
 
 def test_nothing_is_no_name_and_the_same_twice_is_no_choice():
     assert told(choice("a", ""), values()) == [("a", ("c",), Sure.CERTAIN)]
-    assert told(choice("a", unknown("topic_, which is not set")), values()) == [("a", ("c",), Sure.CERTAIN)]
+    assert told(choice("a", unknown(NotSet("topic_"))), values()) == [("a", ("c",), Sure.CERTAIN)]
     same = Text.of(choice("a", "b"), "c")
     assert told(Text.of(choice("x", "x")), values()) == [("x", (), Sure.CERTAIN)]
     assert [one[0] for one in told(same, values())] == ["ac", "bc"]

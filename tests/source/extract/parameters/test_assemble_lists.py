@@ -3,10 +3,11 @@
 import pytest
 
 from roslens.source.extract.parameters.assemble_lists import each_of, items_among
+from roslens.source.extract.symbolic.reason import MAKER, EachOf, ItemOf, OfParameter, PartOf
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
-EACH = Hole("each of parameter names", "names")
-OTHER = Hole("each of parameter others", "others")
+EACH = Hole(EachOf(OfParameter("names")), "names")
+OTHER = Hole(EachOf(OfParameter("others")), "others")
 SET = {"names": ["a", "b"], "others": ["x", "y"], "a.parts": ["p", "q"], "b.parts": []}
 
 
@@ -18,9 +19,10 @@ def patterns(*texts):
     return [tuple(str(one) for one in found) for found in each_of(texts, items)]
 
 
-def named(hole, last, *default, prefix=""):
+def named(hole, last, *default, each=False):
     name = Text.of(hole, last)
-    return Hole(f"{prefix}parameter {name}", name.pattern, named=(name, *default))
+    reason = OfParameter(str(name))
+    return Hole(EachOf(reason) if each else reason, name.pattern, named=(name, *default))
 
 
 def test_an_item_is_the_same_in_all_its_places():
@@ -35,8 +37,8 @@ def test_lists_that_have_nothing_to_do_with_each_other_are_not_crossed():
 
 def test_a_parameter_that_an_item_names():
     (one,), (other,) = each_of((Text.of(named(EACH, ".topic")),), items)
-    assert one == Text((Hole("parameter a.topic", "a.topic"),))
-    assert other == Text((Hole("parameter b.topic", "b.topic"),))
+    assert one == Text((Hole(OfParameter("a.topic"), "a.topic"),))
+    assert other == Text((Hole(OfParameter("b.topic"), "b.topic"),))
 
 
 def test_its_default_may_have_the_item_in_it():
@@ -46,7 +48,7 @@ def test_its_default_may_have_the_item_in_it():
 
 
 def test_a_list_that_an_item_names():
-    parts = named(EACH, ".parts", prefix="each of ")
+    parts = named(EACH, ".parts", each=True)
     assert patterns(Text.of(EACH, "/", parts)) == [
         ("a/p",), ("a/q",), ("b/{each of parameter b.parts, which is empty}",),
     ]  # fmt: skip
@@ -54,7 +56,7 @@ def test_a_list_that_an_item_names():
 
 def test_what_nobody_knows_stays():
     assert patterns(Text.of("t/", unknown("a file"))) == [("t/{a file}",)]
-    hole = named(Hole("each of parameter more", "more"), ".topic")
+    hole = named(Hole(EachOf(OfParameter("more")), "more"), ".topic")
     assert patterns(Text.of(hole)) == [("{parameter {each of parameter more}.topic}",)]
 
 
@@ -65,15 +67,15 @@ def test_what_nobody_knows_stays():
         (EACH, "[]", []),
         (EACH, "a", None),
         (EACH, None, None),
-        (Hole("each of parameter names", "names", among="[c]"), None, ["c"]),
-        (Hole("item 1 of parameter names", "names"), "[a, b]", ["b"]),
-        (Hole("item -1 of parameter names", "names"), "[a, b]", ["b"]),
-        (Hole("item 2 of parameter names", "names"), "[a, b]", []),
-        (Hole("each of a part of {parameter names}", "names"), "[a, b]", None),
-        (Hole("each of each of parameter names", "names"), "[a, b]", None),
-        (Hole("each of parameter names of node no. 2", "names"), "[a, b]", None),
-        (Hole("type of each of parameter names", "names"), "[{type: a}]", None),
-        (Hole("each of parameter names of the node that makes it", "names"), "[a, b]", None),
+        (Hole(EachOf(OfParameter("names")), "names", among="[c]"), None, ["c"]),
+        (Hole(ItemOf(1, OfParameter("names")), "names"), "[a, b]", ["b"]),
+        (Hole(ItemOf(-1, OfParameter("names")), "names"), "[a, b]", ["b"]),
+        (Hole(ItemOf(2, OfParameter("names")), "names"), "[a, b]", []),
+        (Hole(EachOf("a part of {parameter names}"), "names"), "[a, b]", None),
+        (Hole(EachOf(EachOf(OfParameter("names"))), "names"), "[a, b]", None),
+        (Hole(EachOf(OfParameter("names", 2)), "names"), "[a, b]", None),
+        (Hole(PartOf("type", EachOf(OfParameter("names"))), "names"), "[{type: a}]", None),
+        (Hole(EachOf(OfParameter("names", MAKER)), "names"), "[a, b]", None),
     ],
 )
 def test_the_items_of_a_list(hole, value, found):

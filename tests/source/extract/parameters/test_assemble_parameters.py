@@ -11,6 +11,7 @@ from roslens.source.extract.parameters.assemble_parameters import (
     parameters_of,
     set_outside,
 )
+from roslens.source.extract.symbolic.reason import EachOf, OfEnvironment, OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 
 CODE = Evidence("a.cpp", 3)
@@ -25,7 +26,7 @@ def setting(name: str, value: str | Text, node: str = "") -> Setting:
 
 
 def hole(name: str, default: str | None = None) -> Text:
-    return Text((Hole(f"parameter {name}", name, default),))
+    return Text((Hole(OfParameter(str(name)), name, default),))
 
 
 def test_the_last_setting_for_the_node_holds():
@@ -41,7 +42,7 @@ def test_a_value_a_default_and_neither():
 
 
 def test_a_value_that_is_unknown_itself_says_why():
-    filled = Values(ROS2, (setting("a", unknown("environment X")),)).fill(hole("a", "0"))
+    filled = Values(ROS2, (setting("a", unknown(OfEnvironment("X"))),)).fill(hole("a", "0"))
     assert filled.text.holes[0].reason == "environment X"
     assert filled.sure is Sure.POSSIBLE
 
@@ -91,7 +92,7 @@ def test_outside_of_nodes_the_last_setting_holds():
 
 
 def test_a_list_stands_for_each_of_its_elements():
-    each = Text.of(Hole("each of nodes", "nodes", "[x]"), "/state")
+    each = Text.of(Hole(EachOf("nodes"), "nodes", "[x]"), "/state")
     values = Values(ROS2, (setting("nodes", "[a, 'b']"),))
     assert [one.known for one in values.each(each)] == ["a/state", "b/state"]
     (default,) = Values(ROS2, ()).each(each)
@@ -168,14 +169,14 @@ def test_what_is_made_of_a_list_is_no_item_of_it(reason):
 
 
 def test_parameters_that_a_list_names():
-    facts = (ParameterFact(Text.of(Hole("each of parameter names", "names", "[a, b]"), ".rate"), CODE, "declared"),)
+    facts = (ParameterFact(Text.of(Hole(EachOf(OfParameter("names")), "names", "[a, b]"), ".rate"), CODE, "declared"),)
     assert [one.name for one in parameters_of(facts, Values(ROS2, ()))] == ["a.rate", "b.rate"]
     assert [one.name for one in parameters_of(facts, Values(ROS2, (setting("names", "[c]"),)))] == ["c.rate", "names"]
 
 
 def test_topics_that_parameters_tell_which_a_list_names():
-    name = Text.of(Hole("each of parameter names", "names", among="[a, b]"), ".topic")
-    topic = Text.of(Hole(f"parameter {name}", "*.topic", named=(name,)))
+    name = Text.of(Hole(EachOf(OfParameter("names")), "names", among="[a, b]"), ".topic")
+    topic = Text.of(Hole(OfParameter(str(name)), "*.topic", named=(name,)))
     values = Values(ROS2, (setting("a.topic", "/scan"), setting("names", "[a]")))
     assert names_of(values, topic) == [("/scan", Sure.CERTAIN)]
     assert names_of(Values(ROS2, (setting("b.topic", "/odom"),)), topic) == [
@@ -185,7 +186,7 @@ def test_topics_that_parameters_tell_which_a_list_names():
 
 
 def test_defaults_of_parameters_that_a_list_names():
-    item = Hole("each of parameter names", "names", among="[a, b]")
+    item = Hole(EachOf(OfParameter("names")), "names", among="[a, b]")
     fact = ParameterFact(Text.of(item, ".topic"), CODE, "declared", "string", Text.of(item, "/scan"))
     found = parameters_of((fact,), Values(ROS2, ()))
     assert [(one.name, one.default) for one in found] == [("a.topic", "a/scan"), ("b.topic", "b/scan")]

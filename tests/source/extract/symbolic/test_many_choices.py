@@ -9,6 +9,7 @@ from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_choices import alternatives
 from roslens.source.extract.parameters.assemble_parameters import Values
 from roslens.source.extract.symbolic.many_choices import MANY, MOST_WAYS, of_many
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import IsTrue, Text, Written, unknown
 
 
@@ -51,7 +52,7 @@ def test_choices_in_choices_end_as_one_unknown_part():
 
 
 def test_what_decides_and_may_stand_is_said():
-    text = chain(40, unknown("parameter topic", parameter="topic", default="scan"))
+    text = chain(40, unknown(OfParameter("topic"), parameter="topic", default="scan"))
     reason = text.holes[0].reason
     while text.holes[0].choice:
         (choice,) = text.holes[0].choice
@@ -64,7 +65,7 @@ def test_what_decides_and_may_stand_is_said():
 
 
 def test_nothing_that_is_set_makes_one_of_many_known():
-    asked = IsTrue(unknown("parameter p", parameter="p", default="true"))
+    asked = IsTrue(unknown(OfParameter("p"), parameter="p", default="true"))
     text = of_many(Written("p"), *(either(chain(5), chain(6), Written("p"), asked) for _ in range(2)))
     assert text is not None
     assert values(p="true").fill(text).text.known is None
@@ -75,7 +76,7 @@ def test_nothing_that_is_set_makes_one_of_many_known():
 def test_where_many_may_stand_the_few_others_are_not_told_apart():
     many = of_many(Written("c"), chain(10), chain(10))
     assert many is not None
-    asked = IsTrue(unknown("parameter p", parameter="p"))
+    asked = IsTrue(unknown(OfParameter("p"), parameter="p"))
     text = either(Text.of("scan"), many, Written("p"), asked)
     assert [one.text for one in alternatives(text, values())] == [text]
     assert [one.text for one in alternatives(text, values(p="true"))] == [Text.of("scan")]

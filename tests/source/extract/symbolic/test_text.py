@@ -1,6 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
+from roslens.source.extract.symbolic.reason import NamePart, OfNode, OfParameter
 from roslens.source.extract.symbolic.text import Choice, Hole, IsTrue, Not, Text, Written, unknown
 
 HOLES = st.builds(Hole, st.sampled_from(["argument", "parameter"]), default=st.none() | st.text(max_size=3))
@@ -32,12 +33,12 @@ def test_joining_keeps_order_and_is_stable(parts):
 
 
 def test_the_name_of_a_node_counts_with_what_is_below_it_only():
-    whole = Hole("full name of the node", default="~")
+    whole = Hole(OfNode(NamePart.FULL_NAME), default="~")
     assert Text.of(whole, "/x").usual == "~/x"
     assert Text.of(whole).usual == "~"
     assert Text.of(whole, "x").usual is None
     assert Text.of("x", whole).usual is None
-    assert Text.of("~", Hole("parameter a", "a", "b")).usual == "~b"
+    assert Text.of("~", Hole(OfParameter("a"), "a", "b")).usual == "~b"
 
 
 def test_holes_are_changed_in_choices_too():

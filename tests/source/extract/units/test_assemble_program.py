@@ -2,6 +2,7 @@ from roslens.model.graph import Role
 from roslens.model.source import Language
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts
 from roslens.source.extract.interpreter.vocabulary_index import indexed
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.units.assemble_program import classes_made, joined_facts
 from roslens.source.extract.units.node_units import node_classes
@@ -34,8 +35,8 @@ def test_the_classes_that_a_main_function_makes_are_those_that_are_nodes():
 def test_main_knows_arguments_and_the_class_what_happens_later():
     main = NodeFacts("main", "a.cpp", 9, "ros2", name=Text.of("given"), endpoints=(end(3, Text.of("said")),))
     of_class = NodeFacts(
-        "robot.Talker", "a.cpp", 4, "ros2", "lifecycle", name=unknown("parameter name"),
-        endpoints=(end(3, unknown("parameter topic")), end(5, Text.of("later"))),
+        "robot.Talker", "a.cpp", 4, "ros2", "lifecycle", name=unknown(OfParameter("name")),
+        endpoints=(end(3, unknown(OfParameter("topic"))), end(5, Text.of("later"))),
     )  # fmt: skip
     both = joined_facts(main, of_class)
     assert (both.unit, both.kind, both.name.known) == ("robot.Talker", "lifecycle", "given")

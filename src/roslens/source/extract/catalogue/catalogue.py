@@ -20,6 +20,7 @@ from roslens.source.extract.catalogue.hints import ROLES, endpoint_of, text_of
 from roslens.source.extract.facts.launched import Launched
 from roslens.source.extract.facts.meant import Meant
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts, ParameterFact, Sure
+from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text
 
 _FOLDER = "catalogue"
@@ -106,7 +107,7 @@ def facts_of(entry: Entry, words: Sequence[Text] = ()) -> NodeFacts:
         for name, value in entry.parameters.items()
     ]
     unit = entry.classes[0] if entry.classes else entry.executables[0] if entry.executables else ""
-    name = Text.of(entry.name, "_", Hole("random end")) if entry.random_end else text_of(entry.name)
+    name = Text.of(entry.name, "_", Hole(RandomEnd())) if entry.random_end else text_of(entry.name)
     return NodeFacts(
         unit, entry.source, 0, entry.generation, entry.kind, name, endpoints=tuple(endpoints),
         parameters=tuple(parameters),

@@ -15,6 +15,7 @@ from roslens.model.errors import UsageError
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, Written, unknown
 from roslens.source.settings import NodeHint
 
@@ -97,7 +98,7 @@ def text_of(written: str, words: Sequence[Text] = ()) -> Text:
 
 def _hole(name: str, default: str | None, words: Sequence[Text]) -> Hole | Text:
     if not name.isdecimal():
-        return Hole(f"parameter {name}", name, default)
+        return Hole(OfParameter(name), name, default)
     place = int(name) - 1
     if place < len(words):
         return words[place]

@@ -13,6 +13,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.parameters.assemble_parameters import Values
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 from roslens.source.extract.symbolic.text_lists import listed
 
@@ -176,7 +177,7 @@ def _is_latched(words: Words) -> bool:
 def _by_parameters(tool: str, values: Values) -> Iterator[EndpointFact]:
     """Yield what a tool of ROS 2 makes: it waits until somebody publishes what it takes."""
     if tool in ("relay", "throttle", "drop", "delay"):
-        source = _value("input_topic", values) or Text((Hole("parameter input_topic", "input_topic"),))
+        source = _value("input_topic", values) or Text((Hole(OfParameter("input_topic"), "input_topic"),))
         target = _value("output_topic", values) or Text.of(source, f"_{tool}")
         yield from _waiting(source, target)
     elif tool in ("mux", "demux"):

@@ -15,9 +15,9 @@ from roslens.source.extract.configuration.assemble_units import Units
 from roslens.source.extract.facts.launched import Controller
 from roslens.source.extract.facts.node_facts import EndpointFact, NodeFacts, Sure
 from roslens.source.extract.facts.resolve_name import absolute, expand
+from roslens.source.extract.symbolic.reason import OfController
 from roslens.source.extract.symbolic.text import Hole, Text
 
-SPACE = "namespace of the controller"
 _LOADS = Text.of("controller_manager/load_controller")
 
 
@@ -46,7 +46,8 @@ def _of_class(controller: Controller, units: Units) -> Iterator[EndpointFact]:
     for part in units.parts(controller.kind):
         for one in part.endpoints if part.generation == "ros1" else ():
             # The namespace, which code alone does not know, is known here.
-            known = one.evidence.sure is Sure.CERTAIN or one.evidence.how == SPACE
+            reasons = {type(hole.reason) for hole in one.name.holes}
+            known = one.evidence.sure is Sure.CERTAIN or reasons == {OfController}
             sure = Sure.LIKELY if known else one.evidence.sure
             evidence = msgspec.structs.replace(one.evidence, how=why, sure=sure)
             conditions = (*controller.conditions, *one.conditions)
@@ -55,4 +56,7 @@ def _of_class(controller: Controller, units: Units) -> Iterator[EndpointFact]:
 
 
 def _named(name: Text, controller: Text) -> Text:
-    return Text.of(*(controller if isinstance(one, Hole) and one.reason == SPACE else one for one in name.parts))
+    def own(part: str | Hole) -> bool:
+        return isinstance(part, Hole) and isinstance(part.reason, OfController)
+
+    return Text.of(*(controller if own(one) else one for one in name.parts))

@@ -45,6 +45,7 @@ from roslens.source.extract.parameters.assemble_choices import Alternative, alte
 from roslens.source.extract.parameters.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.symbolic.condition import as_written, under_either
+from roslens.source.extract.symbolic.reason import NamePart, OfNode, RandomEnd
 from roslens.source.extract.symbolic.text import Conditions, Hole, IsSet, Text, unknown
 from roslens.source.settings import NodeHint
 
@@ -97,7 +98,7 @@ def place_of(given: Given, facts: NodeFacts) -> Place:
     if namespace_rule is not None:
         namespace = absolute(TOP, namespace_rule.target)
     if not name.parts:
-        name = unknown("name of the node")
+        name = unknown(OfNode(NamePart.NAME))
     # A name with a separator in it is one of ROS 1, where a node may be given a path.
     whole = absolute(namespace, name)
     return supposed_place(Place(namespace, whole, generation))
@@ -204,7 +205,7 @@ class _Node:
             facts.unit,
             self.given.container,
             launched.machine,
-            launched.anonymous or any(hole.reason == "random end" for hole in self.place.node.holes),
+            launched.anonymous or any(isinstance(hole.reason, RandomEnd) for hole in self.place.node.holes),
             as_written((*launched.conditions, *self.meant.conditions, *facts.conditions)),
             tuple(self._distinct(endpoints)),
             parameters,
@@ -396,4 +397,4 @@ def container_name(launched: Launched, generation: str) -> str:
 
 
 def _why(text: Text) -> str:
-    return "; ".join(dict.fromkeys(hole.reason for hole in text.holes))
+    return "; ".join(dict.fromkeys(str(hole.reason) for hole in text.holes))

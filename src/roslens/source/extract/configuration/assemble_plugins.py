@@ -135,6 +135,6 @@ def _miss(plugin: PluginFact) -> tuple[Evidence, str]:
     if name:
         reason = f"{what} is loaded, {name}, which is not in the workspace: what it makes is unknown"
     else:
-        why = "; ".join(dict.fromkeys(hole.reason for hole in plugin.type.holes)) or "an empty name"
+        why = "; ".join(dict.fromkeys(str(hole.reason) for hole in plugin.type.holes)) or "an empty name"
         reason = f"{what} is loaded, and which one depends on {why}: what it makes is unknown"
     return plugin.evidence, reason

@@ -5,7 +5,6 @@ Numbers, truth values and None are themselves; texts are :class:`~roslens.source
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 import msgspec
@@ -23,20 +22,28 @@ from roslens.source.extract.facts.node_facts import (
     with_texts,
 )
 from roslens.source.extract.ir.program import Function
-from roslens.source.extract.symbolic.text import MAKER, Condition, Conditions, Hole, IsTrue, Text
+from roslens.source.extract.symbolic.reason import (
+    FIRST,
+    MAKER,
+    EachOf,
+    ItemOf,
+    NamePart,
+    OfHandle,
+    OfNode,
+    OfParameter,
+    Reason,
+    for_node,
+    node_of_reason,
+)
+from roslens.source.extract.symbolic.text import Condition, Conditions, Hole, IsTrue, Text
 from roslens.source.extract.symbols.workspace_index import Defined
-
-_OF_LIST = ("each of ", "item ")
 
 
 class Unknown(msgspec.Struct, frozen=True):
     """A value of which nothing is known but why; ``test`` is what decides whether it is true, where that is known."""
 
-    reason: str
+    reason: Reason
     test: Condition | None = None
-
-
-_OF_NODE = re.compile(r"(.* (?:of|above) the node)(?: no\. (\d+))?|(parameter .*?)(?: of node no\. (\d+))?", re.DOTALL)
 
 
 class Building(msgspec.Struct, eq=False):
@@ -82,30 +89,25 @@ class Building(msgspec.Struct, eq=False):
         )  # fmt: skip
         return with_texts(facts, self._seen_from_here) if self.number else facts
 
-    def said(self, what: str) -> str:
-        """Return what a hole says that this node fills: ``name of the node``, ``parameter topic``."""
-        if not self.number:
-            return what
-        return f"{what} of node no. {self.number}" if what.startswith("parameter ") else f"{what} no. {self.number}"
+    def of_name(self, what: NamePart) -> OfNode:
+        """Return the reason of a hole that a part of the name of this node fills."""
+        return OfNode(what, self.number)
 
     def _seen_from_here(self, text: Text) -> Text:
         """Return a text with holes that this node fills as such, and those of the first one as of another."""
         return text.mapped(self._hole)
 
     def _hole(self, hole: Hole) -> Hole:
-        if hole.reason.startswith(_OF_LIST):
-            own = f" of node no. {self.number}"
-            return msgspec.structs.replace(
-                hole, reason=hole.reason.removesuffix(own), parameter=hole.parameter * hole.reason.endswith(own)
-            )
-        found = _OF_NODE.fullmatch(hole.reason)
-        if found is None or hole.reason.endswith(MAKER):
-            return hole
-        what, number = (found[1], found[2]) if found[1] else (found[3], found[4])
-        if number == str(self.number):
-            return msgspec.structs.replace(hole, reason=what)
-        of_first = what + MAKER if found[1] else f"{what} of the node{MAKER}"
-        return hole if number else msgspec.structs.replace(hole, reason=of_first)
+        reason, number = hole.reason, node_of_reason(hole.reason)
+        match reason:
+            case EachOf() | ItemOf():
+                own = number == self.number
+                reason = for_node(reason, FIRST) if own else reason
+                return msgspec.structs.replace(hole, reason=reason, parameter=hole.parameter * own)
+            case OfNode() | OfParameter() | OfHandle(of=OfNode()):
+                whose = {self.number: FIRST, FIRST: MAKER}.get(number, number)
+                return msgspec.structs.replace(hole, reason=for_node(reason, whose))
+        return hole
 
 
 class Obj(msgspec.Struct, eq=False):

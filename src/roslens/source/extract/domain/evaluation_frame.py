@@ -17,6 +17,7 @@ from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.ir.program import Expression, Function
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, any_of, negated
 from roslens.source.extract.symbolic.many_choices import of_many
+from roslens.source.extract.symbolic.reason import NamePart, OfController, OfHandle, OfNode, Reason
 from roslens.source.extract.symbolic.text import (
     And,
     Choice,
@@ -289,7 +290,7 @@ def _one_of(value: Any, before: Any, condition: Condition, test: Condition | Non
         return either(value, unknown(before.reason), condition, test)
     if isinstance(before, Text) and isinstance(value, Unknown):
         return either(unknown(value.reason), before, condition, test)
-    reasons = [one.reason if isinstance(one, Unknown) else str(as_text(one)) for one in (value, before)]
+    reasons = [str(one.reason if isinstance(one, Unknown) else as_text(one)) for one in (value, before)]
     return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
 
 
@@ -318,13 +319,17 @@ def _below(one: Text, other: Text, condition: Condition) -> Text | None:
     space, name = one.parts[0], other.parts[0]
     if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in str(condition):
         return None
-    if not space.reason.startswith("namespace "):
+    if not isinstance(space.reason, OfNode | OfHandle | OfController) or _is_no_namespace(space.reason):
         return None
     return Text((msgspec.structs.replace(name, below=space.reason),))
 
 
+def _is_no_namespace(reason: Reason) -> bool:
+    return isinstance(reason, OfNode) and reason.what not in (NamePart.NAMESPACE, NamePart.ABOVE)
+
+
 def _deciding(text: Text) -> list[str]:
-    return [hole.parameter or hole.reason for hole in text.holes]
+    return [hole.parameter or str(hole.reason) for hole in text.holes]
 
 
 def either(one: Text, other: Text, condition: Condition, test: Condition | None = None) -> Text:

@@ -8,7 +8,7 @@ from typing import Any
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.domain.perhaps import is_counted
 from roslens.source.extract.domain.word_list import Words
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, said, unknown
 
 _SLICE = re.compile(r"(-?\d*)\s*:\s*(-?\d*)")
 _ANY = re.compile(r"[^\[\](){}\"']*:[^\[\](){}\"']*")
@@ -31,5 +31,5 @@ def part_of(value: Any, written: str) -> Any:
     if isinstance(value, Text):
         if ends is not None and value.known is not None:
             return Text.of(value.known[ends[0] : ends[1]])
-        return unknown(f"a part of {value}", parameter=next((hole.parameter for hole in value.holes), ""))
+        return unknown(said("a part of ", value), parameter=next((hole.parameter for hole in value.holes), ""))
     return value if isinstance(value, Unknown) else Unknown(f"a part of what is not known [{written}]")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from roslens.source.extract.domain.abstract_value import as_text
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, said, unknown
 
 _MOST_LENGTH = 10_000
 _OF_PYTHON = frozenset({"str", "unicode"})
@@ -27,10 +27,10 @@ def text_made(name: str, arguments: list[Any]) -> Text:
     if known is not None and type(second) is int and second >= 0:
         if len(arguments) == 2:
             # Of a literal so many signs are taken; of a std::string the rest from there on.
-            return unknown(f"a part of {whole}")
+            return unknown(said("a part of ", whole))
         if type(third) is int:
             return Text.of(known[second:] if third < 0 else known[second : second + third])
-    return unknown(f"a part of {whole}", parameter=next((hole.parameter for hole in whole.holes), ""))
+    return unknown(said("a part of ", whole), parameter=next((hole.parameter for hole in whole.holes), ""))
 
 
 def with_sign(of: Text, place: Any, sign: Any) -> Text:
@@ -39,4 +39,4 @@ def with_sign(of: Text, place: Any, sign: Any) -> Text:
     if known is not None and type(place) is int and 0 <= place < len(known) and put is not None and len(put) == 1:
         return Text.of(known[:place], put, known[place + 1 :])
     parameter = next((hole.parameter for hole in of.holes), "")
-    return unknown(f"{of}, of which an item was changed"[:200], parameter=parameter)
+    return unknown(said(of, ", of which an item was changed", most=200), parameter=parameter)

@@ -10,7 +10,8 @@ from roslens.source.extract.domain.abstract_value import Unknown, as_text
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
-from roslens.source.extract.symbolic.text import AreEqual, Hole, Text, unknown
+from roslens.source.extract.symbolic.reason import NamePart, OfNode, node_of_reason
+from roslens.source.extract.symbolic.text import AreEqual, Hole, Text, said, unknown
 
 SAME = frozenset(
     {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "encode", "decode",
@@ -78,7 +79,7 @@ def _of_python(of: Text, name: str, arguments: list[Any]) -> Any:
     if of.known is None or None in given or len(of.known) * longest > _MOST_LENGTH:
         if name in ("strip", "lstrip", "rstrip") and not arguments:
             return of
-        return unknown(f"{name} of {of}"[:200], parameter=parameter)
+        return unknown(said(f"{name} of ", of, most=200), parameter=parameter)
     try:
         found = getattr(of.known, name)(*given)
     except (TypeError, ValueError):
@@ -104,7 +105,7 @@ def _of_edge(of: Text, name: str) -> Any:
 
 def is_namespace(part: str | Hole) -> bool:
     """Whether a part of a text is the namespace of a node: never empty, beginning with ``/``."""
-    return isinstance(part, Hole) and part.reason.startswith("namespace of the node")
+    return isinstance(part, Hole) and isinstance(part.reason, OfNode) and part.reason.what is NamePart.NAMESPACE
 
 
 def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
@@ -133,16 +134,16 @@ def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
 def _cut(of: Text, arguments: list[Any]) -> Any:
     begin, count = (*arguments, None, None)[:2]
     if begin == 0 and isinstance(count, LastSlash) and count.of == of and isinstance(hole := of.parts[0], Hole):
-        return Text((Hole(hole.reason.replace("namespace of", "namespace above", 1), default=""),))
+        return Text((Hole(OfNode(NamePart.ABOVE, node_of_reason(hole.reason)), default=""),))
     numbers = all(isinstance(one, int) and not isinstance(one, bool) for one in arguments)
     if not numbers or not isinstance(begin, int) or begin < 0:
-        return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
+        return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
     if of.known is not None:
         return Text.of(of.known[begin:] if count is None or count < 0 else of.known[begin : begin + count])
     head = of.parts[0]
     if isinstance(head, str) and count is None and begin <= len(head):
         return Text.of(head[begin:], *of.parts[1:])
-    return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
+    return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
 
 
 def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
@@ -197,7 +198,7 @@ def formatted(pattern: Text, values: list[Any]) -> Text:
                 shown = Text((Hole("a truth value"),)) if isinstance(one, bool) else as_text(one)
                 parts.append(Text((Hole("a value that is missing"),)) if one is None else shown)
             if any(sign in piece for sign in "{}%"):
-                return unknown(f"the format {pattern}"[:200])
+                return unknown(said("the format ", pattern, most=200))
     return Text.of(*parts)
 
 

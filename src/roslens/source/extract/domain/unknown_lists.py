@@ -7,6 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.symbolic.reason import EachOf, ItemOf, PartOf
 from roslens.source.extract.symbolic.text import Choice, Hole, Text, unknown
 from roslens.source.extract.symbolic.text_lists import is_list, listed
 
@@ -24,18 +25,16 @@ def each_of(value: Any) -> Any:
     if isinstance(value, Text) and value.holes:
         hole = value.holes[0]
         if hole.choice:
-            return Text(
-                (msgspec.structs.replace(hole, reason=f"each of {hole.reason}", choice=(_each(hole.choice[0]),)),)
-            )
+            return Text((msgspec.structs.replace(hole, reason=EachOf(hole.reason), choice=(_each(hole.choice[0]),)),))
         among = hole.default if is_list(hole) and hole.default else ""
-        return Text((Hole(f"each of {hole.reason}", hole.parameter, among=among, named=hole.named),))
-    return Unknown(f"each of {value.reason}" if isinstance(value, Unknown) else "an item")
+        return Text((Hole(EachOf(hole.reason), hole.parameter, among=among, named=hole.named),))
+    return Unknown(EachOf(value.reason) if isinstance(value, Unknown) else "an item")
 
 
 def _each(choice: Choice) -> Choice:
     """Return a choice of items in place of one of lists."""
     then, otherwise = (
-        each_of(one) if one.holes else unknown(f"each of {one}") for one in (choice.then, choice.otherwise)
+        each_of(one) if one.holes else unknown(EachOf(str(one))) for one in (choice.then, choice.otherwise)
     )
     return Choice(choice.condition, then, otherwise, choice.test)
 
@@ -49,11 +48,11 @@ def item_of(value: Any, key: Any) -> Any:
         return None
     if isinstance(key, Unknown):
         return each_of(value)
-    if isinstance(key, Text) and key.known and hole.reason.startswith("each of "):
+    if isinstance(key, Text) and key.known and isinstance(hole.reason, EachOf):
         # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
-        return Text((Hole(f"{key.known} of {hole.reason}", hole.parameter, named=hole.named),))
+        return Text((Hole(PartOf(key.known, hole.reason), hole.parameter, named=hole.named),))
     if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
         return None
     items = listed(hole.default or "")
     usual = items[key] if -len(items) <= key < len(items) else None
-    return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, usual, named=hole.named),))
+    return Text((Hole(ItemOf(key, hole.reason), hole.parameter, usual, named=hole.named),))

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from roslens.source.extract.facts.resolve_name import Place, Rule, tidy
+from roslens.source.extract.symbolic.reason import OfEnvironment
 from roslens.source.extract.symbolic.text import Hole, Text
-
-ENVIRONMENT = "environment "
-"""How the reason of a hole begins that a variable of the environment decides."""
 
 
 def supposed(text: Text) -> tuple[Text, tuple[str, ...]]:
@@ -62,4 +60,4 @@ def supposed_rule(rule: Rule) -> tuple[Rule, tuple[str, ...], tuple[str, ...]]:
 
 
 def _has_default(hole: Hole) -> bool:
-    return hole.default is not None and not hole.parameter and hole.reason.startswith(ENVIRONMENT)
+    return hole.default is not None and not hole.parameter and isinstance(hole.reason, OfEnvironment)

@@ -26,6 +26,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.ir.read_first import is_read_first
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
+from roslens.source.extract.symbolic.reason import EachOf
 from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
 from roslens.source.extract.transfer.filled_lists import count_of_filled
 from roslens.source.extract.transfer.plugin_held import plugged_in
@@ -313,7 +314,7 @@ def _each(over: Any, statement: Loop) -> Any:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
         return each_of(over)
-    return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
+    return Unknown(EachOf(expression_text(statement.over)) if statement.over is not None else "an item")
 
 
 _STOPS = frozenset({"<", "<=", ">", ">=", "!="})

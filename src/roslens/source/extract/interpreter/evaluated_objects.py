@@ -13,6 +13,7 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.evaluated_calls import Calls
 from roslens.source.extract.interpreter.vocabulary import Called, find_class, find_outer
 from roslens.source.extract.ir.program import Assign, Field, Function, Member
+from roslens.source.extract.symbolic.reason import NotSet
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.symbols.workspace_index import Defined, type_arguments, type_name
 from roslens.source.extract.transfer.base_templates import bind_bases
@@ -90,7 +91,7 @@ class Objects(Calls):
                     elif field.type and "*" not in field.type:
                         value = engine.declared(field.type)
                         # Who sets it may not be followed: it is not sure to be empty.
-                        not_set = unknown(f"{field.name}, which is not set")
+                        not_set = unknown(NotSet(field.name))
                         thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
                     engine.frame = outer
@@ -227,7 +228,7 @@ def _at_first(field: Field) -> Any:
     if "ptr" in field.type.lower() and name != "std.vector":
         return None
     if name in _TEXTS:
-        return unknown(f"{field.name}, which is not set")
+        return unknown(NotSet(field.name))
     return Unknown("a value that is not set") if not name or name in _PLAIN else _OF_TYPE
 
 

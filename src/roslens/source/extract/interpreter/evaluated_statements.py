@@ -45,7 +45,7 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.ir.set_again import forget_set_again
 from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import Condition, NoException, Text, unknown
+from roslens.source.extract.symbolic.text import Condition, NoException, Text, said, unknown
 from roslens.source.extract.symbols.declared_field import declared_field
 from roslens.source.extract.symbols.workspace_index import type_arguments, type_name
 from roslens.source.extract.transfer.changed_values import is_open, put_item
@@ -207,7 +207,7 @@ def _assign_item(engine: Context, target: Item, value: Any) -> None:
     of, key = engine.value(target.of), engine.value(target.key)
     if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
         # It may hold, or not: nobody knows what the name becomes.
-        value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
+        value = unknown(said(as_text(value), f" if {engine.conditions[-1]}"))
     if isinstance(of, Remappings):
         of[hashable(key)] = value
     elif isinstance(of, dict) and (condition := is_open(engine)) and hashable(key) not in of:

@@ -34,7 +34,8 @@ from roslens.source.extract.interpreter.evaluation_bounds import MOST_DEPTH, MOS
 from roslens.source.extract.ir.controller_handles import is_of_controller
 from roslens.source.extract.ir.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.ir.program import Call, Expression, Function, Parameter, Statement
-from roslens.source.extract.symbolic.text import Condition, Text, unknown
+from roslens.source.extract.symbolic.reason import OfController
+from roslens.source.extract.symbolic.text import Condition, Text, said, unknown
 from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.node_bases import NODE_BASES
 from roslens.source.extract.symbols.reached_functions import Reached
@@ -315,7 +316,8 @@ class Evaluation(Objects):
         if not texts:
             return Unknown(f"result of {what.name}()")
         parameter = next((hole.parameter for one in texts for hole in one.holes if hole.parameter), "")
-        return unknown(f"result of {what.name}() of {', '.join(map(str, texts))}", parameter=parameter)
+        joined = [piece for one in texts for piece in (", ", one)]
+        return unknown(said(f"result of {what.name}() of ", *joined[1:]), parameter=parameter)
 
     def _of_class_templates(self, function: Callable) -> int:
         """Return how many of a function's template parameters are those of its class."""
@@ -453,7 +455,7 @@ class Evaluation(Objects):
         if name.endswith("NodeOptions"):
             return options_from_outside()
         if is_of_controller(what, parameter):
-            return Handle(self.node, unknown("namespace of the controller"))
+            return Handle(self.node, unknown(OfController()))
         return Handle(self.node) if name and self.is_node(name) else Unknown(reason)
 
     def is_node(self, name: str) -> bool:

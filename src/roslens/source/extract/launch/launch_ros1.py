@@ -29,6 +29,7 @@ from roslens.source.extract.launch.ros1_substitution import (
 )
 from roslens.source.extract.launch.ros1_words import words_of
 from roslens.source.extract.launch.ros_controllers import with_controllers
+from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
@@ -285,7 +286,7 @@ class _File:
             conditions=space.conditions,
             kind="test" if element.tag == "test" else "node",
             machine=given("machine", ""),
-            anonymous=any(hole.reason == "random end" for hole in name.holes),
+            anonymous=any(isinstance(hole.reason, RandomEnd) for hole in name.holes),
         )
         self._whole.nodes.append(as_nodelet(launched))
         self._whole.set_before.append(len(self._whole.settings))

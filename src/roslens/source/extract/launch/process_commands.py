@@ -7,6 +7,7 @@ import shlex
 import msgspec
 
 from roslens.source.extract.facts.launched import Launched
+from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text
 
 _CLIENTS = {
@@ -35,7 +36,7 @@ def as_node(launched: Launched) -> Launched | None:
         executable=words[2],
         arguments=tuple(words[3:]),
         kind="node",
-        name=given or Text.of("_ros2cli_", Hole("random end")),
+        name=given or Text.of("_ros2cli_", Hole(RandomEnd())),
         anonymous=given is None,
     )
 

@@ -14,6 +14,7 @@ import msgspec
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.parameters.ros1_values import converted
 from roslens.source.extract.symbolic.python_expression import Plain, UnknownError, evaluate
+from roslens.source.extract.symbolic.reason import OfEnvironment, RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.workspace.elements import Element
 
@@ -136,18 +137,18 @@ def _found(package: str, scope: Scope) -> Text:
 def _environment(name: str, scope: Scope) -> Text:
     if name in scope.environment:
         return Text.of(scope.environment[name])
-    return Text((Hole(f"environment {name}"),))
+    return Text((Hole(OfEnvironment(name)),))
 
 
 def _optional_environment(rest: str, scope: Scope) -> Text:
     name, _, default = rest.partition(" ")
     if name in scope.environment:
         return Text.of(scope.environment[name])
-    return Text((Hole(f"environment {name}", default=default.strip()),))
+    return Text((Hole(OfEnvironment(name), default=default.strip()),))
 
 
 def _anonymous(name: str, _scope: Scope) -> Text:
-    return Text.of(name + "_", Hole("random end"))
+    return Text.of(name + "_", Hole(RandomEnd()))
 
 
 _NAMED: dict[str, Callable[[str, Scope], Text]] = {

@@ -12,6 +12,7 @@ import msgspec
 
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.symbolic.python_expression import UnknownError, evaluate
+from roslens.source.extract.symbolic.reason import NotSet, OfEnvironment, RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 _MOST_DEPTH = 40
@@ -110,7 +111,7 @@ def _configuration(parts: list[Text], scope: Scope) -> Text:
         return _first_hole(parts)
     if name in scope.configurations:
         return scope.configurations[name]
-    return parts[1] if len(parts) > 1 else unknown(f"launch configuration {name}, which is not set")
+    return parts[1] if len(parts) > 1 else unknown(NotSet(f"launch configuration {name}"))
 
 
 def _environment(parts: list[Text], scope: Scope) -> Text:
@@ -119,7 +120,7 @@ def _environment(parts: list[Text], scope: Scope) -> Text:
         return unknown(f"environment {name}, which is set by the launch file")
     if name in scope.environment:
         return Text.of(scope.environment[name])
-    return Text((Hole(f"environment {name}", default=parts[1].known if len(parts) > 1 else None),))
+    return Text((Hole(OfEnvironment(name), default=parts[1].known if len(parts) > 1 else None),))
 
 
 def _share(parts: list[Text], scope: Scope) -> Text:
@@ -180,7 +181,7 @@ _KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
     "if": _chosen,
     "folder": _folder,
     "file": lambda _parts, scope: Text.of(scope.path),
-    "anonymous": lambda parts, _scope: Text.of(*parts, "_", Hole("random end")),
+    "anonymous": lambda parts, _scope: Text.of(*parts, "_", Hole(RandomEnd())),
     "command": lambda parts, _scope: unknown(f"output of `{Text.of(*parts)}`"),
     "rewritten": lambda parts, _scope: parts[0],
 }

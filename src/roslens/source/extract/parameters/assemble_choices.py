@@ -9,7 +9,7 @@ import msgspec
 
 from roslens.source.extract.facts.node_facts import EndpointFact, Sure
 from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.many_choices import MANY
+from roslens.source.extract.symbolic.reason import NotSet, is_of_many
 from roslens.source.extract.symbolic.text import (
     And,
     AreEqual,
@@ -29,7 +29,6 @@ from roslens.source.extract.symbolic.text import (
 MOST = 8
 """So many alternatives of one text are told; of more it is a text with holes."""
 _NO = frozenset({"false", "no", "off", "", "0", "0.0"})
-_NOT_SET = ", which is not set"
 
 
 class Decided(msgspec.Struct, frozen=True):
@@ -110,11 +109,11 @@ def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
 
 
 def _is_not_set(text: Text) -> bool:
-    return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and hole.reason.endswith(_NOT_SET)
+    return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and isinstance(hole.reason, NotSet)
 
 
 def _is_of_many(text: Text) -> bool:
-    return any(MANY in hole.reason for hole in text.holes)
+    return any(is_of_many(hole.reason) for hole in text.holes)
 
 
 def _expanded(text: Text, values: Values) -> Iterator[Alternative]:

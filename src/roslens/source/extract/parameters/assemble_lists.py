@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 
 import msgspec
 
+from roslens.source.extract.symbolic.reason import (
+    FIRST,
+    EachOf,
+    ItemOf,
+    OfMany,
+    OfParameter,
+    PartOf,
+    Reason,
+    node_of_reason,
+)
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.symbolic.text_lists import listed
 
 Items = Callable[[Hole], "list[str | Hole] | None"]
 """Returns the items that a hole stands for; None where it stands for none, or they are unknown."""
-_PREFIX = re.compile(r"(?:each of |item -?\d+ of )*")
-_WHOLE = re.compile(
-    r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*(?:\{| of node no\. | that makes it| of each of ))"
-)
-"""A list of this node, each of its items or one of them; of what else is made of a list nobody knows what it is."""
-_ITEM = re.compile(r"item (-?\d+) of ")
 _DEEPEST = 4
 
 
@@ -66,21 +69,42 @@ def _renamed(part: Hole, hole: Hole, item: str | Hole) -> Hole:
     name = named[0].usual
     if name is None:
         return msgspec.structs.replace(part, named=named)
-    found = _PREFIX.match(part.reason)
-    prefix = "" if found is None else found[0]
-    default = part.default if len(named) < 2 or prefix else named[1].usual
-    return Hole(f"{prefix}parameter {name}", name, default, part.below, among=part.among)
+    reason = _of_parameter(part.reason, name)
+    default = part.default if len(named) < 2 or not isinstance(reason, OfParameter) else named[1].usual
+    return Hole(reason, name, default, part.below, among=part.among)
+
+
+def _of_parameter(reason: Reason, name: str) -> Reason:
+    """Return the reason of the parameter of a name, or of items of it as the reason has them."""
+    match reason:
+        case EachOf(of=of):
+            return EachOf(_of_parameter(of, name))
+        case ItemOf(place=place, of=of):
+            return ItemOf(place, _of_parameter(of, name))
+    return OfParameter(name)
+
+
+def _is_own_list(reason: Reason) -> bool:
+    """Return whether it is a list of this node, each of its items or one of them.
+
+    Of what else is made of a list nobody knows what it is.
+    """
+    inner = reason.of if isinstance(reason, EachOf | ItemOf) else reason
+    if isinstance(inner, EachOf | ItemOf | PartOf | OfMany) or node_of_reason(inner) != FIRST:
+        return False
+    # A name or text of which a part is unknown has that in braces.
+    return "{" not in str(inner)
 
 
 def items_among(hole: Hole, value: Text | None) -> list[str] | None:
     """Return the items that a hole stands for where its parameter is set to a value, or to none; None where unknown."""
-    if not _WHOLE.match(hole.reason):
+    if not _is_own_list(hole.reason):
         return None
     known = (hole.among or hole.default) if value is None else value.known
     if known is None or not (known.startswith("[") and known.endswith("]")):
         return None
-    names, found = listed(known), _ITEM.match(hole.reason)
-    if found is None:
+    names = listed(known)
+    if not isinstance(hole.reason, ItemOf):
         return names
-    place = int(found[1])
+    place = hole.reason.place
     return [names[place]] if -len(names) <= place < len(names) else []

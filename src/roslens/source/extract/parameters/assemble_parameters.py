@@ -20,12 +20,22 @@ from roslens.source.extract.parameters.assemble_proof import launch_proof, proof
 from roslens.source.extract.parameters.assemble_written import Write, after_writes
 from roslens.source.extract.parameters.ros2_values import LIST
 from roslens.source.extract.symbolic.condition import as_written
-from roslens.source.extract.symbolic.text import MAKER, Choice, Hole, Text
+from roslens.source.extract.symbolic.reason import (
+    FIRST,
+    MAKER,
+    NamePart,
+    OfNode,
+    OfParameter,
+    Reason,
+    for_node,
+    node_of_reason,
+)
+from roslens.source.extract.symbolic.text import Choice, Hole, Text
 
-_NAME_OF_NODE = "name of the node"
-_FULL_NAME_OF_NODE = "full name of the node"
-_NAMESPACE_OF_NODE = "namespace of the node"
-_NAMESPACE_ABOVE = "namespace above the node"
+_NAME_OF_NODE = OfNode(NamePart.NAME)
+_FULL_NAME_OF_NODE = OfNode(NamePart.FULL_NAME)
+_NAMESPACE_OF_NODE = OfNode(NamePart.NAMESPACE)
+_NAMESPACE_ABOVE = OfNode(NamePart.ABOVE)
 _MOST_ITEMS = 100
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
@@ -113,15 +123,15 @@ class Values:
             whole = self._place.node
             short = hole.reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
             name = Text.of(base_name(whole.pattern)) if short else whole
-            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, hole.reason
+            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, str(hole.reason)
         if hole.reason in (_NAMESPACE_OF_NODE, _NAMESPACE_ABOVE):
-            return self._namespace(hole.reason), Sure.CERTAIN, hole.reason
+            return self._namespace(hole.reason), Sure.CERTAIN, str(hole.reason)
         if hole.choice:
             return self._of_choice(hole, hole.choice[0])
         found = self.value(Text.of(hole.parameter)) if hole.parameter else None
         if found is not None:
             how = f"parameter {hole.parameter}, set in {_place_of(found)}"
-            if hole.reason != f"parameter {hole.parameter}":
+            if hole.reason != OfParameter(hole.parameter):
                 # The value decides, but it is not what stands there.
                 return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, how
             sure = Sure.POSSIBLE if found.value.known is None else Sure.LIKELY if self._place.supposed else Sure.CERTAIN
@@ -129,16 +139,16 @@ class Values:
         if hole.default is not None:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
             return self._placed(Text.of(hole.default), hole), Sure.LIKELY, of
-        return Text((hole,)), Sure.POSSIBLE, hole.reason
+        return Text((hole,)), Sure.POSSIBLE, str(hole.reason)
 
     def _of_choice(self, hole: Hole, choice: Choice) -> tuple[Text, Sure, str]:
         decided = decided_by(choice, self)
         if decided.holds is None:
-            return Text((Hole(hole.reason),)), Sure.POSSIBLE, hole.reason
+            return Text((Hole(hole.reason),)), Sure.POSSIBLE, str(hole.reason)
         filled = self.fill(choice.then if decided.holds else choice.otherwise)
         return filled.text, doubt(decided.sure, filled.sure), "; ".join(dict.fromkeys((*decided.how, *filled.how)))
 
-    def _namespace(self, reason: str) -> Text:
+    def _namespace(self, reason: Reason) -> Text:
         space = self._place.namespace
         if reason == _NAMESPACE_OF_NODE:
             return space
@@ -162,12 +172,9 @@ class Values:
         return text.mapped(self._of_maker)
 
     def _of_maker(self, hole: Hole) -> Text | Hole:
-        if not hole.reason.endswith(MAKER):
+        if node_of_reason(hole.reason) != MAKER:
             return hole
-        reason = hole.reason.removesuffix(MAKER)
-        if hole.parameter:
-            reason = reason.removesuffix(" of the node")
-        found, sure, _ = self._of_hole(msgspec.structs.replace(hole, reason=reason))
+        found, sure, _ = self._of_hole(msgspec.structs.replace(hole, reason=for_node(hole.reason, FIRST)))
         if sure is Sure.CERTAIN and found.known is not None:
             return found
         return Hole(hole.reason, "", found.known)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.source.extract.symbolic.reason import OfMany
 from roslens.source.extract.symbolic.text import Condition, Hole, Text
 
 MOST_WAYS = 16
@@ -44,12 +45,12 @@ def _ways(text: Text, most: int) -> int:
     return found or 1
 
 
-def _reason(condition: Condition, texts: tuple[Text, ...]) -> str:
+def _reason(condition: Condition, texts: tuple[Text, ...]) -> OfMany:
     shown: dict[str, None] = {}
     parameters: dict[str, None] = {}
     for part in _parts(texts):
         if isinstance(part, Hole):
-            if part.reason.startswith(MANY):
+            if isinstance(part.reason, OfMany):
                 return part.reason
             if part.parameter:
                 parameters[part.parameter] = None
@@ -58,7 +59,7 @@ def _reason(condition: Condition, texts: tuple[Text, ...]) -> str:
     reason = f"{MANY}, by {str(condition)[:_MOST_LENGTH]}"
     if parameters:
         reason += f" and parameters {_some(list(parameters))}"
-    return f"{reason}; among their parts: {_some(list(shown))}" if shown else reason
+    return OfMany(f"{reason}; among their parts: {_some(list(shown))}" if shown else reason)
 
 
 def _parts(texts: tuple[Text, ...]) -> Iterator[str | Hole]:

@@ -6,19 +6,19 @@ from collections.abc import Callable
 
 import msgspec
 
+from roslens.source.extract.symbolic.reason import OfMany, Reason, is_of_many
+
 MOST_LENGTH = 100_000
 MOST_PARTS = 1_000
 """What is put together of more parts, or longer ones, is no name: a loop that doubles a text ends here."""
 _TOO_LONG = "a text that is too long to follow"
-MAKER = " that makes it"
-"""Ends the reason of a hole that whoever makes the node fills, not the node."""
 
 
 class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole", gc=False):
     """A part that cannot be known without running.
 
     Attributes:
-        reason: in words: ``parameter "topic"``, ``argument "robot"``, ``environment ROBOT``, ``result of read()``.
+        reason: what would have to be known.
         parameter: the parameter that decides it, where one does.
         default: what stands there where nothing is set; None where that is unknown too.
         below: the namespace that a relative name is below, where it is another one than the node's own.
@@ -27,10 +27,10 @@ class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole",
         named: the name of the parameter where a part of that is unknown too, and its default where it has one.
     """
 
-    reason: str
+    reason: Reason
     parameter: str = ""
     default: str | None = None
-    below: str = ""
+    below: Reason = ""
     choice: tuple[Choice, ...] = ()
     among: str = ""
     named: tuple[Text, ...] = ()
@@ -252,6 +252,18 @@ def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:
     return msgspec.structs.replace(hole, choice=(choice,))
 
 
-def unknown(reason: str, *, parameter: str = "", default: str | None = None) -> Text:
+def said(*parts: str | Text, most: int = 1000) -> Reason:
+    """Return words of texts as a reason; of what is one of many texts it says so.
+
+    Args:
+        parts: that are written one after the other.
+        most: so many signs are kept.
+    """
+    words = "".join(map(str, parts))[:most]
+    many = any(is_of_many(hole.reason) for one in parts if isinstance(one, Text) for hole in one.holes)
+    return OfMany(words) if many else words
+
+
+def unknown(reason: Reason, *, parameter: str = "", default: str | None = None) -> Text:
     """Return a text of which nothing is known but why."""
     return Text((Hole(reason, parameter, default),))

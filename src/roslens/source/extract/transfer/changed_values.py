@@ -11,7 +11,7 @@ from roslens.source.extract.domain.abstract_value import Unknown, as_text
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
-from roslens.source.extract.symbolic.text import Condition, Text, unknown
+from roslens.source.extract.symbolic.text import Condition, Text, said, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -96,7 +96,7 @@ def _is_sign(arguments: list[Any]) -> bool:
 
 def _doubtful(of: Text, name: str) -> Text:
     parameter = next((hole.parameter for hole in of.holes), "")
-    return unknown(f"{of}, which {name}() changed"[:200], parameter=parameter)
+    return unknown(said(of, f", which {name}() changed", most=200), parameter=parameter)
 
 
 def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:

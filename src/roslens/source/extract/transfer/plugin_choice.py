@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.chosen import Chosen
+from roslens.source.extract.symbolic.reason import node_of_reason
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.symbolic.text_lists import listed
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.abstract_value import Building
     from roslens.source.extract.transfer.context import Context
-
-_OF_NODE = " of node no. "
 
 
 def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None) -> Any:
@@ -41,9 +40,8 @@ def deciding_node(engine: Context, text: Text) -> Building:
     """Return the node whose parameters decide a text, else the one whose code is evaluated."""
     for hole in text.holes:
         for reason in (hole.reason, *(one.reason for named in hole.named for one in named.holes)):
-            number = reason.rpartition(_OF_NODE)[2] if _OF_NODE in reason else ""
-            if number.isdigit() and 0 < int(number) <= len(engine.others):
-                return engine.others[int(number) - 1]
+            if 0 < (number := node_of_reason(reason)) <= len(engine.others):
+                return engine.others[number - 1]
         if hole.parameter:
             return engine.first
     node = getattr(engine.frame.self, "node", None)

@@ -12,7 +12,7 @@ import msgspec
 
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts
 from roslens.source.extract.ir.program import Call, Function
-from roslens.source.extract.symbolic.many_choices import MANY
+from roslens.source.extract.symbolic.reason import is_of_many
 from roslens.source.extract.symbols.workspace_index import Defined, Index
 
 
@@ -90,7 +90,7 @@ def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tupl
 
 def _vague(fact: EndpointFact) -> bool:
     # One of many texts is a choice too, of which more is known than of what nobody has looked at.
-    unknown = (hole for hole in fact.name.holes if not hole.choice and MANY not in hole.reason)
+    unknown = (hole for hole in fact.name.holes if not hole.choice and not is_of_many(hole.reason))
     return any(hole.default is None and not hole.parameter for hole in unknown)
 
 

@@ -4,6 +4,7 @@ from roslens.source.extract.domain.abstract_value import Obj, Unknown
 from roslens.source.extract.facts.node_facts import Sure
 from roslens.source.extract.overlays.ros.record import sure_of, value_text
 from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import IsTrue, Text, unknown
 
 
@@ -13,9 +14,9 @@ from roslens.source.extract.symbolic.text import IsTrue, Text, unknown
         (Text.of("a"), Obj("rclcpp.Node"), Sure.CERTAIN),
         (Text.of("a"), None, Sure.LIKELY),
         (Text.of("a"), Unknown("whose"), Sure.LIKELY),
-        (unknown("parameter t", default="x"), Obj("rclcpp.Node"), Sure.LIKELY),
-        (unknown("parameter t"), Obj("rclcpp.Node"), Sure.POSSIBLE),
-        (unknown("parameter t"), Unknown("whose"), Sure.POSSIBLE),
+        (unknown(OfParameter("t"), default="x"), Obj("rclcpp.Node"), Sure.LIKELY),
+        (unknown(OfParameter("t")), Obj("rclcpp.Node"), Sure.POSSIBLE),
+        (unknown(OfParameter("t")), Unknown("whose"), Sure.POSSIBLE),
     ],
 )
 def test_how_sure_a_name_is(name, receiver, sure):

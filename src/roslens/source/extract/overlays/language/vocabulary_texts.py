@@ -9,7 +9,7 @@ from roslens.source.extract.domain.abstract_value import as_text
 from roslens.source.extract.domain.plain_methods import formatted
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Text, said, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -64,7 +64,7 @@ def _result(called: Called, change: Callable[..., str] | None) -> Text:
         except TypeError:
             pass
     parameter = next((hole.parameter for hole in of.holes), "")
-    return unknown(f"{of}, which {called.name}() changed"[:200], parameter=parameter)
+    return unknown(said(of, f", which {called.name}() changed", most=200), parameter=parameter)
 
 
 @outer("std.transform", "std.reverse", "std.sort", "std.remove", "std.remove_if", "std.unique", "std.fill",
@@ -81,7 +81,7 @@ def rearranged(engine: Context, _thing: Any, called: Called) -> Any:
     same = isinstance(source, Call) and isinstance(source.function, Member) and source.function.of == target
     change = _sign_by_sign(called.written[-1]) if called.name == "std.transform" and same else None
     parameter = next((hole.parameter for hole in value.holes), "")
-    doubtful = unknown(f"{value}, which {called.name}() changed"[:200], parameter=parameter)
+    doubtful = unknown(said(value, f", which {called.name}() changed", most=200), parameter=parameter)
     engine.assign(target, doubtful if change is None or value.known is None else Text.of(change(value.known)))
     return None
 

@@ -33,6 +33,7 @@ from roslens.source.extract.facts.node_facts import (
 from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
 from roslens.source.extract.ir.program import Call, Name
 from roslens.source.extract.symbolic.condition import under_either
+from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, unknown
 from roslens.source.extract.symbols.interface_name import (
     included_interface,
@@ -163,7 +164,7 @@ def how(name: Text) -> str:
     """Return in words how a name was resolved."""
     if not name.holes:
         return _TAKEN
-    return "; ".join(dict.fromkeys(hole.reason for hole in name.holes))
+    return "; ".join(dict.fromkeys(str(hole.reason) for hole in name.holes))
 
 
 def type_text(engine: Context, kind: Any, generation: str, role: Role) -> Text:
@@ -298,7 +299,7 @@ def parameter(
             return decided
     usual = None if stated is None else stated.usual
     named = (written, *(() if stated is None else (stated,))) if written.holes else ()
-    return Text((Hole(node.said(f"parameter {written}"), known, usual, named=named),))
+    return Text((Hole(OfParameter(str(written), node.number), known, usual, named=named),))
 
 
 def _type_by_default(node: Building, default: Any, *, python: bool) -> str:

@@ -137,7 +137,7 @@ def _prefix(called: Called) -> Text:
 
 
 def _is_logger(value: Obj | Unknown) -> bool:
-    return "logger" in (value.type if isinstance(value, Obj) else value.reason).lower()
+    return "logger" in (value.type if isinstance(value, Obj) else str(value.reason)).lower()
 
 
 def _library(engine: Context, called: Called) -> ParameterLibrary | None:

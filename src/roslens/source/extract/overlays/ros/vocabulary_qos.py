@@ -70,7 +70,7 @@ def _given(first: Any, called: Called) -> QosValue:
 def _reason(value: Any) -> str:
     if isinstance(value, Named):
         return f"the value of {value.name}"
-    return value.reason if isinstance(value, Unknown) else str(value)
+    return str(value.reason if isinstance(value, Unknown) else value)
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")

@@ -14,6 +14,7 @@ from roslens.source.extract.overlays.language.command_words import given_to_ros
 from roslens.source.extract.overlays.ros.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.overlays.ros.record_write import write_parameter
 from roslens.source.extract.overlays.ros.vocabulary_shared import follow_visitors
+from roslens.source.extract.symbolic.reason import NamePart, OfHandle, OfNode, OfParameter, RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 from roslens.source.extract.transfer.overload_choice import taking_so_many
 
@@ -32,11 +33,11 @@ def init(engine: Context, _thing: Any, called: Called) -> Any:
     node.named = True
     if called.name == "ros.init":
         given_to_ros(engine, called)
-    node.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    node.name = as_text(name) if name is not None else Text((Hole(OfNode(NamePart.NAME)),))
     anonymous = called.argument(5, "anonymous")
     flags = called.argument(3)
     if anonymous is True or (isinstance(flags, Named) and flags.name.endswith("AnonymousName")):
-        node.name = Text.of(node.name, "_", Hole("random end"))
+        node.name = Text.of(node.name, "_", Hole(RandomEnd()))
     return None
 
 
@@ -57,7 +58,7 @@ def _handle(engine: Context, called: Called) -> Handle:
             prefix = below(Handle(node, prefix), _trimmed(value))
         elif isinstance(value, Unknown | Obj | Named):
             # A copy of a handle that somebody gives, or a text: who gives it knows the namespace.
-            given = unknown(f"namespace of the handle: {as_text(value).holes[0].reason}")
+            given = unknown(OfHandle(as_text(value).holes[0].reason))
             prefix = below(Handle(node, prefix), given) if place else given
     return Handle(node, prefix)
 
@@ -87,7 +88,7 @@ def private_handle(engine: Context, _thing: Any, _called: Called) -> Any:
 @method("nodelet.Nodelet", "getName")
 def nodelet_name(engine: Context, _thing: Any, _called: Called) -> Any:
     """The name of the nodelet."""
-    return Text((Hole("name of the node", default=engine.node.name.usual),))
+    return Text((Hole(OfNode(NamePart.NAME), default=engine.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
@@ -266,7 +267,7 @@ def has_by_name(engine: Context, _thing: Any, called: Called) -> Any:
 def _has(engine: Context, thing: Any, called: Called) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
-    test = is_set(Text((Hole(f"parameter {name}", known),))) if node_of(engine, thing) is engine.node else None
+    test = is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(engine, thing) is engine.node else None
     return Unknown(f"whether the parameter {name} is set", test)
 
 
@@ -284,19 +285,19 @@ def namespace(engine: Context, thing: Any, called: Called) -> Any:
     if isinstance(thing, Handle) and thing.prefix.parts:
         return thing.prefix
     del engine
-    return Text((Hole("namespace of the node", default=""),))
+    return Text((Hole(OfNode(NamePart.NAMESPACE), default=""),))
 
 
 @outer("ros.this_node.getName", "rospy.get_name")
 def own_name(_engine: Context, _thing: Any, _called: Called) -> Any:
     """The full name of the node."""
-    return Text((Hole("full name of the node", default="~"),))
+    return Text((Hole(OfNode(NamePart.FULL_NAME), default="~"),))
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
 def own_namespace(_engine: Context, _thing: Any, called: Called) -> Any:
     """The namespace of the node; that of rospy ends with ``/``."""
-    space = Hole("namespace of the node", default="/")
+    space = Hole(OfNode(NamePart.NAMESPACE), default="/")
     return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 

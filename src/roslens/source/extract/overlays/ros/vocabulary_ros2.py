@@ -22,6 +22,7 @@ from roslens.source.extract.interpreter.vocabulary import Called, method, node_o
 from roslens.source.extract.overlays.ros.record import endpoint, timer, type_of_callback
 from roslens.source.extract.overlays.ros.vocabulary_options import doubt_options, given_options, take_options
 from roslens.source.extract.overlays.ros.vocabulary_overrides import overrides_of
+from roslens.source.extract.symbolic.reason import NamePart, OfNode
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
     building.generation = "ros2"
     building.kind = kind if building.kind == "node" else building.kind
     name = called.argument(0, "node_name", "name")
-    building.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    building.name = as_text(name) if name is not None else Text((Hole(OfNode(NamePart.NAME)),))
     namespace = called.argument(1, "namespace")
     if isinstance(namespace, Text):
         building.namespace = namespace
@@ -246,10 +247,10 @@ def own_name(engine: Context, thing: Any, called: Called) -> Any:
     """The name of the node, which may be given to it from outside."""
     node_ = node_of(engine, thing)
     if "namespace" in called.name:
-        return Text((Hole(node_.said("namespace of the node"), default=""),))
+        return Text((Hole(node_.of_name(NamePart.NAMESPACE), default=""),))
     if "fully" in called.name:
-        return Text((Hole(node_.said("full name of the node"), default="~"),))
-    return Text((Hole(node_.said("name of the node"), default=node_.name.usual),))
+        return Text((Hole(node_.of_name(NamePart.FULL_NAME), default="~"),))
+    return Text((Hole(node_.of_name(NamePart.NAME), default=node_.name.usual),))
 
 
 @method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
@@ -257,20 +258,20 @@ def resolved(engine: Context, thing: Any, called: Called) -> Any:
     """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
     node_ = node_of(engine, thing)
     name = as_text(called.argument(0, "topic", "service"))
-    return _expanded(name, node_.said("namespace of the node"), node_.said("full name of the node"))
+    return _expanded(name, node_.of_name(NamePart.NAMESPACE), node_.of_name(NamePart.FULL_NAME))
 
 
 @outer("rclcpp.expand_topic_or_service_name")
 def expanded(_engine: Context, _thing: Any, called: Called) -> Any:
     """A name is expanded below the namespace that is given."""
     space = as_text(called.argument(2))
-    reason = space.holes[0].reason if len(space.parts) == 1 and space.holes else ""
-    if not reason.startswith("namespace of the node"):
+    first = space.parts[0] if len(space.parts) == 1 else ""
+    if isinstance(first, str) or not isinstance(first.reason, OfNode) or not is_namespace(first):
         return Unknown("an expanded name")
-    return _expanded(as_text(called.argument(0)), reason, reason.replace("namespace", "full name", 1))
+    return _expanded(as_text(called.argument(0)), first.reason, OfNode(NamePart.FULL_NAME, first.reason.node))
 
 
-def _expanded(name: Text, space: str, whole: str) -> Text:
+def _expanded(name: Text, space: OfNode, whole: OfNode) -> Text:
     first = name.parts[0] if name.parts else ""
     if not isinstance(first, str):
         return name if is_namespace(first) else Text((msgspec.structs.replace(first, below=space), *name.parts[1:]))

@@ -11,6 +11,7 @@ from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
+from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text, Written
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def _listening(engine: Context, called: Called) -> Any:
     perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
     if perhaps:
         return perhaps[0]
-    name = Text.of("transform_listener_impl_", Hole("random end"))
+    name = Text.of("transform_listener_impl_", Hole(RandomEnd()))
     words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
     return Handle(engine.further(called.evidence, name, words))
 

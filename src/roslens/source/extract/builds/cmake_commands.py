@@ -183,10 +183,11 @@ def _commands(body: Body) -> list[Command]:
     waiting = list(body)
     while waiting:
         one = waiting.pop(0)
-        if isinstance(one, Command):
-            found.append(one)
-        else:
-            waiting[:0] = [inner for _, part in one.branches for inner in part]
+        match one:
+            case Command():
+                found.append(one)
+            case _:
+                waiting[:0] = [inner for _, part in one.branches for inner in part]
     return found
 
 

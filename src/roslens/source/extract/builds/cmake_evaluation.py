@@ -350,10 +350,11 @@ class Evaluation:
         """Run commands and blocks in order."""
         for statement in body:
             self.step()
-            if isinstance(statement, Command):
-                self._run_command(statement)
-            else:
-                self._run_block(statement)
+            match statement:
+                case Command():
+                    self._run_command(statement)
+                case _:
+                    self._run_block(statement)
 
     def _run_block(self, block: Block) -> None:
         opened = block.branches[0][0]

@@ -89,10 +89,11 @@ class _Script:
         for statement in _statements(tree.body):
             if isinstance(statement, ast.Assign) and len(statement.targets) == 1:
                 target = statement.targets[0]
-                if isinstance(target, ast.Name):
-                    self._assigned[target.id] = statement.value
-                elif isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name):
-                    self._fail(statement.value, UnknownError("a part of a variable is set"))
+                match target:
+                    case ast.Name():
+                        self._assigned[target.id] = statement.value
+                    case ast.Subscript(value=ast.Name()):
+                        self._fail(statement.value, UnknownError("a part of a variable is set"))
             calls = [one for one in ast.walk(statement) if isinstance(one, ast.Call)]
             parameters += [pair for one in calls if _called(one) == _PARAMETERS for pair in self._parameters(one)]
             call = next((one for one in calls if _called(one) == "setup"), call)
@@ -143,16 +144,17 @@ class _Script:
                 found[keyword.arg] = keyword.value
                 continue
             value = self._meaning(keyword.value)
-            if isinstance(value, ast.Call) and depth < 5 and _called(value) in ("generate_distutils_setup", "dict"):
-                found.update(self._keywords(value, depth + 1))
-            elif isinstance(value, ast.Dict):
-                found.update(
-                    (key.value, one)
-                    for key, one in zip(value.keys, value.values, strict=True)
-                    if isinstance(key, ast.Constant) and isinstance(key.value, str)
-                )
-            else:
-                self._fail(keyword.value, UnknownError("what it gives to setup() is unknown"))
+            match value:
+                case ast.Call() if depth < 5 and _called(value) in ("generate_distutils_setup", "dict"):
+                    found.update(self._keywords(value, depth + 1))
+                case ast.Dict():
+                    found.update(
+                        (key.value, one)
+                        for key, one in zip(value.keys, value.values, strict=True)
+                        if isinstance(key, ast.Constant) and isinstance(key.value, str)
+                    )
+                case _:
+                    self._fail(keyword.value, UnknownError("what it gives to setup() is unknown"))
         return found
 
     def _meaning(self, node: ast.expr) -> ast.expr:
@@ -171,21 +173,23 @@ class _Script:
         if self._count > _MOST_ITEMS or depth > _MOST_DEPTH:
             self._fail(node, UnknownError("it has too many parts"))
             return
-        if isinstance(node, (ast.List, ast.Tuple)):
-            for item in node.elts:
-                if isinstance(item, ast.Starred):
-                    yield from self._elements(item.value, depth + 1)
-                else:
-                    yield item
-        elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            yield from self._elements(node.left, depth + 1)
-            yield from self._elements(node.right, depth + 1)
-        elif isinstance(node, (ast.ListComp, ast.GeneratorExp)):
-            yield from self._comprehended(node, depth)
-        elif isinstance(node, ast.Constant) and node.value is None:
-            return
-        else:
-            yield node
+        match node:
+            case ast.List() | ast.Tuple():
+                for item in node.elts:
+                    match item:
+                        case ast.Starred():
+                            yield from self._elements(item.value, depth + 1)
+                        case _:
+                            yield item
+            case ast.BinOp(op=ast.Add()):
+                yield from self._elements(node.left, depth + 1)
+                yield from self._elements(node.right, depth + 1)
+            case ast.ListComp() | ast.GeneratorExp():
+                yield from self._comprehended(node, depth)
+            case ast.Constant() if node.value is None:
+                return
+            case _:
+                yield node
 
     def _comprehended(self, node: ast.ListComp | ast.GeneratorExp, depth: int) -> Iterator[ast.expr]:
         loop = node.generators[0]
@@ -231,10 +235,11 @@ class _Script:
         """Return the text of an expression, or the texts of a list of files."""
         try:
             node = self._meaning(node)
-            if isinstance(node, ast.Call) and _called(node) in ("glob", "iglob", "rglob") and node.args:
-                return self._globbed(self._text(node.args[0]))
-            if isinstance(node, ast.Call) and _called(node) in ("find_packages", "find_namespace_packages"):
-                return []
+            match node:
+                case ast.Call() if _called(node) in ("glob", "iglob", "rglob") and node.args:
+                    return self._globbed(self._text(node.args[0]))
+                case ast.Call() if _called(node) in ("find_packages", "find_namespace_packages"):
+                    return []
             return [self._text(node)]
         except UnknownError as error:
             self._fail(node, error)
@@ -251,20 +256,17 @@ class _Script:
         node = self._meaning(node)
         if depth > _MOST_DEPTH:
             raise UnknownError("it is nested too deep")
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            return node.value
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            return self._short(self._text(node.left, depth + 1) + self._text(node.right, depth + 1))
-        if isinstance(node, ast.JoinedStr):
-            return self._short("".join(self._piece(part, depth) for part in node.values))
-        if (
-            isinstance(node, ast.Call)
-            and _called(node) == "join"
-            and ast.unparse(node.func) in ("os.path.join", "join")
-        ):
-            return self._short(join("", *(self._text(part, depth + 1) for part in node.args)))
-        if isinstance(node, ast.Call) and _called(node) == "format" and isinstance(node.func, ast.Attribute):
-            return self._formatted(node, node.func.value, depth)
+        match node:
+            case ast.Constant(value=str()):
+                return node.value
+            case ast.BinOp(op=ast.Add()):
+                return self._short(self._text(node.left, depth + 1) + self._text(node.right, depth + 1))
+            case ast.JoinedStr():
+                return self._short("".join(self._piece(part, depth) for part in node.values))
+            case ast.Call() if _called(node) == "join" and ast.unparse(node.func) in ("os.path.join", "join"):
+                return self._short(join("", *(self._text(part, depth + 1) for part in node.args)))
+            case ast.Call() if _called(node) == "format" and isinstance(node.func, ast.Attribute):
+                return self._formatted(node, node.func.value, depth)
         names = {name: value.value for name, value in self._assigned.items() if isinstance(value, ast.Constant)}
         plain = {name: value for name, value in names.items() if isinstance(value, (str, int, float))}
         value = evaluate(ast.unparse(node), {**plain, **self._values})
@@ -309,12 +311,13 @@ class _Script:
 
 def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
     for statement in body:
-        if isinstance(statement, (ast.If, ast.Try)):
-            yield from _statements(statement.body)
-        elif isinstance(statement, ast.FunctionDef):
-            yield from statement.body
-        else:
-            yield statement
+        match statement:
+            case ast.If() | ast.Try():
+                yield from _statements(statement.body)
+            case ast.FunctionDef():
+                yield from statement.body
+            case _:
+                yield statement
 
 
 def _called(node: ast.Call) -> str:

@@ -162,10 +162,11 @@ def read_catalogue(content: bytes, shown: str) -> tuple[Entry, ...]:
 
 def plain_value(node: Node | None) -> Any:
     """Return a document as lists, dictionaries and texts."""
-    if isinstance(node, Items):
-        return [plain_value(one) for one in node.nodes]
-    if isinstance(node, Table):
-        return {key: plain_value(one) for key, one in node.nodes.items()}
+    match node:
+        case Items():
+            return [plain_value(one) for one in node.nodes]
+        case Table():
+            return {key: plain_value(one) for key, one in node.nodes.items()}
     return None if node is None else node.text
 
 
@@ -174,10 +175,11 @@ def _place(tree: Tree, path: str) -> Any:
     node = tree.root
     for piece in path.replace("[", ".[").split(".")[1:]:
         inner: Node | None = None
-        if isinstance(node, Table):
-            inner = node.nodes.get(piece)
-        elif isinstance(node, Items) and piece.strip("[]").isdecimal():
-            inner = node.nodes[int(piece.strip("[]"))]
+        match node:
+            case Table():
+                inner = node.nodes.get(piece)
+            case Items() if piece.strip("[]").isdecimal():
+                inner = node.nodes[int(piece.strip("[]"))]
         if inner is None:
             break
         node = inner

@@ -50,10 +50,11 @@ def _ros1(words: Sequence[Text], evidence: Evidence) -> CommandLine:
             continue
         source, target = pair
         first = source.parts[0] if source.parts else ""
-        if isinstance(first, str) and first.startswith("_") and not first.startswith("__"):
-            settings.append(_setting(Text.of("~" + first[1:], *source.parts[1:]), target, evidence))
-        else:
-            rules.append(Rule(source, target, evidence))
+        match first:
+            case str() if first.startswith("_") and not first.startswith("__"):
+                settings.append(_setting(Text.of("~" + first[1:], *source.parts[1:]), target, evidence))
+            case _:
+                rules.append(Rule(source, target, evidence))
     return CommandLine(tuple(rules), tuple(settings), (), tuple(rest))
 
 

@@ -200,18 +200,20 @@ def test_of(value: Any) -> Condition | None:
 
 def as_text(value: Any) -> Text:
     """Return a value as text; what is none is a hole with the reason."""
-    if isinstance(value, Text):
-        return value
-    if isinstance(value, bool):
-        return Text.of("true" if value else "false")
-    if isinstance(value, int | float):
-        return Text.of(str(value))
+    match value:
+        case Text():
+            return value
+        case bool():
+            return Text.of("true" if value else "false")
+        case int() | float():
+            return Text.of(str(value))
     from roslens.source.extract.symbolic.text import unknown
 
-    if isinstance(value, Unknown):
-        return unknown(value.reason)
-    if isinstance(value, Named):
-        return unknown(f"the value of {value.name}")
-    if isinstance(value, Obj):
-        return unknown(f"a {value.type}")
+    match value:
+        case Unknown():
+            return unknown(value.reason)
+        case Named():
+            return unknown(f"the value of {value.name}")
+        case Obj():
+            return unknown(f"a {value.type}")
     return unknown("a value that is no text")

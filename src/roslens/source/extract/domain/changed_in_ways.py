@@ -121,11 +121,12 @@ class Changes:
 
 def _put(held: Any, key: Any, value: Any) -> None:
     if key in _WHOLE:
-        if isinstance(held, dict):
-            held.clear()
-            held.update(value)
-        else:
-            held[:] = value
+        match held:
+            case dict():
+                held.clear()
+                held.update(value)
+            case _:
+                held[:] = value
     elif value is _MISSING:
         held.pop(key, None)
     else:
@@ -140,10 +141,11 @@ def _join_items(held: Any, other: Any, condition: Condition, test: Test, *, lost
         _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
         return
     both = reason if lost else one_of(other, held, condition, test)
-    if isinstance(both, Unknown):
-        held[:] = [both] * max(len(held), len(other))
-    elif isinstance(both, list) and both is not held:
-        held[:] = both
+    match both:
+        case Unknown():
+            held[:] = [both] * max(len(held), len(other))
+        case list() if both is not held:
+            held[:] = both
 
 
 def _join_refined(held: Any, key: Any, value: Any, condition: Condition) -> None:

@@ -254,13 +254,14 @@ def one_of(value: Any, other: Any, condition: Condition, test: Condition | None 
     quality = one_quality(value, other, condition)
     if quality is not None:
         return quality
-    if isinstance(value, list) and isinstance(other, list):
-        return _one_list(value, other, condition, test)
-    if isinstance(value, Obj) and isinstance(other, Obj):
-        return one_object(value, other, condition)
-    if isinstance(value, Named | Class) and isinstance(other, Named | Class) and value != other:
-        names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
-        return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
+    match value:
+        case list() if isinstance(other, list):
+            return _one_list(value, other, condition, test)
+        case Obj() if isinstance(other, Obj):
+            return one_object(value, other, condition)
+        case Named() | Class() if isinstance(other, Named | Class) and value != other:
+            names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
+            return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
     for one, two in ((value, other), (other, value)):
         if isinstance(one, Unknown) and isinstance(two, list) and any(isinstance(item, Text) for item in two):
             return one
@@ -284,10 +285,11 @@ def _one_list(value: list[Any], other: list[Any], condition: Condition, test: Co
 
 def _one_of(value: Any, before: Any, condition: Condition, test: Condition | None) -> Any:
     """Return what is known of a value that is one thing where a condition holds, and another one else."""
-    if isinstance(value, Text) and isinstance(before, Text):
-        return either(value, before, condition, test)
-    if isinstance(value, Text) and isinstance(before, Unknown):
-        return either(value, unknown(before.reason), condition, test)
+    match value:
+        case Text() if isinstance(before, Text):
+            return either(value, before, condition, test)
+        case Text() if isinstance(before, Unknown):
+            return either(value, unknown(before.reason), condition, test)
     if isinstance(before, Text) and isinstance(value, Unknown):
         return either(unknown(value.reason), before, condition, test)
     reasons = [str(one.reason if isinstance(one, Unknown) else as_text(one)) for one in (value, before)]

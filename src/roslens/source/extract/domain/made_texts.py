@@ -14,10 +14,11 @@ _OF_PYTHON = frozenset({"str", "unicode"})
 def text_made(name: str, arguments: list[Any]) -> Text:
     """Return what a constructor or conversion makes: a copy, a part, or so many times one sign."""
     first = arguments[0]
-    if isinstance(first, bool) and name in _OF_PYTHON:
-        return Text.of(str(first))
-    if isinstance(first, float) and name == "std.to_string":
-        return Text.of(f"{first:f}")
+    match first:
+        case bool() if name in _OF_PYTHON:
+            return Text.of(str(first))
+        case float() if name == "std.to_string":
+            return Text.of(f"{first:f}")
     if len(arguments) == 1 or name in _OF_PYTHON:
         return as_text(first)
     whole, known = as_text(first), first.known if isinstance(first, Text) else None

@@ -70,20 +70,21 @@ def type_of_value(value: Any, *, python: bool = False) -> str:
         value: as it is evaluated.
         python: whether it is one of Python, where the items of a list tell its type; a list of C++ has one type.
     """
-    if isinstance(value, bool):
-        return "bool"
-    if isinstance(value, int):
-        return "int"
-    if isinstance(value, float):
-        return "double"
-    if isinstance(value, Text):
-        return "string"
-    if isinstance(value, TypedList) and value.type:
-        return value.type
-    if isinstance(value, list):
-        return type_of_items((type_of_value(one) for one in value), python=python, empty=not value)
-    if isinstance(value, Obj) and value.type == VECTOR:
-        return array_of_cpp(value.templates.get(ITEM, ""))
+    match value:
+        case bool():
+            return "bool"
+        case int():
+            return "int"
+        case float():
+            return "double"
+        case Text():
+            return "string"
+        case TypedList() if value.type:
+            return value.type
+        case list():
+            return type_of_items((type_of_value(one) for one in value), python=python, empty=not value)
+        case Obj() if value.type == VECTOR:
+            return array_of_cpp(value.templates.get(ITEM, ""))
     return ""
 
 

@@ -25,11 +25,12 @@ def perhaps(items: list[Any], condition: Condition, test: Condition | None) -> l
     """Return items that are there if a condition holds; those that are there under another one keep it too."""
     found: list[Any] = []
     for one in items:
-        if isinstance(one, Perhaps):
-            both = None if test is None or one.test is None else And((test, one.test))
-            found.append(Perhaps(one.value, all_of((condition, one.condition)), both))
-        else:
-            found.append(Perhaps(one, condition, test))
+        match one:
+            case Perhaps():
+                both = None if test is None or one.test is None else And((test, one.test))
+                found.append(Perhaps(one.value, all_of((condition, one.condition)), both))
+            case _:
+                found.append(Perhaps(one, condition, test))
     return found
 
 

@@ -42,12 +42,13 @@ def plain_method(of: Any, name: str, arguments: list[Any]) -> Any:
     """Return the result of a method of a value that is no object of the workspace and none of ROS."""
     if name in SAME and not isinstance(of, list | dict):
         return of
-    if isinstance(of, Text):
-        return _of_text(of, name, arguments)
-    if isinstance(of, list):
-        return _of_list(of, name, arguments)
-    if isinstance(of, dict):
-        return _of_dict(of, name, arguments)
+    match of:
+        case Text():
+            return _of_text(of, name, arguments)
+        case list():
+            return _of_list(of, name, arguments)
+        case dict():
+            return _of_dict(of, name, arguments)
     return of if isinstance(of, Unknown) else Unknown(f"result of {name}()")
 
 

@@ -70,22 +70,23 @@ POLICIES = ("reliability", "durability", "history", "liveliness")
 
 def quality_of(value: Any) -> Any:
     """Return what is given as quality of service as one; a number is a depth."""
-    if isinstance(value, bool):
-        return None
-    if isinstance(value, int):
-        return QosValue(Qos("reliable", "volatile", "keep_last", value))
-    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
-        return value.fields["qos"]
-    if isinstance(value, Named) and ".QoSPresetProfiles." in value.name:
-        known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
-        return QosValue(known) if known is not None else None
-    if isinstance(value, Named) and value.name.rpartition(".")[2] in PRESETS:
-        return QosValue(PRESETS[value.name.rpartition(".")[2]])
-    if isinstance(value, list) and value and isinstance(value[0], Named) and _OF_MIDDLEWARE.match(_last(value[0])):
-        return profile_of(value)
-    if isinstance(value, Text | Unknown):
-        reason = value.reason if isinstance(value, Unknown) else str(value)
-        return QosValue(Qos(), reason)
+    match value:
+        case bool():
+            return None
+        case int():
+            return QosValue(Qos("reliable", "volatile", "keep_last", value))
+        case Obj() if isinstance(value.fields.get("qos"), QosValue):
+            return value.fields["qos"]
+        case Named() if ".QoSPresetProfiles." in value.name:
+            known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
+            return QosValue(known) if known is not None else None
+        case Named() if value.name.rpartition(".")[2] in PRESETS:
+            return QosValue(PRESETS[value.name.rpartition(".")[2]])
+        case list() if value and isinstance(value[0], Named) and _OF_MIDDLEWARE.match(_last(value[0])):
+            return profile_of(value)
+        case Text() | Unknown():
+            reason = value.reason if isinstance(value, Unknown) else str(value)
+            return QosValue(Qos(), reason)
     return value if isinstance(value, QosValue) else None
 
 

@@ -45,14 +45,15 @@ def hashable(value: Any) -> Any:
     """Return a value as a key of a dictionary."""
     if isinstance(value, _PLAIN):
         return value
-    if isinstance(value, Obj):
-        return ObjectKey(f"a {value.type}", value)
-    if isinstance(value, Callable):
-        return ObjectKey(f"{value.function.name}()", value.function, value.self)
-    if isinstance(value, Class):
-        return ObjectKey(value.defined.what.qualified_name, value.defined.what)
-    if isinstance(value, list) and len(value) <= _MOST_ITEMS and all(isinstance(one, _PLAIN) for one in value):
-        return str(value)
-    if isinstance(value, list | dict | Handle | Made):
-        return ObjectKey(type(value).__name__, value)
+    match value:
+        case Obj():
+            return ObjectKey(f"a {value.type}", value)
+        case Callable():
+            return ObjectKey(f"{value.function.name}()", value.function, value.self)
+        case Class():
+            return ObjectKey(value.defined.what.qualified_name, value.defined.what)
+        case list() if len(value) <= _MOST_ITEMS and all(isinstance(one, _PLAIN) for one in value):
+            return str(value)
+        case list() | dict() | Handle() | Made():
+            return ObjectKey(type(value).__name__, value)
     return str(value)

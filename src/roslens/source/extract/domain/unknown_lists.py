@@ -20,14 +20,17 @@ class Each(msgspec.Struct, frozen=True):
 
 def each_of(value: Any) -> Any:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
-    if isinstance(value, Each):
-        return value.item
-    if isinstance(value, Text) and value.holes:
-        hole = value.holes[0]
-        if hole.choice:
-            return Text((msgspec.structs.replace(hole, reason=EachOf(hole.reason), choice=(_each(hole.choice[0]),)),))
-        among = hole.default if is_list(hole) and hole.default else ""
-        return Text((Hole(EachOf(hole.reason), hole.parameter, among=among, named=hole.named),))
+    match value:
+        case Each():
+            return value.item
+        case Text() if value.holes:
+            hole = value.holes[0]
+            if hole.choice:
+                return Text(
+                    (msgspec.structs.replace(hole, reason=EachOf(hole.reason), choice=(_each(hole.choice[0]),)),)
+                )
+            among = hole.default if is_list(hole) and hole.default else ""
+            return Text((Hole(EachOf(hole.reason), hole.parameter, among=among, named=hole.named),))
     return Unknown(EachOf(value.reason) if isinstance(value, Unknown) else "an item")
 
 
@@ -46,11 +49,12 @@ def item_of(value: Any, key: Any) -> Any:
     hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
     if not isinstance(hole, Hole) or not hole.parameter:
         return None
-    if isinstance(key, Unknown):
-        return each_of(value)
-    if isinstance(key, Text) and key.known and isinstance(hole.reason, EachOf):
-        # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
-        return Text((Hole(PartOf(key.known, hole.reason), hole.parameter, named=hole.named),))
+    match key:
+        case Unknown():
+            return each_of(value)
+        case Text() if key.known and isinstance(hole.reason, EachOf):
+            # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
+            return Text((Hole(PartOf(key.known, hole.reason), hole.parameter, named=hole.named),))
     if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
         return None
     items = listed(hole.default or "")

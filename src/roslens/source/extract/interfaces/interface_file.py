@@ -117,10 +117,11 @@ class _Reader:
                     number, len(line[: len(line) - len(line.lstrip())].encode()) + 1, error.found, error.expected
                 )
                 continue
-            if isinstance(found, InterfaceConstant):
-                constants.append(found)
-            else:
-                fields.append(found)
+            match found:
+                case InterfaceConstant():
+                    constants.append(found)
+                case _:
+                    fields.append(found)
         self._check_names([*fields, *constants] if self._generation == 2 else fields)
         return Message(
             tuple(_commented(field, comments) for field in fields),

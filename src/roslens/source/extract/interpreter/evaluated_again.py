@@ -143,13 +143,14 @@ def _names(one: Any) -> set[str]:
     waiting = [one]
     while waiting:
         one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += one
-        elif isinstance(one, Assign) and isinstance(one.target, Name) and one.operator == "=":
-            waiting.append(one.value)
-        elif isinstance(one, msgspec.Struct):
-            found.update({one.name} if isinstance(one, Name | Member) else ())
-            waiting += [getattr(one, field) for field in one.__struct_fields__]
+        match one:
+            case tuple():
+                waiting += one
+            case Assign(target=Name()) if one.operator == "=":
+                waiting.append(one.value)
+            case msgspec.Struct():
+                found.update({one.name} if isinstance(one, Name | Member) else ())
+                waiting += [getattr(one, field) for field in one.__struct_fields__]
     return found
 
 

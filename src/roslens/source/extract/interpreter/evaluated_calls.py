@@ -206,18 +206,19 @@ class Calls(Expressions):
             return of
         if of_super and isinstance(of, Obj):
             return self._of_base(of, name, arguments, keywords)
-        if isinstance(of, Named):
-            return self._of_module(of, expression, function, arguments, keywords, templates)
-        if isinstance(of, Class):
-            return self._of_class(of, expression, name, arguments, keywords)
-        if isinstance(of, Obj):
-            if of.ways:
-                return self._of_ways(of, expression, name, arguments, keywords, templates)
-            method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
-            if method is not None:
-                return engine.call(method, arguments, keywords, expression.arguments, templates)
-            if name in of.fields:
-                return self._apply(of.fields[name], expression, arguments, keywords, templates)
+        match of:
+            case Named():
+                return self._of_module(of, expression, function, arguments, keywords, templates)
+            case Class():
+                return self._of_class(of, expression, name, arguments, keywords)
+            case Obj():
+                if of.ways:
+                    return self._of_ways(of, expression, name, arguments, keywords, templates)
+                method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
+                if method is not None:
+                    return engine.call(method, arguments, keywords, expression.arguments, templates)
+                if name in of.fields:
+                    return self._apply(of.fields[name], expression, arguments, keywords, templates)
         called = self._call_of(expression, name, arguments, keywords, templates)
         known = find_method(engine, of, called)
         if known is not None:
@@ -343,14 +344,15 @@ class Calls(Expressions):
         self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
         engine: Context = self
-        if isinstance(of, Callable):
-            return engine.call(of, arguments, keywords, expression.arguments, templates)
-        if isinstance(of, Class):
-            return engine.construct(of.defined, arguments, keywords, templates)
-        if isinstance(of, Named):
-            return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
-        if isinstance(of, Unknown):
-            return of
+        match of:
+            case Callable():
+                return engine.call(of, arguments, keywords, expression.arguments, templates)
+            case Class():
+                return engine.construct(of.defined, arguments, keywords, templates)
+            case Named():
+                return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
+            case Unknown():
+                return of
         return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
 
     def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:

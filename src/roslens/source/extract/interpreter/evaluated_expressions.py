@@ -157,17 +157,18 @@ class Expressions(Context):
 
     def member_of(self, of: Any, name: str, engine: Context) -> Any:
         """Return a member of a value by name."""
-        if isinstance(of, Obj):
-            return self._member_of_object(of, name, engine)
-        if isinstance(of, Named):
-            return self._outside(f"{of.name}.{name}")
-        if isinstance(of, Class):
-            constant = engine.index.member(of.defined, name)
-            if constant is not None:
-                return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
-            found = engine.index.methods(of.defined, name)
-            if found and isinstance(found[0].what, Function):
-                return Callable(found[0].what, found[0].path)
+        match of:
+            case Obj():
+                return self._member_of_object(of, name, engine)
+            case Named():
+                return self._outside(f"{of.name}.{name}")
+            case Class():
+                constant = engine.index.member(of.defined, name)
+                if constant is not None:
+                    return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
+                found = engine.index.methods(of.defined, name)
+                if found and isinstance(found[0].what, Function):
+                    return Callable(found[0].what, found[0].path)
         if isinstance(of, Text) and name in SAME:
             return of
         return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
@@ -195,12 +196,13 @@ class Expressions(Context):
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
         key = self.value(expression.key)
-        if isinstance(of, dict):
-            found = of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
-            return found.value if type(found) is Perhaps else found
-        if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
-            known = of.has(key) if isinstance(of, Words) else is_counted(of)
-            return of[key] if known else self._open(expression)
+        match of:
+            case dict():
+                found = of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
+                return found.value if type(found) is Perhaps else found
+            case list() if isinstance(key, int) and -len(of) <= key < len(of):
+                known = of.has(key) if isinstance(of, Words) else is_counted(of)
+                return of[key] if known else self._open(expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
@@ -370,12 +372,13 @@ class Expressions(Context):
 
     def truth(self, value: Any) -> bool | None:
         """Return whether a value is true; None where that is unknown."""
-        if isinstance(value, Text):
-            return None if value.known is None else bool(value.known)
-        if isinstance(value, Unknown):
-            return None
-        if isinstance(value, list) and value and all(type(one) is Perhaps for one in value):
-            return None
+        match value:
+            case Text():
+                return None if value.known is None else bool(value.known)
+            case Unknown():
+                return None
+            case list() if value and all(type(one) is Perhaps for one in value):
+                return None
         if value is None or isinstance(value, _DECIDED):
             return bool(value)
         if isinstance(value, Made):

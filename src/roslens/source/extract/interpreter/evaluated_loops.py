@@ -286,12 +286,13 @@ def _forget_counters(engine: Context, statement: Loop) -> None:
         else:
             continue
         before = holder[place.name]
-        if isinstance(before, bool | int | float):
-            holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
-        elif isinstance(before, Text) and grows:
-            holder[place.name] = unknown(f"{place.name}, which grows in a loop")
-        elif isinstance(before, Text) and before.known is not None and is_read_first(statement.body, place):
-            holder[place.name] = unknown(f"{place.name}, which changes in a loop")
+        match before:
+            case bool() | int() | float():
+                holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
+            case Text() if grows:
+                holder[place.name] = unknown(f"{place.name}, which grows in a loop")
+            case Text() if before.known is not None and is_read_first(statement.body, place):
+                holder[place.name] = unknown(f"{place.name}, which changes in a loop")
 
 
 def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
@@ -300,13 +301,14 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
     waiting: list[Statement] = list(body)
     while waiting:
         one = waiting.pop()
-        if isinstance(one, Assign) and one.value is not None and not one.declared:
-            grows = isinstance(one.value, Operation) and one.target in one.value.operands
-            found.append((one.target, grows or one.operator == "+="))
-        elif isinstance(one, Branch):
-            waiting += [*one.then, *one.otherwise]
-        elif isinstance(one, Loop):
-            waiting += [*one.body, *one.update]
+        match one:
+            case Assign() if one.value is not None and not one.declared:
+                grows = isinstance(one.value, Operation) and one.target in one.value.operands
+                found.append((one.target, grows or one.operator == "+="))
+            case Branch():
+                waiting += [*one.then, *one.otherwise]
+            case Loop():
+                waiting += [*one.body, *one.update]
     return found
 
 

@@ -167,20 +167,21 @@ class Objects(Calls):
         if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
             # Annotations make nothing.
             return value
-        if isinstance(value, list):
-            if (
-                not isinstance(value, Words | TypedList)
-                and not is_list(declared)
-                and not declared.startswith("std::map")
-            ):
-                name, inside = type_name(declared)
-                return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
-        elif isinstance(value, int):
-            name = type_name(declared)[0]
-            if name == "double" or name == "float":
-                return float(value)
-            if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
-                return engine.of_type(name, [value], {})
+        match value:
+            case list():
+                if (
+                    not isinstance(value, Words | TypedList)
+                    and not is_list(declared)
+                    and not declared.startswith("std::map")
+                ):
+                    name, inside = type_name(declared)
+                    return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
+            case int():
+                name = type_name(declared)[0]
+                if name == "double" or name == "float":
+                    return float(value)
+                if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
+                    return engine.of_type(name, [value], {})
         return value
 
     def converted(self, declared: str, value: Any) -> Any:

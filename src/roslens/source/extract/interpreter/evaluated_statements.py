@@ -63,29 +63,30 @@ if TYPE_CHECKING:
 
 def initialise(engine: Context, statement: Statement) -> None:
     """Evaluate an initialiser of a constructor: of a member, or of a base."""
-    if isinstance(statement, Evaluate) and isinstance(statement.expression, Call):
-        call = statement.expression
-        arguments = [engine.value(one) for one in call.arguments]
-        engine.at(call)
-        _initialise_base(engine, call, arguments, {})
-    elif isinstance(statement, Assign) and isinstance(statement.target, Member) and statement.value is not None:
-        thing = engine.frame.self
-        name = statement.target.name
-        declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
-        value = engine.value(statement.value)
-        engine.written_at(statement.line)
-        if isinstance(statement.value, Sequence):
-            kind, inside = type_name(declared)
-            if "ptr" in declared.lower() and owns_first(value):
-                value = value[0]
-            elif not is_list(declared):
-                value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
-            elif value and isinstance(value[0], int | float) and inside.endswith("string"):
-                value = Unknown(f"{name}, which is so many texts")
-        elif declared:
-            value = engine.constructed(declared, value)
-        if isinstance(thing, Obj):
-            thing.fields[name] = value
+    match statement:
+        case Evaluate(expression=Call()):
+            call = statement.expression
+            arguments = [engine.value(one) for one in call.arguments]
+            engine.at(call)
+            _initialise_base(engine, call, arguments, {})
+        case Assign(target=Member()) if statement.value is not None:
+            thing = engine.frame.self
+            name = statement.target.name
+            declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
+            value = engine.value(statement.value)
+            engine.written_at(statement.line)
+            if isinstance(statement.value, Sequence):
+                kind, inside = type_name(declared)
+                if "ptr" in declared.lower() and owns_first(value):
+                    value = value[0]
+                elif not is_list(declared):
+                    value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
+                elif value and isinstance(value[0], int | float) and inside.endswith("string"):
+                    value = Unknown(f"{name}, which is so many texts")
+            elif declared:
+                value = engine.constructed(declared, value)
+            if isinstance(thing, Obj):
+                thing.fields[name] = value
 
 
 def _initialise_base(engine: Context, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
@@ -174,33 +175,39 @@ def _set_from_here(engine: Context, name: Name) -> Any:
 
 def assign(engine: Context, target: Expression, value: Any) -> None:
     """Put a value where an expression says."""
-    if isinstance(target, Name):
-        thing = engine.frame.self
-        if target.name not in engine.frame.names and isinstance(thing, Obj) and _is_field(engine, thing, target.name):
-            engine.changes.put(thing.fields, target.name, value)
-        else:
-            _assign_name(engine, target.name, value)
-    elif isinstance(target, Member):
-        of = engine.value(target.of)
-        if isinstance(of, Obj):
-            engine.changes.put(of.fields, target.name, value)
-        elif isinstance(of, Class):
-            set_attribute(engine, of, target.name, value)
-        elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
-            refine(engine, target.of, of, changed(quality, target.name, value))
-        if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
-            # A member of what is not in the workspace: options that hold callbacks.
-            engine.called_outer(value)
-    elif isinstance(target, Call):
-        no_place(engine)
-        put_where_it_stands(engine, engine.value(target), value)
-    elif isinstance(target, Item):
-        _assign_item(engine, target, value)
-    elif isinstance(target, Sequence):
-        known = isinstance(value, list) and len(value) == len(target.items) and is_counted(value)
-        items = value if known else None
-        for place, one in enumerate(target.items):
-            assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+    match target:
+        case Name():
+            thing = engine.frame.self
+            if (
+                target.name not in engine.frame.names
+                and isinstance(thing, Obj)
+                and _is_field(engine, thing, target.name)
+            ):
+                engine.changes.put(thing.fields, target.name, value)
+            else:
+                _assign_name(engine, target.name, value)
+        case Member():
+            of = engine.value(target.of)
+            match of:
+                case Obj():
+                    engine.changes.put(of.fields, target.name, value)
+                case Class():
+                    set_attribute(engine, of, target.name, value)
+                case QosValue() | Named() if (quality := quality_of(of)) is not None:
+                    refine(engine, target.of, of, changed(quality, target.name, value))
+            if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
+                # A member of what is not in the workspace: options that hold callbacks.
+                engine.called_outer(value)
+        case Call():
+            no_place(engine)
+            put_where_it_stands(engine, engine.value(target), value)
+        case Item():
+            _assign_item(engine, target, value)
+        case Sequence():
+            known = isinstance(value, list) and len(value) == len(target.items) and is_counted(value)
+            items = value if known else None
+            for place, one in enumerate(target.items):
+                assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
 
 
 def _assign_item(engine: Context, target: Item, value: Any) -> None:

@@ -181,36 +181,38 @@ def guessed_method(engine: Context, receiver: Any, called: Called) -> Word | Non
 
 def kinds_of(engine: Context, receiver: Any) -> tuple[str, ...]:
     """Return what an object is, to find its methods."""
-    if isinstance(receiver, Obj):
-        defined = receiver.defined
-        key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
-        known = engine.index.lookups.kinds
-        found = known.get(key)
-        if found is None:
-            kinds = [receiver.type, *(engine.index.outer_bases(defined) if defined is not None else ())]
-            if receiver.node is not None:
-                kinds.append("node")
-            found = known[key] = (*kinds, *(kind.rpartition(".")[2] for kind in kinds))
-        return found
-    if isinstance(receiver, Handle):
-        return ("handle", "node")
-    if isinstance(receiver, QosValue):
-        return ("qos",)
-    if isinstance(receiver, Text):
-        return ("text",)
+    match receiver:
+        case Obj():
+            defined = receiver.defined
+            key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
+            known = engine.index.lookups.kinds
+            found = known.get(key)
+            if found is None:
+                kinds = [receiver.type, *(engine.index.outer_bases(defined) if defined is not None else ())]
+                if receiver.node is not None:
+                    kinds.append("node")
+                found = known[key] = (*kinds, *(kind.rpartition(".")[2] for kind in kinds))
+            return found
+        case Handle():
+            return ("handle", "node")
+        case QosValue():
+            return ("qos",)
+        case Text():
+            return ("text",)
     return ("made",) if isinstance(receiver, Made) else ()
 
 
 def node_of(engine: Context, value: Any) -> Building:
     """Return the node that a value stands for: the one that is built where it is unknown."""
-    if isinstance(value, Handle):
-        return value.node
-    if isinstance(value, Obj):
-        if value.node is not None:
+    match value:
+        case Handle():
             return value.node
-        for inner in value.fields.values():
-            if isinstance(inner, Handle):
-                return inner.node
+        case Obj():
+            if value.node is not None:
+                return value.node
+            for inner in value.fields.values():
+                if isinstance(inner, Handle):
+                    return inner.node
     return engine.node
 
 

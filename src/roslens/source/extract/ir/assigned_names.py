@@ -11,10 +11,11 @@ def assigned_names(body: tuple[Statement, ...]) -> set[str]:
     waiting: list[Statement] = list(body)
     while waiting:
         one = waiting.pop()
-        if isinstance(one, Assign) and isinstance(one.target, Name | Member):
-            found.add(one.target.name)
-        elif isinstance(one, Branch):
-            waiting += [*one.then, *one.otherwise]
-        elif isinstance(one, Loop):
-            waiting += [*one.body, *one.update]
+        match one:
+            case Assign(target=Name() | Member()):
+                found.add(one.target.name)
+            case Branch():
+                waiting += [*one.then, *one.otherwise]
+            case Loop():
+                waiting += [*one.body, *one.update]
     return found

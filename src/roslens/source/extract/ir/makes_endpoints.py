@@ -37,12 +37,13 @@ def calls_that_make(*parts: object) -> Iterator[Call]:
     waiting: list[object] = [*parts]
     while waiting:
         one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += [part for part in one if type(part) not in _LEAVES]
-        elif isinstance(one, msgspec.Struct):
-            if isinstance(one, Call) and _is_named(one.function):
-                yield one
-            waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
+        match one:
+            case tuple():
+                waiting += [part for part in one if type(part) not in _LEAVES]
+            case msgspec.Struct():
+                if isinstance(one, Call) and _is_named(one.function):
+                    yield one
+                waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
 
 
 def _is_named(called: Expression) -> bool:

@@ -131,30 +131,31 @@ class _Writer:
 
     def _statement(self, statement: Statement) -> Iterator[str]:
         at = self._at(statement.line)
-        if isinstance(statement, Assign):
-            target = self.expression(statement.target) + (f": {statement.declared}" if statement.declared else "")
-            sign = "+=" if statement.operator == "+=" else "="
-            value = "" if statement.value is None else f" {sign} {self.expression(statement.value)}"
-            yield f"{target}{value}{at}"
-        elif isinstance(statement, Evaluate):
-            yield f"{self.expression(statement.expression)}{at}"
-        elif isinstance(statement, Return):
-            value = "" if statement.value is None else f" {self.expression(statement.value)}"
-            yield f"return{value}{at}"
-        elif isinstance(statement, Branch):
-            yield f"if {self.expression(statement.condition)}:{at}"
-            yield from _indented(self._block(statement.then))
-            if statement.otherwise:
-                yield "else:"
-                yield from _indented(self._block(statement.otherwise))
-        elif isinstance(statement, Leave):
-            yield f"{'continue' if statement.again else 'break'}{at}"
-        else:
-            yield f"{self._loop(statement)}:{at}"
-            yield from _indented(self._block(statement.body))
-            if statement.update:
-                yield "then:"
-                yield from _indented(self._block(statement.update))
+        match statement:
+            case Assign():
+                target = self.expression(statement.target) + (f": {statement.declared}" if statement.declared else "")
+                sign = "+=" if statement.operator == "+=" else "="
+                value = "" if statement.value is None else f" {sign} {self.expression(statement.value)}"
+                yield f"{target}{value}{at}"
+            case Evaluate():
+                yield f"{self.expression(statement.expression)}{at}"
+            case Return():
+                value = "" if statement.value is None else f" {self.expression(statement.value)}"
+                yield f"return{value}{at}"
+            case Branch():
+                yield f"if {self.expression(statement.condition)}:{at}"
+                yield from _indented(self._block(statement.then))
+                if statement.otherwise:
+                    yield "else:"
+                    yield from _indented(self._block(statement.otherwise))
+            case Leave():
+                yield f"{'continue' if statement.again else 'break'}{at}"
+            case _:
+                yield f"{self._loop(statement)}:{at}"
+                yield from _indented(self._block(statement.body))
+                if statement.update:
+                    yield "then:"
+                    yield from _indented(self._block(statement.update))
 
     def _loop(self, loop: Loop) -> str:
         over = "" if loop.over is None else self.expression(loop.over)

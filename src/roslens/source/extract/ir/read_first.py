@@ -42,8 +42,9 @@ def _holds(whole: object, place: Expression) -> bool:
         one = waiting.pop()
         if one == place:
             return True
-        if isinstance(one, tuple):
-            waiting += one
-        elif isinstance(one, msgspec.Struct):
-            waiting += astuple(one)
+        match one:
+            case tuple():
+                waiting += one
+            case msgspec.Struct():
+                waiting += astuple(one)
     return False

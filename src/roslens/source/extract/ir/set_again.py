@@ -31,10 +31,11 @@ def _set_again(body: tuple[Statement, ...]) -> set[str]:
     waiting: list[tuple[Statement, bool]] = [(one, False) for one in body]
     while waiting:
         one, turns = waiting.pop()
-        if isinstance(one, Assign) and isinstance(one.target, Name | Member) and not one.declared:
-            (again if turns or one.target.name in once else once).add(one.target.name)
-        elif isinstance(one, Branch):
-            waiting += [(each, turns) for each in (*one.then, *one.otherwise)]
-        elif isinstance(one, Loop):
-            waiting += [(each, True) for each in (*one.body, *one.update)]
+        match one:
+            case Assign(target=Name() | Member()) if not one.declared:
+                (again if turns or one.target.name in once else once).add(one.target.name)
+            case Branch():
+                waiting += [(each, turns) for each in (*one.then, *one.otherwise)]
+            case Loop():
+                waiting += [(each, True) for each in (*one.body, *one.update)]
     return again

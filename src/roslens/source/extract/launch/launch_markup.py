@@ -95,21 +95,22 @@ def _yaml_entity(path: str, tree: Tree, kind: str, node: Node) -> Entity:
     evidence = Evidence(path, place.line, place.column)
     attributes: dict[str, str] = {}
     children: list[Entity] = []
-    if isinstance(node, Items):
-        children = _yaml_entities(path, tree, node)
-    elif isinstance(node, Table):
-        for key, inner in node.nodes.items():
-            if isinstance(inner, Scalar):
-                attributes[key] = inner.text
-            elif isinstance(inner, Items) and not any(isinstance(one, Table) for one in inner.nodes):
-                attributes[key] = yaml_written(inner)
-            elif key == "children":
-                children += _yaml_entities(path, tree, inner)
-            else:
-                every = inner.nodes if isinstance(inner, Items) else (inner,)
-                children += [_yaml_entity(path, tree, key, one) for one in every]
-    else:
-        attributes["value"] = node.text
+    match node:
+        case Items():
+            children = _yaml_entities(path, tree, node)
+        case Table():
+            for key, inner in node.nodes.items():
+                if isinstance(inner, Scalar):
+                    attributes[key] = inner.text
+                elif isinstance(inner, Items) and not any(isinstance(one, Table) for one in inner.nodes):
+                    attributes[key] = yaml_written(inner)
+                elif key == "children":
+                    children += _yaml_entities(path, tree, inner)
+                else:
+                    every = inner.nodes if isinstance(inner, Items) else (inner,)
+                    children += [_yaml_entity(path, tree, key, one) for one in every]
+        case _:
+            attributes["value"] = node.text
     return Entity(kind, evidence, attributes, tuple(children))
 
 

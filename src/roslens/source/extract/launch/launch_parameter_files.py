@@ -101,11 +101,12 @@ def _substitutions(content: bytes, _change: FileChange, scope: Scope, holes: lis
 def _written(text: Text, holes: list[Hole]) -> str:
     pieces = []
     for part in text.parts:
-        if isinstance(part, str):
-            pieces.append(part)
-        else:
-            pieces.append(f"\ue000{len(holes)}\ue001")
-            holes.append(part)
+        match part:
+            case str():
+                pieces.append(part)
+            case _:
+                pieces.append(f"\ue000{len(holes)}\ue001")
+                holes.append(part)
     return "".join(pieces)
 
 

@@ -56,10 +56,11 @@ Value = Deferred | Text | str
 
 def resolve(value: Value, scope: Scope, depth: int = 0) -> Text:
     """Return what a value comes to in a scope; what is unknown is a hole with its reason."""
-    if isinstance(value, str):
-        return Text.of(value)
-    if isinstance(value, Text):
-        return value
+    match value:
+        case str():
+            return Text.of(value)
+        case Text():
+            return value
     if depth > _MOST_DEPTH:
         return unknown("substitutions that are too deep")
     method = _KINDS.get(value.kind)

@@ -63,10 +63,12 @@ def _loaded(content: bytes, reason: Unknown) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {
-            key if isinstance(key, str | int | float | bool) else str(key): _plain(one) for key, one in value.items()
-        }
-    if isinstance(value, list):
-        return [_plain(one) for one in value]
+    match value:
+        case dict():
+            return {
+                key if isinstance(key, str | int | float | bool) else str(key): _plain(one)
+                for key, one in value.items()
+            }
+        case list():
+            return [_plain(one) for one in value]
     return value if isinstance(value, str | int | float | bool | None) else str(value)

@@ -270,12 +270,13 @@ class _Conversion:
         if isinstance(value, Made) and value.name == "ParameterValue":
             kind = _TYPES.get(shown_type(value.named.get("value_type")), "")
             value = value.argument(0, "value")
-        if isinstance(value, list) and not any(isinstance(one, Deferred | Text | Made) for one in value):
-            kind = kind or type_of_list([_TYPES.get(type(one).__name__, "") for one in value])
-            yield Parameter(evidence, as_value(name), f"[{', '.join(shown(one) for one in value)}]", kind)
-            return
-        if isinstance(value, bool | int | float | str):
-            kind = kind or _TYPES[type(value).__name__]
+        match value:
+            case list() if not any(isinstance(one, Deferred | Text | Made) for one in value):
+                kind = kind or type_of_list([_TYPES.get(type(one).__name__, "") for one in value])
+                yield Parameter(evidence, as_value(name), f"[{', '.join(shown(one) for one in value)}]", kind)
+                return
+            case bool() | int() | float() | str():
+                kind = kind or _TYPES[type(value).__name__]
         yield Parameter(evidence, as_value(name), as_value(value), kind)
 
 
@@ -307,12 +308,13 @@ def _texts(found: Any) -> tuple[tuple[str, Value], ...]:
 
 
 def _condition(found: Any) -> Condition:
-    if isinstance(found, Made) and found.name in ("IfCondition", "UnlessCondition"):
-        return Condition(as_value(found.argument(0, "predicate_expression")), found.name == "IfCondition")
-    if isinstance(found, Made) and found.name.startswith("LaunchConfiguration"):
-        name = Deferred("configuration", (as_value(found.argument(0, "launch_configuration_name")),))
-        value = Deferred("equals", (name, as_value(found.argument(1, "expected_value"))))
-        return Condition(value, found.name == "LaunchConfigurationEquals")
+    match found:
+        case Made() if found.name in ("IfCondition", "UnlessCondition"):
+            return Condition(as_value(found.argument(0, "predicate_expression")), found.name == "IfCondition")
+        case Made() if found.name.startswith("LaunchConfiguration"):
+            name = Deferred("configuration", (as_value(found.argument(0, "launch_configuration_name")),))
+            value = Deferred("equals", (name, as_value(found.argument(1, "expected_value"))))
+            return Condition(value, found.name == "LaunchConfigurationEquals")
     return Condition(as_value(found if not isinstance(found, Made) else Unknown(f"a {found.name}")))
 
 

@@ -15,10 +15,11 @@ def given(node: ast.Call, value: _Value) -> tuple[list[Any], dict[str, Any]]:
     """Return the arguments of a call by position and by name; what unknown lists would give is left out."""
     positional: list[Any] = []
     for argument in node.args:
-        if isinstance(argument, ast.Starred):
-            positional += items_of(value(argument.value)) or []
-        else:
-            positional.append(value(argument))
+        match argument:
+            case ast.Starred():
+                positional += items_of(value(argument.value)) or []
+            case _:
+                positional.append(value(argument))
     named: dict[str, Any] = {}
     for keyword in node.keywords:
         found = value(keyword.value)

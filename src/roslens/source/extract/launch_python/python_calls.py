@@ -89,24 +89,25 @@ def call_known(
 def call_method(bound: Bound, positional: list[Any], named: dict[str, Any], written: str) -> Any:
     """Return what a method of a value returns."""
     of, name = bound.of, bound.name
-    if isinstance(of, dict):
-        return _of_dictionary(of, name, positional)
-    if isinstance(of, Opened) and name in ("read", "read_text"):
-        return of
-    if isinstance(of, str) and name == "join" and positional and isinstance(positional[0], list):
-        pieces = [piece for one in positional[0] for piece in (of, as_value(one))][1:]
-        return text(*pieces) if pieces else ""
-    if isinstance(of, str) and name == "format":
-        return _formatted(of, positional, named)
-    if isinstance(of, str) and name in _METHODS and all(isinstance(one, str | int) for one in positional):
-        found = getattr(of, name)(*positional)
-        return found if not isinstance(found, str) or len(found) <= _LONGEST else Unknown("a text that is too long")
-    if isinstance(of, list) and name == "copy":
-        return list(of)
-    if isinstance(of, str | Deferred | Text) and name in ("as_posix", "resolve", "absolute", "expanduser"):
-        return of
-    if isinstance(of, str | Deferred | Text) and name == "joinpath":
-        return Deferred("path", (as_value(of), *map(as_value, positional)))
+    match of:
+        case dict():
+            return _of_dictionary(of, name, positional)
+        case Opened() if name in ("read", "read_text"):
+            return of
+        case str() if name == "join" and positional and isinstance(positional[0], list):
+            pieces = [piece for one in positional[0] for piece in (of, as_value(one))][1:]
+            return text(*pieces) if pieces else ""
+        case str() if name == "format":
+            return _formatted(of, positional, named)
+        case str() if name in _METHODS and all(isinstance(one, str | int) for one in positional):
+            found = getattr(of, name)(*positional)
+            return found if not isinstance(found, str) or len(found) <= _LONGEST else Unknown("a text that is too long")
+        case list() if name == "copy":
+            return list(of)
+        case str() | Deferred() | Text() if name in ("as_posix", "resolve", "absolute", "expanduser"):
+            return of
+        case str() | Deferred() | Text() if name == "joinpath":
+            return Deferred("path", (as_value(of), *map(as_value, positional)))
     return Unknown(f"result of {written}()")
 
 
@@ -168,14 +169,15 @@ def _join(*values: Any) -> Deferred:
 
 
 def _folder(value: Any) -> Any:
-    if isinstance(value, Deferred) and value.kind == "file":
-        return Deferred("folder")
-    if isinstance(value, Deferred) and value.kind == "folder":
-        return Deferred("path", (value, ".."))
-    if isinstance(value, str):
-        return value.rpartition("/")[0]
-    if isinstance(value, Deferred):
-        return Deferred("path", (value, ".."))
+    match value:
+        case Deferred() if value.kind == "file":
+            return Deferred("folder")
+        case Deferred() if value.kind == "folder":
+            return Deferred("path", (value, ".."))
+        case str():
+            return value.rpartition("/")[0]
+        case Deferred():
+            return Deferred("path", (value, ".."))
     raise ValueError
 
 

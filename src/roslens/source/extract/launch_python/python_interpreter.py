@@ -140,15 +140,16 @@ class Interpreter:
 
     def put(self, target: ast.expr, value: Any) -> None:
         """Put a value where an expression says."""
-        if isinstance(target, ast.Name):
-            self._names[-1][target.id] = bounded(value)
-        elif isinstance(target, ast.Tuple | ast.List):
-            items = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
-            for index, one in enumerate(target.elts):
-                self.put(one, items[index] if items is not None else Unknown("a part of an unknown value"))
-        elif isinstance(target, ast.Subscript):
-            whole = self.value(target.value)
-            put(whole, self.value(target.slice), bounded(value, whole))
+        match target:
+            case ast.Name():
+                self._names[-1][target.id] = bounded(value)
+            case ast.Tuple() | ast.List():
+                items = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
+                for index, one in enumerate(target.elts):
+                    self.put(one, items[index] if items is not None else Unknown("a part of an unknown value"))
+            case ast.Subscript():
+                whole = self.value(target.value)
+                put(whole, self.value(target.slice), bounded(value, whole))
 
     def evaluate(self, statement: ast.Expr) -> None:
         """Evaluate for what it changes."""
@@ -215,21 +216,23 @@ class Interpreter:
     def attribute(self, node: ast.Attribute) -> Any:
         """Return an attribute."""
         of = self.value(node.value)
-        if isinstance(of, Dotted):
-            return Dotted(f"{of.name}.{node.attr}")
-        if isinstance(of, Unknown):
-            return of
+        match of:
+            case Dotted():
+                return Dotted(f"{of.name}.{node.attr}")
+            case Unknown():
+                return of
         return member(of, node.attr) if isinstance(of, Module | ClassOfFile) else Bound(of, node.attr)
 
     def sequence(self, node: ast.List | ast.Tuple | ast.Set) -> list[Any]:
         """Return a list; tuples and sets are lists too."""
         found: list[Any] = []
         for item in node.elts:
-            if isinstance(item, ast.Starred):
-                items = items_of(self.value(item.value))
-                found += items if items is not None else [Unknown(f"each of {ast.unparse(item.value)}")]
-            else:
-                found.append(self.value(item))
+            match item:
+                case ast.Starred():
+                    items = items_of(self.value(item.value))
+                    found += items if items is not None else [Unknown(f"each of {ast.unparse(item.value)}")]
+                case _:
+                    found.append(self.value(item))
         return found
 
     def dictionary(self, node: ast.Dict) -> dict[Any, Any]:
@@ -241,10 +244,11 @@ class Interpreter:
                 found.update(inner if isinstance(inner, dict) else {})
                 continue
             name = self.value(key)
-            if isinstance(name, str | int | float | bool | Deferred | Text):
-                found[name] = inner
-            elif isinstance(name, list):
-                found[text(*(as_value(one) for one in name))] = inner
+            match name:
+                case str() | int() | float() | bool() | Deferred() | Text():
+                    found[name] = inner
+                case list():
+                    found[text(*(as_value(one) for one in name))] = inner
         return found
 
     def binary(self, node: ast.BinOp) -> Any:
@@ -291,15 +295,16 @@ class Interpreter:
         """Return an f-string."""
         parts = []
         for part in node.values:
-            if isinstance(part, ast.FormattedValue):
-                value = self._performed(self.value(part.value))
-                if part.format_spec is not None or part.conversion not in (-1, ord("s")):
-                    value = Unknown(f"a format: {ast.unparse(part)[:60]}")
-                if isinstance(value, Deferred):
-                    value = Unknown(f"a substitution in an f-string: {ast.unparse(part.value)}")
-                parts.append(as_value(value))
-            else:
-                parts.append(as_value(self.value(part)))
+            match part:
+                case ast.FormattedValue():
+                    value = self._performed(self.value(part.value))
+                    if part.format_spec is not None or part.conversion not in (-1, ord("s")):
+                        value = Unknown(f"a format: {ast.unparse(part)[:60]}")
+                    if isinstance(value, Deferred):
+                        value = Unknown(f"a substitution in an f-string: {ast.unparse(part.value)}")
+                    parts.append(as_value(value))
+                case _:
+                    parts.append(as_value(self.value(part)))
         return text(*parts) if parts else ""
 
     def item(self, node: ast.Subscript) -> Any:
@@ -369,29 +374,31 @@ class Interpreter:
         """Return what a call makes."""
         function = self.value(node.func)
         positional, named = given(node, self.value)
-        if isinstance(function, Closure):
-            return self._closure(function, positional, named)
-        if isinstance(function, Bound):
-            return self._method(function, positional, named, node)
-        if isinstance(function, Dotted) and function.name in READS:
-            return read(function, positional, self.path, self.modules.files, self.scope)
-        if isinstance(function, Dotted):
-            return call_known(function, positional, named, self.place(node), tuple(self.notes))
-        if isinstance(function, ClassOfFile):
-            return function.unknown
+        match function:
+            case Closure():
+                return self._closure(function, positional, named)
+            case Bound():
+                return self._method(function, positional, named, node)
+            case Dotted() if function.name in READS:
+                return read(function, positional, self.path, self.modules.files, self.scope)
+            case Dotted():
+                return call_known(function, positional, named, self.place(node), tuple(self.notes))
+            case ClassOfFile():
+                return function.unknown
         return function if isinstance(function, Unknown) else Unknown(f"call of {ast.unparse(node.func)[:60]}")
 
     def _method(self, bound: Bound, positional: list[Any], named: dict[str, Any], node: ast.Call) -> Any:
         if bound.name == "perform" and isinstance(bound.of, Deferred | Text | Made):
             return self._performed(as_value(bound.of))
-        if isinstance(bound.of, list) and bound.name in ("append", "extend", "insert"):
-            last = positional[-1] if positional else None
-            found = last if bound.name == "extend" and isinstance(last, list) else [last]
-            bound.of += bounded([self._keep(one) for one in found], bound.of)
-            return None
-        if isinstance(bound.of, Made) and bound.of.name == "LaunchDescription" and bound.name.startswith("add_"):
-            bound.of.positional.append([self._keep(one) for one in positional])
-            return None
+        match bound.of:
+            case list() if bound.name in ("append", "extend", "insert"):
+                last = positional[-1] if positional else None
+                found = last if bound.name == "extend" and isinstance(last, list) else [last]
+                bound.of += bounded([self._keep(one) for one in found], bound.of)
+                return None
+            case Made() if bound.of.name == "LaunchDescription" and bound.name.startswith("add_"):
+                bound.of.positional.append([self._keep(one) for one in positional])
+                return None
         return call_method(bound, positional, named, ast.unparse(node.func)[:60])
 
     def _keep(self, value: Any) -> Any:

@@ -44,10 +44,11 @@ def combined(operator: ast.operator, one: Any, other: Any) -> Any:
     if isinstance(other, Unknown) and not isinstance(operator, ast.Add):
         return other
     symbolic = isinstance(one, Deferred | Text) or isinstance(other, Deferred | Text | Unknown)
-    if isinstance(operator, ast.Add):
-        return _added(one, other, symbolic=symbolic)
-    if isinstance(operator, ast.Div) and (symbolic or isinstance(one, str)):
-        return Deferred("path", (as_value(one), as_value(other)))
+    match operator:
+        case ast.Add():
+            return _added(one, other, symbolic=symbolic)
+        case ast.Div() if symbolic or isinstance(one, str):
+            return Deferred("path", (as_value(one), as_value(other)))
     if symbolic or isinstance(one, list | dict) or isinstance(other, list | dict):
         return Unknown("a computation with values that are not known")
     function = _BINARY.get(type(operator))
@@ -70,11 +71,12 @@ def compared(operators: Sequence[ast.cmpop], values: Sequence[Any]) -> bool | No
 
 def put(whole: Any, key: Any, value: Any) -> None:
     """Put an item into a list or dictionary, where that is possible."""
-    if isinstance(whole, dict):
-        if isinstance(key, str | int):
+    match whole:
+        case dict():
+            if isinstance(key, str | int):
+                whole[key] = value
+        case list() if isinstance(key, int) and -len(whole) <= key < len(whole):
             whole[key] = value
-    elif isinstance(whole, list) and isinstance(key, int) and -len(whole) <= key < len(whole):
-        whole[key] = value
 
 
 def _formatted(pattern: str, values: list[Any]) -> Any:
@@ -86,10 +88,11 @@ def _formatted(pattern: str, values: list[Any]) -> Any:
 
 
 def _added(one: Any, other: Any, *, symbolic: bool) -> Any:
-    if isinstance(one, str | list) and isinstance(other, str | list) and len(one) + len(other) > _LONGEST:
-        return Unknown("a text or list that is too long to follow")
-    if isinstance(one, list) and isinstance(other, list):
-        return [*one, *other]
+    match one:
+        case str() | list() if isinstance(other, str | list) and len(one) + len(other) > _LONGEST:
+            return Unknown("a text or list that is too long to follow")
+        case list() if isinstance(other, list):
+            return [*one, *other]
     if symbolic and not isinstance(one, list):
         return text(as_value(one), as_value(other))
     plain = isinstance(one, str) == isinstance(other, str) and isinstance(one, str | int | float)

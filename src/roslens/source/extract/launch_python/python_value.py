@@ -82,22 +82,24 @@ class Bound(msgspec.Struct, eq=False):
 
 def as_value(found: Any) -> Value:
     """Return a value as a text with substitutions; a list is its items one after the other, as launch has it."""
-    if isinstance(found, str | Text | Deferred):
-        return found
-    if isinstance(found, bool | int | float):
-        return str(found)
+    match found:
+        case str() | Text() | Deferred():
+            return found
+        case bool() | int() | float():
+            return str(found)
     if found is None:
         return ""
-    if isinstance(found, list | tuple):
-        return text(*(as_value(one) for one in found)) if found else ""
-    if isinstance(found, Unknown):
-        return unknown_value(found.reason)
-    if isinstance(found, Either):
-        return unknown_value(f"one of two values, by {found.note}")
-    if isinstance(found, Made):
-        if found.name in PARAMETER_FILES:
-            return Deferred("rewritten", (as_value(found.argument(0, "param_file", "source_file")),))
-        return unknown_value(f"a {found.name}")
+    match found:
+        case list() | tuple():
+            return text(*(as_value(one) for one in found)) if found else ""
+        case Unknown():
+            return unknown_value(found.reason)
+        case Either():
+            return unknown_value(f"one of two values, by {found.note}")
+        case Made():
+            if found.name in PARAMETER_FILES:
+                return Deferred("rewritten", (as_value(found.argument(0, "param_file", "source_file")),))
+            return unknown_value(f"a {found.name}")
     return unknown_value(f"a {type(found).__name__.lower()}")
 
 

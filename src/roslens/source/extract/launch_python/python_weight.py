@@ -38,14 +38,15 @@ def bounded(value: _Value, whole: object = None) -> _Value:
         weight += 1 + (len(one) // _SIGNS if isinstance(one, str) else 0)
         if weight > MOST_WEIGHT or (whole is not None and one is whole):
             raise TooLongError
-        if isinstance(one, list | tuple):
-            waiting += one
-        elif isinstance(one, dict):
-            waiting += one.values()
-        elif isinstance(one, Text | Deferred):
-            waiting += one.parts
-        elif isinstance(one, Made):
-            waiting += (*one.positional, *one.named.values())
-        elif isinstance(one, Either):
-            waiting += (one.one, one.other)
+        match one:
+            case list() | tuple():
+                waiting += one
+            case dict():
+                waiting += one.values()
+            case Text() | Deferred():
+                waiting += one.parts
+            case Made():
+                waiting += (*one.positional, *one.named.values())
+            case Either():
+                waiting += (one.one, one.other)
     return value

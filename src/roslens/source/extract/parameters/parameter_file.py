@@ -100,17 +100,18 @@ def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[
 
 
 def _leaves(node: Node, above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Node]]:
-    if isinstance(node, Table) and node.nodes:
-        merged = node.nodes.get("<<")
-        # What a table has itself holds over what is merged into it, and of several the first one.
-        for one in reversed(merged.nodes) if isinstance(merged, Items) else (merged,):
-            if isinstance(one, Table):
-                yield from _leaves(one, above)
-        for key, inner in node.nodes.items():
-            if key != "<<":
-                yield from _leaves(inner, (*above, key))
-    else:
-        yield above, node
+    match node:
+        case Table() if node.nodes:
+            merged = node.nodes.get("<<")
+            # What a table has itself holds over what is merged into it, and of several the first one.
+            for one in reversed(merged.nodes) if isinstance(merged, Items) else (merged,):
+                if isinstance(one, Table):
+                    yield from _leaves(one, above)
+            for key, inner in node.nodes.items():
+                if key != "<<":
+                    yield from _leaves(inner, (*above, key))
+        case _:
+            yield above, node
 
 
 def _setting(names: tuple[str, ...], separator: str, node: Node, tree: Tree, line: int, pattern: str = "") -> Setting:
@@ -121,22 +122,24 @@ def _setting(names: tuple[str, ...], separator: str, node: Node, tree: Tree, lin
 
 def written(node: Node) -> str:
     """Return a node as YAML in one line."""
-    if isinstance(node, Scalar):
-        return node.text
-    if isinstance(node, Items):
-        return f"[{', '.join(written(one) for one in node.nodes)}]"
+    match node:
+        case Scalar():
+            return node.text
+        case Items():
+            return f"[{', '.join(written(one) for one in node.nodes)}]"
     return f"{{{', '.join(f'{key}: {written(one)}' for key, one in node.nodes.items())}}}"
 
 
 def type_of(node: Node, of_text: Callable[[str], str] | None = None) -> str:
     """Return the type that YAML gives a value; ``of_text`` tells that of plain ones."""
-    if isinstance(node, Items):
-        kinds = {type_of(one, of_text) for one in node.nodes}
-        if kinds == {"int", "double"}:
-            return "double_array"
-        return f"{kinds.pop()}_array" if len(kinds) == 1 else "list"
-    if isinstance(node, Table):
-        return "map"
+    match node:
+        case Items():
+            kinds = {type_of(one, of_text) for one in node.nodes}
+            if kinds == {"int", "double"}:
+                return "double_array"
+            return f"{kinds.pop()}_array" if len(kinds) == 1 else "list"
+        case Table():
+            return "map"
     return (of_text or type_of_text)(node.text) if node.plain else "string"
 
 

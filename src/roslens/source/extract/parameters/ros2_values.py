@@ -118,10 +118,11 @@ def type_in_file(node: Node) -> str:
 
 
 def _type(node: Node, of_text: Callable[[str], str]) -> str:
-    if isinstance(node, Scalar):
-        return of_text(node.text) if node.plain else "string"
-    if isinstance(node, Table):
-        return "map"
+    match node:
+        case Scalar():
+            return of_text(node.text) if node.plain else "string"
+        case Table():
+            return "map"
     kinds = {_type(one, of_text) for one in node.nodes}
     (kind,) = kinds if len(kinds) == 1 else (LIST,)
     return f"{kind}_array" if kind in ("bool", "int", "double", "string") else LIST

@@ -98,10 +98,11 @@ def _size(condition: Condition) -> int:
 
 def _flat(kind: type[And | Or], conditions: Iterable[Condition]) -> Iterator[Condition]:
     for one in conditions:
-        if isinstance(one, kind):
-            yield from one.of
-        else:
-            yield one
+        match one:
+            case kind():
+                yield from one.of
+            case _:
+                yield one
 
 
 def _shown(condition: Condition) -> str:

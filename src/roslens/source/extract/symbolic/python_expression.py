@@ -131,13 +131,11 @@ class _Evaluation:
         function = _BINARY.get(type(node.op))
         if function is None:
             raise _not_evaluated(node)
-        if (
-            isinstance(node.op, ast.Mult)
-            and max(_size(left) * _times(right), _size(right) * _times(left)) > MOST_LENGTH
-        ):
-            raise UnknownError("it makes a text that is too long")
-        if isinstance(node.op, ast.Mod) and isinstance(left, str) and _WIDE.search(left):
-            raise UnknownError(f"the format {left!r} is not evaluated")
+        match node.op:
+            case ast.Mult() if max(_size(left) * _times(right), _size(right) * _times(left)) > MOST_LENGTH:
+                raise UnknownError("it makes a text that is too long")
+            case ast.Mod() if isinstance(left, str) and _WIDE.search(left):
+                raise UnknownError(f"the format {left!r} is not evaluated")
         return _bounded(function(left, right))
 
     def unary(self, node: ast.UnaryOp, depth: int) -> Plain:
@@ -178,13 +176,14 @@ class _Evaluation:
     def joined(self, node: ast.JoinedStr, depth: int) -> Plain:
         pieces = []
         for part in node.values:
-            if isinstance(part, ast.FormattedValue):
-                if part.format_spec is not None:
-                    raise _not_evaluated(node)
-                value = self.of(part.value, depth)
-                pieces.append(repr(value) if part.conversion == ord("r") else str(value))
-            else:
-                pieces.append(str(self.of(part, depth)))
+            match part:
+                case ast.FormattedValue():
+                    if part.format_spec is not None:
+                        raise _not_evaluated(node)
+                    value = self.of(part.value, depth)
+                    pieces.append(repr(value) if part.conversion == ord("r") else str(value))
+                case _:
+                    pieces.append(str(self.of(part, depth)))
         return _bounded("".join(pieces))
 
     def item(self, node: ast.Subscript, depth: int) -> Plain:
@@ -198,10 +197,11 @@ class _Evaluation:
                 raise _not_evaluated(node)
             return whole[lower:upper]
         key = self.of(node.slice, depth)
-        if isinstance(whole, dict) and isinstance(key, str):
-            return whole[key]
-        if isinstance(whole, (str, tuple)) and isinstance(key, int):
-            return whole[key]
+        match whole:
+            case dict() if isinstance(key, str):
+                return whole[key]
+            case str() | tuple() if isinstance(key, int):
+                return whole[key]
         raise _not_evaluated(node)
 
     def call(self, node: ast.Call, depth: int) -> Plain:
@@ -261,10 +261,11 @@ def _size(value: Plain) -> int:
 def _bounded(value: object) -> Plain:
     if isinstance(value, list):
         value = tuple(value)
-    if isinstance(value, (str, tuple)) and len(value) > MOST_LENGTH:
-        raise UnknownError("it makes a text that is too long")
-    if isinstance(value, int) and abs(value) > _MOST_NUMBER:
-        raise UnknownError("it makes a number that is too large")
+    match value:
+        case str() | tuple() if len(value) > MOST_LENGTH:
+            raise UnknownError("it makes a text that is too long")
+        case int() if abs(value) > _MOST_NUMBER:
+            raise UnknownError("it makes a number that is too large")
     if value is None or isinstance(value, (str, int, float, tuple, dict)):
         return value
     raise UnknownError(f"a {type(value).__name__} is not evaluated")

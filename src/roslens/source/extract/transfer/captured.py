@@ -97,8 +97,9 @@ def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) 
 
 
 def _lost(name: str, before: Any) -> Text | Unknown | None:
-    if isinstance(before, Text):
-        return unknown(f"{name}, which a lambda sets")
-    if isinstance(before, Unknown | bool | int | float | QosValue):
-        return Unknown(f"{name}, which a lambda sets")
+    match before:
+        case Text():
+            return unknown(f"{name}, which a lambda sets")
+        case Unknown() | bool() | int() | float() | QosValue():
+            return Unknown(f"{name}, which a lambda sets")
     return None

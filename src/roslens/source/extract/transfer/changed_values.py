@@ -39,13 +39,14 @@ def changed_by(
         arguments: of the call.
         keywords: of the call.
     """
-    if isinstance(of, Text):
-        cpp = engine.index.programs[engine.frame.path].language == "cpp"
-        return _text(engine, _root(written), of, name, arguments) if cpp and name in _OF_TEXTS else None
-    if isinstance(of, list) and name in _OF_LISTS and not isinstance(of, Words):
-        return _list(engine, of, name, [*arguments, *keywords.values()])
-    if isinstance(of, dict) and name in _OF_TABLES:
-        return _table(engine, of, name, arguments, keywords)
+    match of:
+        case Text():
+            cpp = engine.index.programs[engine.frame.path].language == "cpp"
+            return _text(engine, _root(written), of, name, arguments) if cpp and name in _OF_TEXTS else None
+        case list() if name in _OF_LISTS and not isinstance(of, Words):
+            return _list(engine, of, name, [*arguments, *keywords.values()])
+        case dict() if name in _OF_TABLES:
+            return _table(engine, of, name, arguments, keywords)
     return None
 
 

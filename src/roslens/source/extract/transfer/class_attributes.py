@@ -44,10 +44,11 @@ def read_first(engine: Context, name: str, value: Any) -> Any:
     if (class_name.rpartition(".")[2], last) not in _all_set(engine):
         return value
     reason = f"{last}, which is set for all of {class_name}"
-    if isinstance(value, QosValue):
-        return msgspec.structs.replace(value, unknown=reason)
-    if isinstance(value, Text):
-        return unknown(reason)
+    match value:
+        case QosValue():
+            return msgspec.structs.replace(value, unknown=reason)
+        case Text():
+            return unknown(reason)
     return Unknown(reason) if isinstance(value, int | float) else value
 
 
@@ -103,10 +104,11 @@ def _gather(body: tuple[Statement, ...], owner: str, found: set[Place]) -> None:
     for one in body:
         if isinstance(one, Assign):
             target = one.target
-            if isinstance(target, Member) and isinstance(target.of, Name) and target.of.name != "self":
-                found.add((owner if target.of.name == "cls" else target.of.name.rpartition(".")[2], target.name))
-            elif isinstance(target, Member) and _is_own_class(target.of):
-                found.add((owner, target.name))
+            match target:
+                case Member(of=Name()) if target.of.name != "self":
+                    found.add((owner if target.of.name == "cls" else target.of.name.rpartition(".")[2], target.name))
+                case Member() if _is_own_class(target.of):
+                    found.add((owner, target.name))
         elif not isinstance(one, Evaluate):
             for part in ("then", "otherwise", "body", "update"):
                 _gather(getattr(one, part, ()), owner, found)

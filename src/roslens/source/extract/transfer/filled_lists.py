@@ -41,20 +41,21 @@ def _filled_here(function: Function, name: Name) -> bool:
     waiting: list[object] = [function.body]
     while waiting:
         one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += one
-        elif isinstance(one, Lambda):
-            return False
-        elif isinstance(one, Assign) and one.target == name:
-            if one.value is not None:
+        match one:
+            case tuple():
+                waiting += one
+            case Lambda():
                 return False
-            declared = True
-        elif isinstance(one, Call) and isinstance(one.function, Member) and one.function.of == name:
-            if one.function.name not in (*_FILLS, *_SIZES, "empty", "at"):
+            case Assign() if one.target == name:
+                if one.value is not None:
+                    return False
+                declared = True
+            case Call(function=Member()) if one.function.of == name:
+                if one.function.name not in (*_FILLS, *_SIZES, "empty", "at"):
+                    return False
+                waiting.append(one.arguments)
+            case Call() if name in one.arguments:
                 return False
-            waiting.append(one.arguments)
-        elif isinstance(one, Call) and name in one.arguments:
-            return False
-        elif isinstance(one, msgspec.Struct):
-            waiting += [getattr(one, field) for field in one.__struct_fields__]
+            case msgspec.Struct():
+                waiting += [getattr(one, field) for field in one.__struct_fields__]
     return declared

@@ -68,17 +68,18 @@ def module_value(engine: Context, path: str, name: str, first: Expression) -> tu
 
 def _changed(statement: Statement) -> list[str]:
     """Return the names of the variables that a statement sets or changes."""
-    if isinstance(statement, Assign):
-        return _roots(statement.target) if statement.value is not None else []
-    if isinstance(statement, Evaluate):
-        called = statement.expression.function if isinstance(statement.expression, Call) else None
-        changes = isinstance(called, Member) and (called.name in CHANGING or called.name in _ADDING)
-        return _roots(called.of) if changes and isinstance(called, Member) else []
-    if isinstance(statement, Branch):
-        return [name for one in (*statement.then, *statement.otherwise) for name in _changed(one)]
-    if isinstance(statement, Loop):
-        inside = [name for one in statement.body for name in _changed(one)]
-        return [*inside, *(_roots(statement.target) if statement.target is not None else [])]
+    match statement:
+        case Assign():
+            return _roots(statement.target) if statement.value is not None else []
+        case Evaluate():
+            called = statement.expression.function if isinstance(statement.expression, Call) else None
+            changes = isinstance(called, Member) and (called.name in CHANGING or called.name in _ADDING)
+            return _roots(called.of) if changes and isinstance(called, Member) else []
+        case Branch():
+            return [name for one in (*statement.then, *statement.otherwise) for name in _changed(one)]
+        case Loop():
+            inside = [name for one in statement.body for name in _changed(one)]
+            return [*inside, *(_roots(statement.target) if statement.target is not None else [])]
     return []
 
 

@@ -126,20 +126,21 @@ def _fit(declared: str, value: Any) -> int:
     if not name or name in ("auto", "T"):
         return 0
     text, number = name in _TEXTS, name in _NUMBERS
-    if isinstance(value, Text):
-        # A text with a hole may be any parameter.
-        return _FITS if text else 0 if value.holes else _UNFIT if number else 0
-    if isinstance(value, bool):
-        if name in _TAGS:
-            return 2 * _FITS if _TAGS[name] is value else _UNFIT
-        return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
-    if isinstance(value, int | float):
-        return _FITS if number else _UNFIT if text else 0
-    if isinstance(value, Handle):
-        return _FITS if name in _HANDLES else _UNFIT if text or number else 0
-    if isinstance(value, Obj):
-        same = name == value.type.rpartition(".")[2]
-        return 2 * _FITS if same else _UNFIT if text or number or name in _HANDLES else 0
-    if isinstance(value, Callable):
-        return _UNFIT if text or number else 0
+    match value:
+        case Text():
+            # A text with a hole may be any parameter.
+            return _FITS if text else 0 if value.holes else _UNFIT if number else 0
+        case bool():
+            if name in _TAGS:
+                return 2 * _FITS if _TAGS[name] is value else _UNFIT
+            return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
+        case int() | float():
+            return _FITS if number else _UNFIT if text else 0
+        case Handle():
+            return _FITS if name in _HANDLES else _UNFIT if text or number else 0
+        case Obj():
+            same = name == value.type.rpartition(".")[2]
+            return 2 * _FITS if same else _UNFIT if text or number or name in _HANDLES else 0
+        case Callable():
+            return _UNFIT if text or number else 0
     return 0

@@ -58,11 +58,12 @@ def _maps(value: str) -> Any:
         return None
     found: list[Any] = []
     for item in root.nodes if isinstance(root, Items) else ():
-        if isinstance(item, Table):
-            parts = {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
-            found.append({Text.of(key): Text.of(one) for key, one in parts.items()})
-        elif isinstance(item, Scalar):
-            found.append(Text.of(item.text))
+        match item:
+            case Table():
+                parts = {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
+                found.append({Text.of(key): Text.of(one) for key, one in parts.items()})
+            case Scalar():
+                found.append(Text.of(item.text))
     return found
 
 

@@ -52,10 +52,11 @@ def lose(thing: Any, function: Function, names: dict[str, Any] | None = None) ->
         return
     for name in function.sets:
         value = thing.fields.get(name)
-        if isinstance(value, bool | int | float | QosValue | Named):
-            thing.fields[name] = Unknown(f"{name}, which {function.name}() sets")
-        elif isinstance(value, Text):
-            thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
+        match value:
+            case bool() | int() | float() | QosValue() | Named():
+                thing.fields[name] = Unknown(f"{name}, which {function.name}() sets")
+            case Text():
+                thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
 
 
 def lose_unseen(engine: Context, called: Callable, written: tuple[Expression, ...]) -> None:

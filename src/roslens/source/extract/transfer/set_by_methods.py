@@ -129,21 +129,22 @@ def _own_calls(part: Any) -> list[str]:
 def _order(engine: Context, of: Defined, body: tuple[Statement, ...], name: str, depth: int) -> bool | None:
     """Return whether a member is read before it is set for sure; None where it is neither."""
     for one in body:
-        if isinstance(one, Assign) and one.operator == "=" and _is_place(one.target, name):
-            read = one.value is not None and _says(engine, of, one.value, name, depth)
-            return read is True
-        if isinstance(one, Branch | Loop):
-            parts = (one.then, one.otherwise) if isinstance(one, Branch) else ((*one.body, *one.update),)
-            head = one.condition if isinstance(one, Branch) else (one.target, one.over)
-            found = _says(engine, of, head, name, depth)
-            if found is not None:
-                return found
-            ways = [_order(engine, of, part, name, depth) for part in parts]
-            if True in ways:
-                return True
-            if isinstance(one, Branch) and all(way is False for way in ways):
-                return False
-            continue
+        match one:
+            case Assign() if one.operator == "=" and _is_place(one.target, name):
+                read = one.value is not None and _says(engine, of, one.value, name, depth)
+                return read is True
+            case Branch() | Loop():
+                parts = (one.then, one.otherwise) if isinstance(one, Branch) else ((*one.body, *one.update),)
+                head = one.condition if isinstance(one, Branch) else (one.target, one.over)
+                found = _says(engine, of, head, name, depth)
+                if found is not None:
+                    return found
+                ways = [_order(engine, of, part, name, depth) for part in parts]
+                if True in ways:
+                    return True
+                if isinstance(one, Branch) and all(way is False for way in ways):
+                    return False
+                continue
         found = _says(engine, of, one, name, depth)
         if found is not None:
             return found

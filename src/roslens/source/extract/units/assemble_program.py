@@ -42,12 +42,13 @@ def _written(function: Function) -> Iterator[str]:
     waiting: list[object] = [function.body]
     while waiting:
         one = waiting.pop(0)
-        if isinstance(one, tuple):
-            waiting[:0] = one
-        elif isinstance(one, msgspec.Struct):
-            if isinstance(one, Call):
-                yield from one.templates
-            waiting[:0] = [getattr(one, name) for name in one.__struct_fields__]
+        match one:
+            case tuple():
+                waiting[:0] = one
+            case msgspec.Struct():
+                if isinstance(one, Call):
+                    yield from one.templates
+                waiting[:0] = [getattr(one, name) for name in one.__struct_fields__]
 
 
 def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:

@@ -316,10 +316,11 @@ def _forget(engine: Evaluation, thing: Obj) -> None:
         any_member = engine.index.programs[one.defined.path].language == "cpp"
         changed = engine.index.changed(one.defined)
         for name, value in one.fields.items():
-            if isinstance(value, bool) and (any_member or name in changed):
-                one.fields[name] = Unknown(name)
-            elif isinstance(value, Obj):
-                waiting.append(value)
+            match value:
+                case bool() if any_member or name in changed:
+                    one.fields[name] = Unknown(name)
+                case Obj():
+                    waiting.append(value)
 
 
 def _made_by(function: Function, defined: Defined) -> bool:
@@ -403,10 +404,11 @@ def _facts_of_tree_node(
         engine.frame = Frame(path, function.qualified_name)
         block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
         builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
-        if isinstance(builder, Callable):
-            thing = engine.call(builder, unknown, {})
-        else:
-            thing = engine.construct(defined, unknown, {})
+        match builder:
+            case Callable():
+                thing = engine.call(builder, unknown, {})
+            case _:
+                thing = engine.construct(defined, unknown, {})
         if isinstance(thing, Obj):
             _run_methods(engine, thing)
 

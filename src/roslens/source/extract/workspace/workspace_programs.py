@@ -76,15 +76,16 @@ def workspace_programs(
     tasks = _tasks(root, [file for file in parsed if file.path not in found], macros)
     watch.step("Reading programs", len(tasks))
     for task, result in executor_for(jobs if len(tasks) > 1 else 1).run(lower_files, tasks):
-        if isinstance(result, BaseException):
-            failures += [_broken(file, result) for file in task.files]
-            lasting = False
-        else:
-            cache.put({keys[path]: packed for path, packed in result.programs.items()})
-            for path, packed in (*result.programs.items(), *result.changed.items()):
-                found[path] = unpack(packed)
-            failures += result.failures
-            lasting = lasting and not result.changed and all(one.tool != "read" for one in result.failures)
+        match result:
+            case BaseException():
+                failures += [_broken(file, result) for file in task.files]
+                lasting = False
+            case _:
+                cache.put({keys[path]: packed for path, packed in result.programs.items()})
+                for path, packed in (*result.programs.items(), *result.changed.items()):
+                    found[path] = unpack(packed)
+                failures += result.failures
+                lasting = lasting and not result.changed and all(one.tool != "read" for one in result.failures)
         watch.advance(item=task.files[-1].path)
     failures.sort(key=lambda failure: failure.location or Location(""))
     return WorkspacePrograms({path: found[path] for path in sorted(found)}, tuple(failures), lasting)

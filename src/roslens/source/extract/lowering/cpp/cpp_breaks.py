@@ -27,14 +27,15 @@ class _Breaks:
 
     def of(self, statements: Statements) -> Statements:
         for place, one in enumerate(statements):
-            if isinstance(one, Leave) and not one.again:
-                return statements[:place]
-            if isinstance(one, Branch) and _breaks(one):
-                rest = statements[place + 1 :]
-                after = self._branched(one, rest)
-                if after is not None:
-                    return (*statements[:place], *after)
-                return (*statements[:place], *_stripped(one), *self.of(rest))
+            match one:
+                case Leave() if not one.again:
+                    return statements[:place]
+                case Branch() if _breaks(one):
+                    rest = statements[place + 1 :]
+                    after = self._branched(one, rest)
+                    if after is not None:
+                        return (*statements[:place], *after)
+                    return (*statements[:place], *_stripped(one), *self.of(rest))
         return statements
 
     def _branched(self, one: Branch, rest: Statements) -> Statements | None:

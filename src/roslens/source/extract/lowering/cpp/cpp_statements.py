@@ -140,10 +140,11 @@ class StatementLowering:
         text = self._lowered.text(inner)
         if b"(" in text or b"<<" in text or b"{" in text:
             expression = self._lower(inner)
-            if isinstance(expression, Call) and (made := _owned(expression, inner)) is not None:
-                out.append(Assign(made[0], made[1], "", "=", node.start_point.row + 1))
-            elif isinstance(expression, Call | Operation | Format):
-                out.append(Evaluate(expression, node.start_point.row + 1))
+            match expression:
+                case Call() if (made := _owned(expression, inner)) is not None:
+                    out.append(Assign(made[0], made[1], "", "=", node.start_point.row + 1))
+                case Call() | Operation() | Format():
+                    out.append(Evaluate(expression, node.start_point.row + 1))
 
     def _assign(self, node: Node, out: Statements) -> None:
         children = node.children

@@ -446,10 +446,11 @@ class Statements(Patterns):
         self._owner, self.scope = owner, scope
         fields = []
         for statement in body:
-            if isinstance(statement, Assign) and isinstance(statement.target, Name) and _is_field(statement):
-                fields.append(Field(statement.target.name, statement.declared, statement.value, statement.line))
-            else:
-                self.pending.append(statement)
+            match statement:
+                case Assign(target=Name()) if _is_field(statement):
+                    fields.append(Field(statement.target.name, statement.declared, statement.value, statement.line))
+                case _:
+                    self.pending.append(statement)
         self.classes[index] = Class(name, qualified, self.line(node), base_names(node), tuple(fields))
 
 
@@ -463,8 +464,9 @@ def _is_field(statement: Assign) -> bool:
 def _breaks(body: tuple[Statement, ...]) -> bool:
     """Whether a loop with such a body may be left before it has ended."""
     for one in body:
-        if isinstance(one, Leave) and not one.again:
-            return True
-        if isinstance(one, Branch) and (_breaks(one.then) or _breaks(one.otherwise)):
-            return True
+        match one:
+            case Leave() if not one.again:
+                return True
+            case Branch() if _breaks(one.then) or _breaks(one.otherwise):
+                return True
     return False

@@ -50,14 +50,15 @@ def reads_words(program: Program) -> bool:
     waiting.append(program.body)
     while waiting:
         one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += one
-        elif isinstance(one, Name | Member) and one.name in _READ:
-            return True
-        elif isinstance(one, msgspec.Struct):
-            if isinstance(one, Call) and _written(one.function) in _OF_ROS:
-                continue
-            waiting += [getattr(one, name) for name in one.__struct_fields__]
+        match one:
+            case tuple():
+                waiting += one
+            case Name() | Member() if one.name in _READ:
+                return True
+            case msgspec.Struct():
+                if isinstance(one, Call) and _written(one.function) in _OF_ROS:
+                    continue
+                waiting += [getattr(one, name) for name in one.__struct_fields__]
     return False
 
 

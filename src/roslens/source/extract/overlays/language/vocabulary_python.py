@@ -23,10 +23,11 @@ def copied(_engine: Context, _thing: Any, called: Called) -> Any:
     value = called.argument(0)
     if type(value) is list:
         return list(value)
-    if isinstance(value, dict):
-        return dict(value)
-    if isinstance(value, Obj):
-        return Obj(value.type, value.defined, dict(value.fields), value.node, value.templates, value.base_templates)
+    match value:
+        case dict():
+            return dict(value)
+        case Obj():
+            return Obj(value.type, value.defined, dict(value.fields), value.node, value.templates, value.base_templates)
     quality = None if isinstance(value, int) else quality_of(value)
     return value if quality is None or not quality.qos else msgspec.structs.replace(quality)
 

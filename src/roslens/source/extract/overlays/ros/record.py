@@ -170,12 +170,13 @@ def how(name: Text) -> str:
 def type_text(engine: Context, kind: Any, generation: str, role: Role) -> Text:
     """Return the type of an endpoint as text."""
     written = kind if isinstance(kind, str) else ""
-    if isinstance(kind, Named):
-        written = kind.name
-    elif isinstance(kind, Class):
-        written = kind.defined.what.qualified_name
-    elif isinstance(kind, Obj):
-        written = kind.type
+    match kind:
+        case Named():
+            written = kind.name
+        case Class():
+            written = kind.defined.what.qualified_name
+        case Obj():
+            written = kind.type
     if not written:
         return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
     written = _adapted(engine, written)

@@ -55,11 +55,12 @@ def loader(engine: Context, _thing: Any, called: Called) -> Any:
 def load(engine: Context, _thing: Any, called: Called) -> Any:
     """A nodelet is loaded into this process."""
     given = called.argument(2)
-    if isinstance(given, Remappings):
-        pairs = tuple((as_text(source), as_text(target)) for source, target in given.items())
-    else:
-        # Any name may be another one then.
-        pairs = ((unknown("remappings of the nodelet"), unknown("remappings of the nodelet")),)
+    match given:
+        case Remappings():
+            pairs = tuple((as_text(source), as_text(target)) for source, target in given.items())
+        case _:
+            # Any name may be another one then.
+            pairs = ((unknown("remappings of the nodelet"), unknown("remappings of the nodelet")),)
     kind = called.argument(1)
     fact = LoadFact(
         as_text(called.argument(0)),

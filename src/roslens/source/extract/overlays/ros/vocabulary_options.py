@@ -118,15 +118,16 @@ def take_options(engine: Context, building: Building, given: Obj, called: Called
     """Let hold for a node what its options say."""
     building.options = given
     words = given.fields.get("-arguments", [])
-    if isinstance(words, list):
-        building.inherits = given.fields.get("-inherits", Inherits.NOTHING)
-        if building.inherits is Inherits.ALL and words != [OUTSIDE]:
-            building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
-        elif OUTSIDE in words:
-            building.inherits = building.inherits if building.inherits is Inherits.ALL else Inherits.ARGUMENTS
-        building.arguments = [as_text(one) for one in words if one != OUTSIDE]
-    else:
-        _doubt(building, called, f"its arguments are {as_text(words)}")
+    match words:
+        case list():
+            building.inherits = given.fields.get("-inherits", Inherits.NOTHING)
+            if building.inherits is Inherits.ALL and words != [OUTSIDE]:
+                building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
+            elif OUTSIDE in words:
+                building.inherits = building.inherits if building.inherits is Inherits.ALL else Inherits.ARGUMENTS
+            building.arguments = [as_text(one) for one in words if one != OUTSIDE]
+        case _:
+            _doubt(building, called, f"its arguments are {as_text(words)}")
     if isinstance(of_process := given.fields.get("-global", True), bool):
         building.global_arguments = of_process
     else:
@@ -164,11 +165,12 @@ def replaced(engine: Context, _thing: Any, called: Called) -> Any:
         return None
     parts: list[str | Hole] = []
     for one in value.parts:
-        if isinstance(one, str):
-            parts.append(one.replace(before.known, after.known))
-        else:
-            default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
-            parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
+        match one:
+            case str():
+                parts.append(one.replace(before.known, after.known))
+            case _:
+                default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
+                parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
     engine.assign(of, Text.of(*parts))
     return None
 

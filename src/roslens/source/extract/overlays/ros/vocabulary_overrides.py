@@ -38,11 +38,12 @@ def of_endpoint(_engine: Context, thing: Any, called: Called) -> Any:
 def chosen(engine: Context, _thing: Any, called: Called) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
-    if isinstance(kinds, list) and kinds and isinstance(kinds[0], list):
-        # ``QosOverridingOptions({{…}, callback, id})``
-        kinds, *rest = kinds
-    else:
-        rest = [*called.arguments[1:]]
+    match kinds:
+        case list() if kinds and isinstance(kinds[0], list):
+            # ``QosOverridingOptions({{…}, callback, id})``
+            kinds, *rest = kinds
+        case _:
+            rest = [*called.arguments[1:]]
     if isinstance(kinds, Named):
         # ``QosOverridingOptions{Depth, History}``
         kinds, rest = [one for one in called.arguments if isinstance(one, Named)], []

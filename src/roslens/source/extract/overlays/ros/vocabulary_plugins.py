@@ -77,13 +77,14 @@ def added(engine: Context, thing: Any, called: Called) -> Any:
         engine.called_outer(one)
     given = called.argument(0)
     place = sum(isinstance(key, int) for key in held_in(thing))
-    if isinstance(given, Obj):
-        if any(one is given for one, _ in engine.plugged):
+    match given:
+        case Obj():
+            if any(one is given for one, _ in engine.plugged):
+                hold(engine, thing, place, given)
+        case Text() if len(engine.conditions) <= engine.frame.depth + engine.frame.passed:
             hold(engine, thing, place, given)
-    elif isinstance(given, Text) and len(engine.conditions) <= engine.frame.depth + engine.frame.passed:
-        hold(engine, thing, place, given)
-    else:
-        hold(engine, thing, None, Unknown("an item of a list"))
+        case _:
+            hold(engine, thing, None, Unknown("an item of a list"))
     return None
 
 

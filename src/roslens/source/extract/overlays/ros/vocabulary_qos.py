@@ -54,16 +54,17 @@ def _from_words(called: Called) -> QosValue:
 
 def _given(first: Any, called: Called) -> QosValue:
     """Return what the first argument says, which is a depth, a history, or another quality of service."""
-    if isinstance(first, Obj) and first.type == INITIALISATION:
-        profile = DEFAULT_QUALITY
-        if len(called.arguments) > 1:
-            profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
-        return keeping(profile, first.fields["qos"])
-    if isinstance(first, Text | Unknown | Named) and quality_of(first) in (None, QosValue(Qos(), _reason(first))):
-        reason = _reason(first)
-        # Another one may be copied.
-        whole = isinstance(first, Unknown) and ("qos" in reason.lower() or "profile" in reason.lower())
-        return QosValue(Qos(), reason) if whole else QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
+    match first:
+        case Obj() if first.type == INITIALISATION:
+            profile = DEFAULT_QUALITY
+            if len(called.arguments) > 1:
+                profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
+            return keeping(profile, first.fields["qos"])
+        case Text() | Unknown() | Named() if quality_of(first) in (None, QosValue(Qos(), _reason(first))):
+            reason = _reason(first)
+            # Another one may be copied.
+            whole = isinstance(first, Unknown) and ("qos" in reason.lower() or "profile" in reason.lower())
+            return QosValue(Qos(), reason) if whole else QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
     return quality_of(first) or _NO_DEPTH
 
 

@@ -75,11 +75,12 @@ def _without_end(name: Text) -> Text:
 
 def _written(engine: Context, kind: Any) -> str:
     """Return the class that a server is of, without aliases; in Python it is a module."""
-    if isinstance(kind, str):
-        name = dotted(engine.frame.templates.get(kind, kind))
-        return engine.index.meaning(name, engine.frame.path, engine.frame.scope)
-    if isinstance(kind, Named):
-        return kind.name
+    match kind:
+        case str():
+            name = dotted(engine.frame.templates.get(kind, kind))
+            return engine.index.meaning(name, engine.frame.path, engine.frame.scope)
+        case Named():
+            return kind.name
     return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
 
 

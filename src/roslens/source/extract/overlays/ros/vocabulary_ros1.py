@@ -52,14 +52,15 @@ def _handle(engine: Context, called: Called) -> Handle:
     prefix = Text()
     node: Building = engine.node
     for place, value in enumerate(called.arguments[:2]):
-        if isinstance(value, Handle):
-            node, prefix = value.node, value.prefix
-        elif isinstance(value, Text):
-            prefix = below(Handle(node, prefix), _trimmed(value))
-        elif isinstance(value, Unknown | Obj | Named):
-            # A copy of a handle that somebody gives, or a text: who gives it knows the namespace.
-            given = unknown(OfHandle(as_text(value).holes[0].reason))
-            prefix = below(Handle(node, prefix), given) if place else given
+        match value:
+            case Handle():
+                node, prefix = value.node, value.prefix
+            case Text():
+                prefix = below(Handle(node, prefix), _trimmed(value))
+            case Unknown() | Obj() | Named():
+                # A copy of a handle that somebody gives, or a text: who gives it knows the namespace.
+                given = unknown(OfHandle(as_text(value).holes[0].reason))
+                prefix = below(Handle(node, prefix), given) if place else given
     return Handle(node, prefix)
 
 

@@ -56,10 +56,11 @@ def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
     name = called.argument(0, "node_name", "name")
     building.name = as_text(name) if name is not None else Text((Hole(OfNode(NamePart.NAME)),))
     namespace = called.argument(1, "namespace")
-    if isinstance(namespace, Text):
-        building.namespace = namespace
-    elif isinstance(namespace, Unknown) and (len(called.arguments) > 2 or "namespace" in called.keywords):
-        building.namespace = unknown(namespace.reason)
+    match namespace:
+        case Text():
+            building.namespace = namespace
+        case Unknown() if len(called.arguments) > 2 or "namespace" in called.keywords:
+            building.namespace = unknown(namespace.reason)
     given = given_options(called)
     if given is not None:
         take_options(engine, building, given, called)
@@ -73,10 +74,11 @@ def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
 
 def _group(called: Called, *places: int) -> Any:
     for value in (*(called.argument(place) for place in places), *called.keywords.values()):
-        if isinstance(value, Group):
-            return value
-        if isinstance(value, Obj) and isinstance(value.fields.get("callback_group"), Group):
-            return value.fields["callback_group"]
+        match value:
+            case Group():
+                return value
+            case Obj() if isinstance(value.fields.get("callback_group"), Group):
+                return value.fields["callback_group"]
     return None
 
 

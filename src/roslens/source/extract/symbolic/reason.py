@@ -78,7 +78,7 @@ class OfController(_Reason, frozen=True, tag="of controller"):
 
 
 class EachOf(_Reason, frozen=True, tag="each of"):
-    """Any item of a list."""
+    """Whichever item of a list."""
 
     of: Reason
 

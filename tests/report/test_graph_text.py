@@ -4,6 +4,7 @@ from roslens.model.configuration import (
     Configuration,
     ConfiguredNode,
     ConfiguredParameter,
+    Missing,
     Origin,
     Proof,
     Unresolved,
@@ -139,10 +140,16 @@ def test_a_name_that_is_guessed_is_marked_and_its_settings_are_not_doubted():
 def test_names_that_depend_on_what_the_name_of_their_node_depends_on_are_told_with_it():
     place = Proof("pkg/launch/a.launch.py", 7, origin=Origin.LAUNCH)
     code = Proof("pkg/src/a.cpp", 3)
-    own = Unresolved("/{space}/a", place, "the node's name depends on space", "/*/a")
-    below = [Unresolved(name, code, "the name of this publisher depends on space", "/*/a") for name in ("b", "c")]
-    other = Unresolved("d", code, "the name of this publisher depends on parameter d", "/*/a")
-    elsewhere = Unresolved("e", code, "the name of this publisher depends on space", "/e")
+    own = Unresolved(
+        "/{space}/a", place, "the node's name depends on space", "/*/a", missing=Missing.NODE_NAME, cause="space"
+    )
+
+    def publisher(name, cause, node="/*/a"):
+        reason = f"the name of this publisher depends on {cause}"
+        return Unresolved(name, code, reason, node, missing=Missing.ENDPOINT_NAME, cause=cause)
+
+    below = [publisher(name, "space") for name in ("b", "c")]
+    other, elsewhere = publisher("d", "parameter d"), publisher("e", "space", "/e")
     node = ConfiguredNode("/*/a", place, resolved=False)
     text = to_graph_text(Configuration("a", "ros2", (node,), unresolved=(own, *below, other, elsewhere)))
     lines = text.splitlines()

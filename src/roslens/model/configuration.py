@@ -165,6 +165,16 @@ class ConfiguredTimer(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
 
 
+class Missing(str, Enum):
+    """What is not known of something that could not be evaluated, where reports tell that apart."""
+
+    OTHER = ""
+    NODE_NAME = "node name"
+    ENDPOINT_NAME = "endpoint name"
+    NAMED_ALIKE = "named alike"
+    """A call of a function of the workspace that is named as what makes an endpoint, and makes none."""
+
+
 class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """What could not be evaluated.
 
@@ -175,6 +185,8 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         node: of which it is a part; empty where no node is meant.
         opens: whether it may start further nodes, so that the configuration is not whole.
         role: whose code it is in where that is not own code: ``vendored``, ``generated`` or ``test``.
+        missing: what is not known.
+        cause: in words what a name depends on.
     """
 
     text: str
@@ -183,6 +195,8 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     node: str = ""
     opens: bool = False
     role: str = ""
+    missing: Missing = Missing.OTHER
+    cause: str = ""
 
 
 class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -222,8 +222,10 @@ class GraphSource:
                 path = one.evidence.path
                 if files[path] == generation if path in files else generation in versions:
                     role = facts.roles.get(path, "")
-                    told = Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, role=role)
-                    found.append(told)
+                    proof = launch_proof(one.evidence)
+                    found.append(
+                        Unresolved(one.text, proof, one.reason, opens=one.opens, role=role, missing=one.missing)
+                    )
         return found
 
     def _mostly(self) -> str:

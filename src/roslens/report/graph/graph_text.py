@@ -11,6 +11,7 @@ from roslens.model.configuration import (
     ConfiguredEndpoint,
     ConfiguredNode,
     ConfiguredParameter,
+    Missing,
     Origin,
     Proof,
     Unresolved,
@@ -30,8 +31,6 @@ _HEADS = (
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that every node of ROS 2 takes, whatever its own code says."""
 
-_NAMED_ALIKE = "this calls a function of the workspace that is named as what makes an endpoint"
-_OF_NODE = "the node's name depends on "
 _LONGEST = 60
 _LONGEST_REASON = 120
 
@@ -55,8 +54,8 @@ def unresolved_lines(missed: Sequence[Unresolved]) -> Iterator[str]:
     yield ""
     yield f"unresolved: {len(missed)}"
     own = [one for one in missed if not one.role]
-    yield from _unresolved(folded_by_file([one for one in own if not one.reason.startswith(_NAMED_ALIKE)]))
-    alike = sum(one.reason.startswith(_NAMED_ALIKE) for one in own)
+    yield from _unresolved(folded_by_file([one for one in own if one.missing is not Missing.NAMED_ALIKE]))
+    alike = sum(one.missing is Missing.NAMED_ALIKE for one in own)
     if alike:
         yield f"  and {alike} calls of functions of the workspace named as what makes an endpoint, which make none"
     for role in ("test", "generated", "vendored"):
@@ -82,23 +81,18 @@ def folded_by_file(missed: Sequence[Unresolved]) -> list[Unresolved]:
 
 def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
     """Yield a line for each, but one for a node together with the names below it that depend on the same."""
-    causes = {
-        (one.node, cause): [one]
-        for one in missed
-        if (cause := one.reason.partition(" depends on ")[2]) and one.reason.startswith(_OF_NODE)
-    }
+    causes = {(one.node, one.cause): [one] for one in missed if one.missing is Missing.NODE_NAME}
     for one in missed:
-        start, _, cause = one.reason.partition(" depends on ")
-        if start.startswith("the name of this ") and (one.node, cause) in causes:
-            causes[one.node, cause].append(one)
+        if one.missing is Missing.ENDPOINT_NAME and (one.node, one.cause) in causes:
+            causes[one.node, one.cause].append(one)
     told = {id(one) for same in causes.values() for one in same[1:]}
     for one in missed:
         if id(one) in told:
             continue
-        below = len(causes.get((one.node, one.reason.partition(" depends on ")[2]), ())) - 1
+        below = len(causes[one.node, one.cause]) - 1 if one.missing is Missing.NODE_NAME else 0
         node = f"{one.node}: " if one.node else ""
         text = f' "{_short(one.text)}"' if one.text else ""
-        more = f", and so do {below} names of what it makes" if below > 0 and one.reason.startswith(_OF_NODE) else ""
+        more = f", and so do {below} names of what it makes" if below > 0 else ""
         yield f"  {one.proof.place}  {node}{one.reason}{more}{text}"
 
 

@@ -75,7 +75,8 @@ def assemble(
         whole.start(launched)
     whole.end()
     unresolved = [
-        Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens) for one in launch.unresolved
+        Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, missing=one.missing)
+        for one in launch.unresolved
     ]
     unresolved += whole.unresolved
     return Configuration(

@@ -11,6 +11,7 @@ from roslens.model.configuration import (
     ConfiguredNode,
     ConfiguredRemap,
     ConfiguredTimer,
+    Missing,
     Origin,
     Proof,
     Unresolved,
@@ -286,9 +287,7 @@ class _Node:
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
         if resolved.holes:
-            self._miss(
-                given, fact, f"the name of this {fact.role.value.replace('_', ' ')} depends on " + _why(resolved)
-            )
+            self._miss_name(given, fact, resolved)
         if kind.text.known is None:
             self._miss(str(fact.type), fact, f"the type of {resolved.pattern} is unknown")
         fact = self.overriding.take(fact, resolved, sure, looped=looped)
@@ -371,11 +370,17 @@ class _Node:
             self.unresolved.append(Unresolved("", proof_of(evidence, self.origin), reason, self.name))
         if self.place.node.holes:
             proof = launch_proof(self.given.launched.evidence)
+            cause = _why(self.place.node)
+            reason, missing = f"the node's name depends on {cause}", Missing.NODE_NAME
             self.unresolved.append(
-                Unresolved(
-                    str(self.place.node), proof, f"the node's name depends on {_why(self.place.node)}", self.name
-                )
+                Unresolved(str(self.place.node), proof, reason, self.name, missing=missing, cause=cause)
             )
+
+    def _miss_name(self, text: str, fact: EndpointFact, name: Text) -> None:
+        cause, proof = _why(name), proof_of(fact.evidence, self.origin)
+        reason = f"the name of this {fact.role.value.replace('_', ' ')} depends on {cause}"
+        missing = Missing.ENDPOINT_NAME
+        self.unresolved.append(Unresolved(text, proof, reason, self.name, missing=missing, cause=cause))
 
     def _miss(self, text: str, fact: EndpointFact, reason: str) -> None:
         self.unresolved.append(Unresolved(text, proof_of(fact.evidence, self.origin), reason, self.name))

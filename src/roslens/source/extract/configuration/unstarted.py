@@ -19,6 +19,7 @@ from roslens.source.extract.configuration.assemble_units import Units
 from roslens.source.extract.facts.launched import Launched
 from roslens.source.extract.facts.meant import Meant
 from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Target, TargetKind
+from roslens.source.extract.symbolic.reason import NamePart, OfNode
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.call_sites import places_of
 from roslens.source.settings import NodeHint
@@ -27,7 +28,8 @@ TITLE = "made by libraries, plug-ins and scripts that no known program starts"
 _LOADED = frozenset({TargetKind.PLUGIN, TargetKind.COMPONENT, TargetKind.NODELET})
 _ORDER = {"program": 0, "script": 0, "plugin": 1, "library": 2}
 _ALONE = ("function", "part")
-_UNKNOWN_NAME = "name of the node"
+_UNKNOWN_NAME = str(OfNode(NamePart.NAME))
+"""What a name depends on of which no more is known than that of any node that nothing starts."""
 
 
 class Unstarted(msgspec.Struct, frozen=True):
@@ -112,7 +114,7 @@ def unstarted_configuration(
         ends = tuple(end for end in node.endpoints if not end.implicit)
         role = roles.get(one.facts.path, "")
         nodes.append(with_checksums(msgspec.structs.replace(node, endpoints=ends, role=role), units))
-        unresolved += [msgspec.structs.replace(two, role=role) for two in missing if _tells(two.reason)]
+        unresolved += [msgspec.structs.replace(two, role=role) for two in missing if two.cause != _UNKNOWN_NAME]
     return Configuration(
         TITLE,
         generation,
@@ -140,8 +142,3 @@ def _given(one: Unstarted, generation: str, hints: Mapping[str, NodeHint], hinte
 def _doubted(one: Unstarted) -> NodeFacts:
     reasons = (one.facts.doubt, f"of {REASONS[one.kind]}")
     return msgspec.structs.replace(one.facts, doubt="; ".join(filter(None, reasons)))
-
-
-def _tells(reason: str) -> bool:
-    """Whether a reason says more than that the node is not known, which is so of all."""
-    return reason.rpartition(" depends on ")[2] != _UNKNOWN_NAME

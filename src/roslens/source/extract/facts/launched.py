@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.model.configuration import Missing
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
 from roslens.source.extract.symbolic.text import Conditions, Text
 
@@ -116,12 +117,13 @@ class Argument(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Unresolved(msgspec.Struct, frozen=True, array_like=True):
-    """What could not be evaluated: as written, where, the reason, and whether it may start further nodes."""
+    """What could not be evaluated: as written, where, why, whether it may start further nodes, and what is missing."""
 
     text: str
     evidence: Evidence
     reason: str
     opens: bool = False
+    missing: Missing = Missing.OTHER
 
 
 class Launch(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from roslens.model.configuration import Missing
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence, NodeFacts
 from roslens.source.extract.ir.makes_endpoints import calls_that_make
@@ -34,8 +35,11 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
     for path, function, call in _left(index, facts, reached):
         known = function is None or (path, function.line) in reached
         reason = NOT_KNOWN if known else NEVER_FOLLOWED
-        reason = NAMED_ALIKE if (path, call.line) in reached.passed_on else reason
-        yield Unresolved(_shown(call), Evidence(path, call.line, call.column), reason)
+        place = Evidence(path, call.line, call.column)
+        if (path, call.line) in reached.passed_on:
+            yield Unresolved(_shown(call), place, NAMED_ALIKE, missing=Missing.NAMED_ALIKE)
+        else:
+            yield Unresolved(_shown(call), place, reason)
 
 
 def functions_with_more(

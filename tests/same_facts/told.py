@@ -26,6 +26,8 @@ REASONS = frozenset({"of node", "of parameter", "of handle", "of controller", "e
                      "of environment", "random end", "not set", "of many"})  # fmt: skip
 IN_WORDS = CONDITIONS | REASONS
 """Tags of conditions and reasons, which are compared in words: older revisions had nothing else."""
+PARTS = frozenset({"missing", "cause"})
+"""Fields that name parts of a reason beside it."""
 
 
 def in_words(asked: Any) -> str:
@@ -45,7 +47,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, msgspec.Struct) and value.__struct_config__.tag == "asked":
         return in_words(value)
     if isinstance(value, msgspec.Struct):
-        fields = {name: plain(getattr(value, name)) for name in value.__struct_fields__}
+        fields = {name: plain(getattr(value, name)) for name in value.__struct_fields__ if name not in PARTS}
         tag = value.__struct_config__.tag
         return {"type": tag, **fields} if tag is not None else fields
     if isinstance(value, dict):

@@ -45,7 +45,7 @@ def test_a_name_with_a_random_end_is_that_of_the_program_and_not_of_its_componen
     loaded = known_node(launched("x", plugin="tf2_ros::StaticTransformBroadcasterNode"), "ros2", ())
     assert alone is not None
     assert loaded is not None
-    assert [hole.reason for hole in alone.facts[0].name.holes] == ["random end"]
+    assert [str(hole.reason) for hole in alone.facts[0].name.holes] == ["random end"]
     assert loaded.facts[0].name.known == "static_transform_publisher"
     assert alone.facts[0].endpoints[0].name == loaded.facts[0].endpoints[0].name
 

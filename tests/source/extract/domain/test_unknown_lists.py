@@ -13,7 +13,7 @@ def test_what_decides_a_list_decides_each_item():
     assert each_of(listed("[a, b]")) == Text((Hole(EachOf(OfParameter("names")), "names", among="[a, b]"),))
     assert each_of(listed("a")).holes[0].among == ""
     assert each_of(Each(3)) == 3
-    assert each_of(Unknown("what is read")) == Unknown("each of what is read")
+    assert each_of(Unknown("what is read")) == Unknown(EachOf("what is read"))
 
 
 def test_of_one_of_two_lists_each_item_is_one_of_either():

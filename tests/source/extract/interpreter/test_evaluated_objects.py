@@ -18,7 +18,7 @@ def test_a_declaration_constructs_what_is_held_by_value(node_of):
 
 def test_a_member_that_no_constructor_sets_is_not_known(node_of):
     (one,) = node_of(PUB.format("topic_"), members="std::string topic_;").endpoints
-    assert one.name.holes[0].reason == "topic_, which is not set"
+    assert str(one.name.holes[0].reason) == "topic_, which is not set"
 
 
 def test_the_constructor_that_takes_so_many_arguments_is_meant(node_of):

@@ -11,7 +11,7 @@ from roslens.source.extract.parameters.assemble_parameters import (
     parameters_of,
     set_outside,
 )
-from roslens.source.extract.symbolic.reason import EachOf, OfEnvironment, OfParameter
+from roslens.source.extract.symbolic.reason import EachOf, ItemOf, NamePart, OfEnvironment, OfNode, OfParameter, Reason
 from roslens.source.extract.symbolic.text import Hole, Text, Written, unknown
 
 CODE = Evidence("a.cpp", 3)
@@ -43,17 +43,17 @@ def test_a_value_a_default_and_neither():
 
 def test_a_value_that_is_unknown_itself_says_why():
     filled = Values(ROS2, (setting("a", unknown(OfEnvironment("X"))),)).fill(hole("a", "0"))
-    assert filled.text.holes[0].reason == "environment X"
+    assert str(filled.text.holes[0].reason) == "environment X"
     assert filled.sure is Sure.POSSIBLE
 
 
 def test_names_of_the_node_are_known():
-    def filled(reason: str, place: Place):
+    def filled(reason: Reason, place: Place):
         return Values(place, ()).fill(Text((Hole(reason, default="~"),))).text.known
 
-    assert filled("name of the node", ROS2) == "node"
-    assert filled("full name of the node", ROS2) == filled("name of the node", ROS1) == "/ns/node"
-    assert filled("namespace of the node", ROS2) == "/ns"
+    assert filled(OfNode(NamePart.NAME), ROS2) == "node"
+    assert filled(OfNode(NamePart.FULL_NAME), ROS2) == filled(OfNode(NamePart.NAME), ROS1) == "/ns/node"
+    assert filled(OfNode(NamePart.NAMESPACE), ROS2) == "/ns"
 
 
 def test_parameters_of_ros1_are_compared_by_resolved_name():
@@ -124,7 +124,7 @@ def test_a_node_may_declare_whatever_is_set():
     assert [one.proof.line for one in found if one.proof] == [3, 3, 3, 1]
 
 
-def each(reason: str, default: str | None = None) -> Text:
+def each(reason: Reason, default: str | None = None) -> Text:
     return Text.of("t/", Hole(reason, "names", default))
 
 
@@ -135,33 +135,37 @@ def names_of(values: Values, text: Text) -> list[tuple[str, Sure]]:
 
 def test_names_out_of_a_list_that_is_set_or_declared():
     values = Values(ROS2, (setting("names", "[a, 'b']"),))
-    assert names_of(values, each("each of parameter names", "[c]")) == [("t/a", Sure.CERTAIN), ("t/b", Sure.CERTAIN)]
+    assert names_of(values, each(EachOf(OfParameter("names")), "[c]")) == [("t/a", Sure.CERTAIN), ("t/b", Sure.CERTAIN)]
     none = Values(ROS2, ())
-    assert names_of(none, each("each of parameter names", "[c, d]")) == [("t/c", Sure.LIKELY), ("t/d", Sure.LIKELY)]
-    assert names_of(none, each("each of parameter names")) == [("t/*", Sure.POSSIBLE)]
+    assert names_of(none, each(EachOf(OfParameter("names")), "[c, d]")) == [("t/c", Sure.LIKELY), ("t/d", Sure.LIKELY)]
+    assert names_of(none, each(EachOf(OfParameter("names")))) == [("t/*", Sure.POSSIBLE)]
 
 
 def test_an_empty_list_gives_no_name():
     values = Values(ROS2, (setting("names", "[]"),))
-    assert names_of(values, each("each of parameter names", "[c]")) == [("t/*", Sure.POSSIBLE)]
+    assert names_of(values, each(EachOf(OfParameter("names")), "[c]")) == [("t/*", Sure.POSSIBLE)]
 
 
 def test_a_list_that_is_set_to_what_is_unknown():
     values = Values(ROS2, (setting("names", unknown("argument names")),))
-    assert names_of(values, each("each of parameter names", "[c]")) == [("t/*", Sure.POSSIBLE)]
+    assert names_of(values, each(EachOf(OfParameter("names")), "[c]")) == [("t/*", Sure.POSSIBLE)]
 
 
 def test_one_item_of_a_list():
     values = Values(ROS2, (setting("names", "[a, b]"),))
-    assert names_of(values, each("item 1 of parameter names")) == [("t/b", Sure.CERTAIN)]
-    assert names_of(values, each("item -1 of parameter names")) == [("t/b", Sure.CERTAIN)]
-    assert names_of(values, each("item -2 of parameter names")) == [("t/a", Sure.CERTAIN)]
-    assert names_of(values, each("item 2 of parameter names")) == [("t/*", Sure.POSSIBLE)]
+    assert names_of(values, each(ItemOf(1, OfParameter("names")))) == [("t/b", Sure.CERTAIN)]
+    assert names_of(values, each(ItemOf(-1, OfParameter("names")))) == [("t/b", Sure.CERTAIN)]
+    assert names_of(values, each(ItemOf(-2, OfParameter("names")))) == [("t/a", Sure.CERTAIN)]
+    assert names_of(values, each(ItemOf(2, OfParameter("names")))) == [("t/*", Sure.POSSIBLE)]
 
 
 @pytest.mark.parametrize(
     "reason",
-    ["each of a part of {parameter names}", "each of each of parameter names", "result of f() of {parameter names}"],
+    [
+        EachOf("a part of {parameter names}"),
+        EachOf(EachOf(OfParameter("names"))),
+        "result of f() of {parameter names}",
+    ],
 )
 def test_what_is_made_of_a_list_is_no_item_of_it(reason):
     values = Values(ROS2, (setting("names", "[a, b]"),))

@@ -53,11 +53,11 @@ def test_choices_in_choices_end_as_one_unknown_part():
 
 def test_what_decides_and_may_stand_is_said():
     text = chain(40, unknown(OfParameter("topic"), parameter="topic", default="scan"))
-    reason = text.holes[0].reason
+    reason = str(text.holes[0].reason)
     while text.holes[0].choice:
         (choice,) = text.holes[0].choice
         text = choice.otherwise
-        reason = text.holes[0].reason
+        reason = str(text.holes[0].reason)
     assert reason.startswith(MANY)
     assert "parameters topic" in reason
     assert "another_name_" in reason

@@ -2,7 +2,7 @@ import pytest
 
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed
+from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
 
 CERTAIN, LIKELY, POSSIBLE = (Proof("a.cpp", 3, sure=sure) for sure in ("certain", "likely", "possible"))
 
@@ -24,8 +24,16 @@ def test_doubt_lowers_by_steps(proofs, conditions, expected):
 
 
 def test_the_words_say_each_doubt_once():
-    assert weighed(Severity.NOTE, (LIKELY, LIKELY), ("x", "x"), more="who knows")[1] == (
-        " In doubt: likely only (a.cpp:3); only if `x`; who knows."
+    doubt = weighed(Severity.NOTE, (LIKELY, LIKELY), ("x", "x"), more="who knows")[1]
+    assert str(doubt) == " In doubt: likely only (a.cpp:3); only if `x`; who knows."
+    assert str(weighed(Severity.NOTE, (CERTAIN,))[1]) == ""
+
+
+def test_nodes_that_may_never_run_together_are_a_note():
+    severity, doubt = weighed_apart(weighed(Severity.ERROR, (CERTAIN,), ("x",))[1])
+    assert severity is Severity.NOTE
+    assert str(doubt) == (
+        " In doubt: no launch file says that these nodes run together, and under these names; only if `x`."
     )
 
 

@@ -257,8 +257,8 @@ class _Script:
         if depth > _MOST_DEPTH:
             raise UnknownError("it is nested too deep")
         match node:
-            case ast.Constant(value=str()):
-                return node.value
+            case ast.Constant(value=str(written)):
+                return written
             case ast.BinOp(op=ast.Add()):
                 return self._short(self._text(node.left, depth + 1) + self._text(node.right, depth + 1))
             case ast.JoinedStr():

@@ -85,8 +85,7 @@ def quality_of(value: Any) -> Any:
         case list() if value and isinstance(value[0], Named) and _OF_MIDDLEWARE.match(_last(value[0])):
             return profile_of(value)
         case Text() | Unknown():
-            reason = value.reason if isinstance(value, Unknown) else str(value)
-            return QosValue(Qos(), reason)
+            return QosValue(Qos(), str(value.reason if isinstance(value, Unknown) else value))
     return value if isinstance(value, QosValue) else None
 
 

@@ -64,14 +64,12 @@ if TYPE_CHECKING:
 def initialise(engine: Context, statement: Statement) -> None:
     """Evaluate an initialiser of a constructor: of a member, or of a base."""
     match statement:
-        case Evaluate(expression=Call()):
-            call = statement.expression
+        case Evaluate(expression=Call() as call):
             arguments = [engine.value(one) for one in call.arguments]
             engine.at(call)
             _initialise_base(engine, call, arguments, {})
-        case Assign(target=Member()) if statement.value is not None:
+        case Assign(target=Member(name=name)) if statement.value is not None:
             thing = engine.frame.self
-            name = statement.target.name
             declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
             value = engine.value(statement.value)
             engine.written_at(statement.line)

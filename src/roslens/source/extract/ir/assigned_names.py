@@ -12,8 +12,8 @@ def assigned_names(body: tuple[Statement, ...]) -> set[str]:
     while waiting:
         one = waiting.pop()
         match one:
-            case Assign(target=Name() | Member()):
-                found.add(one.target.name)
+            case Assign(target=Name(name=name) | Member(name=name)):
+                found.add(name)
             case Branch():
                 waiting += [*one.then, *one.otherwise]
             case Loop():

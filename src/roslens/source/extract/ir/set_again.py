@@ -32,8 +32,8 @@ def _set_again(body: tuple[Statement, ...]) -> set[str]:
     while waiting:
         one, turns = waiting.pop()
         match one:
-            case Assign(target=Name() | Member()) if not one.declared:
-                (again if turns or one.target.name in once else once).add(one.target.name)
+            case Assign(target=Name(name=name) | Member(name=name)) if not one.declared:
+                (again if turns or name in once else once).add(name)
             case Branch():
                 waiting += [(each, turns) for each in (*one.then, *one.otherwise)]
             case Loop():

@@ -244,7 +244,7 @@ class _File:
                 given[name] = only_if(inside.own, found, given.get(name))
         file = substitute(needed(element, "file"), self._scope)
         if file.known is None:
-            self._miss(element, str(file), file.holes[0].reason, opens=True)
+            self._miss(element, str(file), str(file.holes[0].reason), opens=True)
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []

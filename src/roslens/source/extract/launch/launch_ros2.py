@@ -236,7 +236,7 @@ class _Whole:
     def _include(self, action: Action, scope: Scope, inner: _Space) -> None:
         file = resolve(action.values["file"], scope)
         if file.known is None:
-            self.miss(str(file), action.evidence, file.holes[0].reason, opens=True)
+            self.miss(str(file), action.evidence, str(file.holes[0].reason), opens=True)
             return
         path = joined("", file.known)
         # An included file sees what is set around it, and what it sets stays set after it.
@@ -299,7 +299,7 @@ class _Whole:
                 continue
             file = resolve(one.file, scope)
             if file.known is None:
-                self.miss(str(file), one.evidence, file.holes[0].reason)
+                self.miss(str(file), one.evidence, str(file.holes[0].reason))
                 continue
             path = joined("", file.known)
             try:

@@ -113,7 +113,7 @@ def of_rosparam(element: Element, reading: Reading) -> list[Setting]:
     if "file" in given:
         file = substitute(given["file"], reading.scope)
         if file.known is None:
-            reading.miss(element, str(file), file.holes[0].reason)
+            reading.miss(element, str(file), str(file.holes[0].reason))
             return []
         content = _content(file, reading)
         if content is None:

@@ -105,8 +105,8 @@ def _gather(body: tuple[Statement, ...], owner: str, found: set[Place]) -> None:
         if isinstance(one, Assign):
             target = one.target
             match target:
-                case Member(of=Name()) if target.of.name != "self":
-                    found.add((owner if target.of.name == "cls" else target.of.name.rpartition(".")[2], target.name))
+                case Member(of=Name(name=of)) if of != "self":
+                    found.add((owner if of == "cls" else of.rpartition(".")[2], target.name))
                 case Member() if _is_own_class(target.of):
                     found.add((owner, target.name))
         elif not isinstance(one, Evaluate):

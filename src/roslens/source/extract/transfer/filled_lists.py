@@ -50,8 +50,8 @@ def _filled_here(function: Function, name: Name) -> bool:
                 if one.value is not None:
                     return False
                 declared = True
-            case Call(function=Member()) if one.function.of == name:
-                if one.function.name not in (*_FILLS, *_SIZES, "empty", "at"):
+            case Call(function=Member(of=of, name=method)) if of == name:
+                if method not in (*_FILLS, *_SIZES, "empty", "at"):
                     return False
                 waiting.append(one.arguments)
             case Call() if name in one.arguments:

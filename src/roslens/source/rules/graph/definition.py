@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -24,7 +24,7 @@ RULE = RuleInfo(
 )
 
 
-def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
     """Yield a finding for each name with two definitions of one type."""
     for (kind, name), all_ends in by_name(ends(configuration)).items():
         firsts: dict[str, dict[str, End]] = {}
@@ -33,12 +33,14 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
                 firsts.setdefault(end.type, {}).setdefault(end.one.endpoint.hash, end)
         for type_, by_hash in sorted(firsts.items()):
             if len(by_hash) > 1:
-                yield _told(kind, name, type_, list(by_hash.values()))
+                yield _told(kind, name, type_, list(by_hash.values()), together=surroundings.together)
 
 
-def _told(kind: str, name: str, type_: str, differing: list[End]) -> Finding:
+def _told(kind: str, name: str, type_: str, differing: list[End], *, together: bool) -> Finding:
     good, bad = differing[:2]
     severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad))
+    if not together:
+        severity, doubt = weighed_apart(doubt)
     message = (
         f"{bad.told} and {good.told} use {kind} {name} with different definitions of {type_}: "
         f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}.{doubt}"

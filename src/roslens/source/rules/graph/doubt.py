@@ -5,18 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import product
 
+import msgspec
+
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
 
 _STEPS = {"certain": 0, "likely": 1, "possible": 2}
 _BY_RANK = (Severity.NOTE, Severity.WARNING, Severity.ERROR)
 _NEGATIONS = ("not ", "unless ")
+_APART = "no launch file says that these nodes run together, and under these names"
+
+
+class Doubt(msgspec.Struct, frozen=True):
+    """Why a finding may be none, each reason in words; false where there is none."""
+
+    reasons: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        """Whether there is any."""
+        return bool(self.reasons)
+
+    def __str__(self) -> str:
+        """Write it as the end of a message."""
+        return f" In doubt: {'; '.join(self.reasons)}." if self.reasons else ""
 
 
 def weighed(
     severity: Severity, proofs: Iterable[Proof | None], conditions: Iterable[str] = (), *, more: str = ""
-) -> tuple[Severity, str]:
-    """Return a severity lowered by doubt, and the words that say why; empty where nothing is in doubt.
+) -> tuple[Severity, Doubt]:
+    """Return a severity lowered by doubt, and why; nothing is false where nothing is in doubt.
 
     What is likely, and what only holds under conditions, is one step less; what is possible is a note.
 
@@ -40,7 +57,12 @@ def weighed(
         steps += 1
         words.append(more)
     lowered = _BY_RANK[max(0, severity.rank - steps)]
-    return lowered, f" In doubt: {'; '.join(dict.fromkeys(words))}." if words else ""
+    return lowered, Doubt(tuple(dict.fromkeys(words)))
+
+
+def weighed_apart(doubt: Doubt) -> tuple[Severity, Doubt]:
+    """Return the weight of a finding about nodes that may never run together."""
+    return Severity.NOTE, Doubt((_APART, *doubt.reasons))
 
 
 def doubt_of(proofs: Iterable[Proof | None], conditions: Iterable[str] = ()) -> int:

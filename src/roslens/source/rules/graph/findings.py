@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-import msgspec
-
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding, RuleInfo
 from roslens.source.rules.graph import (
     argument,
     command_topic,
@@ -47,8 +45,6 @@ RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one 
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""
 _OF_A_SYSTEM = frozenset(one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time))
 """Rules that say nothing of nodes of which nobody knows whether they run together."""
-_OF_ENDS = frozenset(one.RULE.id for one in (qos, type, definition, one_end))
-_APART = "no launch file says that these nodes run together, and under these names"
 
 
 def graph_findings(configuration: Configuration, surroundings: Surroundings | None = None) -> list[Finding]:
@@ -60,18 +56,9 @@ def graph_findings(configuration: Configuration, surroundings: Surroundings | No
     """
     known = surroundings or Surroundings()
     all_found = {
-        finding if known.together else _apart(finding)
+        finding
         for rule, found in RULES
         if known.together or rule.id not in _OF_A_SYSTEM
         for finding in found(configuration, known)
     }
     return sorted(all_found, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message))
-
-
-def _apart(finding: Finding) -> Finding:
-    """Return a finding about nodes that may never run together."""
-    if finding.rule not in _OF_ENDS:
-        return finding
-    doubt, _, rest = finding.message.partition(" In doubt: ")
-    message = f"{doubt} In doubt: {_APART}{'; ' + rest if rest else '.'}"
-    return msgspec.structs.replace(finding, message=message, severity=Severity.NOTE)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import OTHER, WORDS, End, by_name, ends, is_launched, listed
 from roslens.source.rules.graph.expected_end import WAITING, Expected, View, expected, types_fit, view_of
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -57,7 +57,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
             paired.add((key[0], why.name))
         open_ended = of_name[0].role not in WAITING and of_name[0].type.partition("/")[0] not in own
         if why is not None or (launched and (surroundings.whole or not open_ended)):
-            yield _told(key, of_name, why, view, whole=surroundings.whole)
+            yield _told(key, of_name, why, view, surroundings)
 
 
 def _is_part_of_action(key: tuple[str, str], view: View) -> bool:
@@ -80,12 +80,14 @@ def _is_chosen(end: End) -> bool:
     return end.one.remapped is not None or (end.one.given != end.name and "set in " in end.one.proof.how)
 
 
-def _told(key: tuple[str, str], of_name: list[End], why: Expected | None, view: View, *, whole: bool) -> Finding:
+def _told(
+    key: tuple[str, str], of_name: list[End], why: Expected | None, view: View, surroundings: Surroundings
+) -> Finding:
     kind, name = key
     end = of_name[0]
     waits = end.role in WAITING
     severity, doubt = weighed(
-        RULE.severity if why is not None or (whole and waits) else Severity.NOTE,
+        RULE.severity if why is not None or (surroundings.whole and waits) else Severity.NOTE,
         (end.one.proof,),
         end.conditions,
         # That the other end is expected says more than that somebody unknown might be there.
@@ -101,7 +103,9 @@ def _told(key: tuple[str, str], of_name: list[End], why: Expected | None, view: 
         message += " Start what provides it, or correct the name."
     if not doubt and end.one.given and end.one.given != name:
         message += f" It is given as `{end.one.given}`."
-    return told(RULE, message + doubt, end.one.proof, entity=end.entity, severity=severity, context=end.role.value)
+    if not surroundings.together:
+        severity, doubt = weighed_apart(doubt)
+    return told(RULE, f"{message}{doubt}", end.one.proof, entity=end.entity, severity=severity, context=end.role.value)
 
 
 def _missing(view: View) -> str:

@@ -10,7 +10,7 @@ from roslens.judge.ranges.qos_match import Mismatch, mismatches
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
-from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, Key, by_name, conditions_of, ends, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -37,14 +37,14 @@ class _Pair(msgspec.Struct, frozen=True):
     subscription: End
 
 
-def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
     """Yield a finding for each topic and each set of policies that keeps ends of it apart."""
     for (kind, name), all_ends in by_name(ends(configuration)).items():
         if kind == "topic":
-            yield from _of_topic(name, all_ends)
+            yield from _of_topic(name, all_ends, together=surroundings.together)
 
 
-def _of_topic(name: str, all_ends: list[End]) -> Iterator[Finding]:
+def _of_topic(name: str, all_ends: list[End], *, together: bool) -> Iterator[Finding]:
     publishers = [end for end in all_ends if end.role is Role.PUBLISHER]
     pairs: dict[tuple[Mismatch, ...], list[_Pair]] = {}
     fed: set[Key] = set()
@@ -58,7 +58,7 @@ def _of_topic(name: str, all_ends: list[End]) -> Iterator[Finding]:
             else:
                 fed.add(subscription.key)
     for lacking, joined in pairs.items():
-        yield _told(name, lacking, joined, fed)
+        yield _told(name, lacking, joined, fed, together=together)
 
 
 def _lacking(publisher: End, subscription: End) -> Iterator[Mismatch]:
@@ -72,7 +72,7 @@ def _lacking(publisher: End, subscription: End) -> Iterator[Mismatch]:
         yield one
 
 
-def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: set[Key]) -> Finding:
+def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: set[Key], *, together: bool) -> Finding:
     starved = [pair for pair in joined if pair.subscription.key not in fed]
     pair = (starved or joined)[0]
     publisher, subscription = pair.publisher, pair.subscription
@@ -81,6 +81,8 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
         (publisher.one.proof, subscription.one.proof),
         conditions_of(publisher, subscription),
     )
+    if not together:
+        severity, doubt = weighed_apart(doubt)
     requested = ", ".join(one.requested for one in lacking)
     offered = ", ".join(one.offered for one in lacking)
     asks = "; ".join(one.asks for one in lacking)

@@ -7,7 +7,7 @@ from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed
+from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -31,7 +31,7 @@ _SAME = {"tf/tfMessage": "tf2_msgs/TFMessage"}
 _ANY = frozenset({"*", "topic_tools/ShapeShifter", "topic_tools/msg/ShapeShifter"})
 
 
-def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
     """Yield a finding for each name that has more than one type."""
     for (kind, name), all_ends in by_name(ends(configuration)).items():
         of_type: dict[str, list[End]] = {}
@@ -49,7 +49,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
             choosers = [_chooser(first, second, types) for first, second in pairs]
             # What nobody can choose is clearer.
             place = min(range(len(pairs)), key=lambda number: bool(choosers[number]))
-            yield _told(kind, name, of_type, ranked, pairs[place], choosers[place])
+            yield _told(kind, name, of_type, ranked, pairs[place], choosers[place], surroundings)
 
 
 def _pairs(ranked: list[str], of_type: dict[str, list[End]]) -> Iterator[tuple[End, End]]:
@@ -69,7 +69,13 @@ def _chooser(first: End, second: End, types: Mapping[str, set[str]]) -> str:
 
 
 def _told(
-    kind: str, name: str, of_type: dict[str, list[End]], ranked: list[str], pair: tuple[End, End], chooser: str
+    kind: str,
+    name: str,
+    of_type: dict[str, list[End]],
+    ranked: list[str],
+    pair: tuple[End, End],
+    chooser: str,
+    surroundings: Surroundings,
 ) -> Finding:
     good, bad = pair
     apart = _APART if exclude_each_other(good.conditions, bad.conditions) else ""
@@ -81,6 +87,8 @@ def _told(
         conditions_of(good, bad),
         more=apart,
     )
+    if not surroundings.together:
+        severity, doubt = weighed_apart(doubt)
     said = "; ".join(
         f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )

@@ -81,7 +81,11 @@ class A(Node):
 """
     (facts,) = units(a_py=text)
     (hole,) = facts.endpoints[0].name.holes
-    assert (hole.reason, hole.parameter, hole.default) == ("parameter {each of parameter p}.topic", "*.topic", None)
+    assert (str(hole.reason), hole.parameter, hole.default) == (
+        "parameter {each of parameter p}.topic",
+        "*.topic",
+        None,
+    )
     assert [str(one) for one in hole.named] == ["{each of parameter p}.topic", "/{each of parameter p}/scan"]
 
 
@@ -114,7 +118,7 @@ if __name__ == '__main__':
     main()
 """
     one, two = (facts for facts in units(a_py=text) if facts.unit == "<module>")
-    assert [(hole.reason, hole.parameter) for end in two.endpoints for hole in end.name.holes] == [
+    assert [(str(hole.reason), hole.parameter) for end in two.endpoints for hole in end.name.holes] == [
         ("each of parameter p", ""), ("each of parameter q", "q"),
     ]  # fmt: skip
     assert [str(end.name) for end in one.endpoints] == ["{each of parameter q of node no. 1}"]

@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.symbolic.reason import NamePart, OfNode
+
 IMAGES = "#include <image_transport/image_transport.hpp>\n#include <image_transport/subscriber_filter.hpp>"
 
 
@@ -96,7 +98,7 @@ def test_a_relative_name_that_a_parameter_decides_is_below_the_namespace(node_of
         "create_publisher<std_msgs::msg::String>(topic, 1);"
     )
     ((hole,),) = (one.name.parts for one in node_of(body).endpoints)
-    assert (hole.parameter, hole.below) == ("of", "namespace of the node")
+    assert (hole.parameter, hole.below) == ("of", OfNode(NamePart.NAMESPACE))
 
 
 def test_what_is_known_of_a_camera_is_set_by_a_service(node_of, main_of):

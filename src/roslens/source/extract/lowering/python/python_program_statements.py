@@ -447,8 +447,8 @@ class Statements(Patterns):
         fields = []
         for statement in body:
             match statement:
-                case Assign(target=Name()) if _is_field(statement):
-                    fields.append(Field(statement.target.name, statement.declared, statement.value, statement.line))
+                case Assign(target=Name(name=attribute)) if _is_field(statement):
+                    fields.append(Field(attribute, statement.declared, statement.value, statement.line))
                 case _:
                     self.pending.append(statement)
         self.classes[index] = Class(name, qualified, self.line(node), base_names(node), tuple(fields))

@@ -5,7 +5,7 @@ Numbers, truth values and None are themselves; texts are :class:`~roslens.source
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypeAlias
 
 import msgspec
 
@@ -16,6 +16,7 @@ from roslens.source.extract.facts.node_facts import (
     Inherits,
     LoadFact,
     NodeFacts,
+    Overrides,
     ParameterFact,
     PluginFact,
     TimerFact,
@@ -67,7 +68,7 @@ class Building(msgspec.Struct, eq=False):
     global_arguments: bool = True
     inherits: Inherits = Inherits.NOTHING
     conditions: Conditions = ()
-    options: Any = None
+    options: Value = None
     number: int = 0
     uses: list[str] = []
     unresolved: list[tuple[Evidence, str]] = []
@@ -125,7 +126,7 @@ class Obj(msgspec.Struct, eq=False):
 
     type: str
     defined: Defined | None = None
-    fields: dict[str, Any] = {}
+    fields: Names = {}
     node: Building | None = None
     templates: dict[str, str] = {}
     base_templates: dict[str, dict[str, str]] = {}
@@ -169,9 +170,9 @@ class Callable(msgspec.Struct, frozen=True, eq=False):
 
     function: Function
     path: str
-    self: Any = None
-    names: dict[str, Any] | None = None
-    arguments: tuple[Any, ...] = ()
+    self: Value = None
+    names: Names | None = None
+    arguments: tuple[Value, ...] = ()
 
 
 class Named(msgspec.Struct, frozen=True):
@@ -181,7 +182,7 @@ class Named(msgspec.Struct, frozen=True):
     templates: tuple[str, ...] = ()
 
 
-class Remappings(dict[Any, Any]):
+class Remappings(dict["Key", "Value"]):
     """A map of names to names, as node handles take remappings."""
 
 
@@ -191,14 +192,32 @@ class Class(msgspec.Struct, frozen=True, eq=False):
     defined: Defined
 
 
-def test_of(value: Any) -> Condition | None:
+class Foreign(msgspec.Struct, frozen=True):
+    """A value that one part of the interpreter or one overlay keeps; to others it is one of which nothing is known."""
+
+
+Value: TypeAlias = (
+    "bool | int | float | str | Text | Unknown | Obj | Handle | Made | QosValue | Group | Callable | Named | Class"
+    " | Overrides | Inherits | Foreign | list[Value] | tuple[Value, ...] | dict[Key, Value] | None"
+)
+"""All that an expression may come to: closed, so that what is not handled is found by the type checker.
+
+``str`` is the written form of a template argument, a tuple what is kept of several values.
+"""
+Key: TypeAlias = bool | int | float | str | Text | None
+"""Under which a table holds a value: see :func:`~roslens.source.extract.domain.table_key.hashable`."""
+Table: TypeAlias = "dict[Key, Value]"
+Names: TypeAlias = "dict[str, Value]"
+
+
+def test_of(value: Value) -> Condition | None:
     """Return what decides whether a value is true; None where nothing that is known does."""
     if isinstance(value, Unknown):
         return value.test
     return IsTrue(value) if isinstance(value, Text) and value.holes else None
 
 
-def as_text(value: Any) -> Text:
+def as_text(value: Value) -> Text:
     """Return a value as text; what is none is a hole with the reason."""
     match value:
         case Text():

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import as_text
+from roslens.source.extract.domain.abstract_value import Value, as_text
+from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.symbolic.text import And, Condition, Hole, IsSet, Not, Or, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.evaluation_frame import Frame
 
 
-def else_before(value: Any, before: Any) -> Any:
+def else_before(value: Value, before: Value) -> Value:
     """Return what a variable is after a parameter was read into it: its value before is a default.
 
     A value before that is empty, or of which a part is unknown, says nothing of names.
     """
-    number = isinstance(before, int | float) and not isinstance(before, bool)
+    number = is_number(before)
     earlier = as_text(before).known if number or isinstance(before, Text) else None
     hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
     if not earlier or not isinstance(hole, Hole) or not hole.parameter or hole.default is not None:

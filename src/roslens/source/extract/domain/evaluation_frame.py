@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from operator import is_
 from types import MappingProxyType
-from typing import Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Class, Made, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Class, Made, Named, Names, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.domain.object_ways import one_object
 from roslens.source.extract.domain.perhaps import perhaps
 from roslens.source.extract.domain.plain_methods import is_namespace
@@ -30,7 +30,7 @@ from roslens.source.extract.symbolic.text import (
     unknown,
 )
 
-Held = tuple[dict[str, Any], dict[str, Any]]
+Held = tuple[Names, Names]
 """What names and members of the object hold."""
 
 
@@ -98,26 +98,26 @@ class Frame:
     aliases: Mapping[str, tuple[Expression, bool]] = MappingProxyType({})
     """Other names of plain values: what they are names of, and whether they point to it."""
 
-    def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
+    def __init__(self, path: str, scope: str, self_: Value = None, names: Names | None = None) -> None:
         self.path = path
         self.scope = scope
         self.self = self_
-        self.names: dict[str, Any] = names if names is not None else {}
+        self.names: Names = names if names is not None else {}
         self.templates: dict[str, str] = {}
         self.returned = False
         self.stopped = False
         self.ways: Ways | None = None
-        self.result: Any = None
+        self.result: Value = None
         self.depth = 0
         self.passed = 0
         self.plainly = False
         self.tests: dict[Condition, Condition] = {}
         self.kept: dict[str, tuple[object, ...]] = _NONE
-        self.left: list[tuple[dict[str, Any], Condition]] = []
+        self.left: list[tuple[Names, Condition]] = []
         self._given: Condition | None = None
         self._given_test: Condition | None = None
 
-    def give(self, value: Any, conditions: Sequence[Condition] = ()) -> None:
+    def give(self, value: Value, conditions: Sequence[Condition] = ()) -> None:
         """Return a value, under conditions that are open or for sure where there are none."""
         self.result = value if self._given is None else self._or_else(value, self._given)
         if conditions:
@@ -132,7 +132,7 @@ class Frame:
             self._given = ALWAYS
         self.returned = True
 
-    def outcome(self) -> Any:
+    def outcome(self) -> Value:
         """Return what the call returned, which is None where its end was reached, and may be where it may have been."""
         if not self.returned and self._given is not None:
             self.result = self._or_else(None, self._given)
@@ -153,7 +153,7 @@ class Frame:
             return None
         return tests[0] if len(tests) == 1 else And(tuple(tests))
 
-    def _or_else(self, value: Any, given: Condition) -> Any:
+    def _or_else(self, value: Value, given: Condition) -> Value:
         """Return what is known where a function returns one value or another one."""
         before = self.result
         if before is None or value is None:
@@ -175,11 +175,11 @@ class Frame:
         return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
 
     @property
-    def members(self) -> dict[str, Any] | None:
+    def members(self) -> Names | None:
         """What the members of the object hold; None of none."""
         return self.self.fields if isinstance(self.self, Obj) else None
 
-    def leave(self, fields: dict[str, Any], before: dict[str, Any], condition: Condition) -> None:
+    def leave(self, fields: Names, before: Names, condition: Condition) -> None:
         """Remember what members of the object a way that leaves the function came to, for when it has ended."""
         changed = {name: value for name, value in fields.items() if before.get(name) is not value}
         if changed:
@@ -212,7 +212,7 @@ class Frame:
             join(self.self.fields, other[1], condition, test)
 
 
-def join(names: dict[str, Any], other: dict[str, Any], condition: Condition, test: Condition | None = None) -> None:
+def join(names: Names, other: Names, condition: Condition, test: Condition | None = None) -> None:
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     known = names.get
     for name, value in [item for item in other.items() if known(item[0]) is not item[1]]:
@@ -233,7 +233,7 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: Condition, tes
             names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
 
 
-def one_or_none(value: Any, other: Any, condition: Condition, test: Condition | None = None) -> Any:
+def one_or_none(value: Value, other: Value, condition: Condition, test: Condition | None = None) -> Value:
     """Return what is known of two values of which one is None: of a text that it may be missing.
 
     Of an object it is taken that it is there where it is used; an endpoint is there, but perhaps not for sure.
@@ -246,7 +246,7 @@ def one_or_none(value: Any, other: Any, condition: Condition, test: Condition | 
     return msgspec.structs.replace(found, certain=False) if isinstance(found, Made) else found
 
 
-def one_of(value: Any, other: Any, condition: Condition, test: Condition | None = None) -> Any:
+def one_of(value: Value, other: Value, condition: Condition, test: Condition | None = None) -> Value:
     """Return what is known of two values that are no texts, of which a condition chooses; None where either may stand.
 
     Which object of one class or of ROS it is makes no difference in most code: the first one stands for both.
@@ -268,7 +268,7 @@ def one_of(value: Any, other: Any, condition: Condition, test: Condition | None 
     return None
 
 
-def _one_list(value: list[Any], other: list[Any], condition: Condition, test: Condition | None) -> Any:
+def _one_list(value: list[Value], other: list[Value], condition: Condition, test: Condition | None) -> Value:
     """Return the longer list where one goes on where the other ends, as one that is filled does."""
     less, more = sorted((value, other), key=len)
     if more[: len(less)] == less:
@@ -278,12 +278,13 @@ def _one_list(value: list[Any], other: list[Any], condition: Condition, test: Co
         return [*less, *rest]
     if not any(isinstance(one, Text) for one in (*less, *more)):
         return None
-    if len(less) < len(more) or not all(isinstance(one, Text) for one in (*less, *more)):
+    first, second = all_of_kind(value, Text), all_of_kind(other, Text)
+    if len(less) < len(more) or len(first) < len(value) or len(second) < len(other):
         return Unknown(f"one of two lists, by {condition}"[:200])
-    return [either(one, two, condition, test) for one, two in zip(value, other, strict=True)]
+    return [either(one, two, condition, test) for one, two in zip(first, second, strict=True)]
 
 
-def _one_of(value: Any, before: Any, condition: Condition, test: Condition | None) -> Any:
+def _one_of(value: Value, before: Value, condition: Condition, test: Condition | None) -> Value:
     """Return what is known of a value that is one thing where a condition holds, and another one else."""
     match value:
         case Text() if isinstance(before, Text):
@@ -363,7 +364,7 @@ def _chooses(*texts: Text) -> bool:
     return any(hole.choice for text in texts for hole in text.holes)
 
 
-def bind_rest(what: Function, place: int, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
+def bind_rest(what: Function, place: int, arguments: list[Value], keywords: Names, frame: Frame) -> None:
     """Give ``*args`` or ``**options`` of a function of Python what no other parameter takes."""
     name = what.parameters[place].name
     if name.startswith("**"):

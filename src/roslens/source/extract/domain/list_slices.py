@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.domain.perhaps import is_counted
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.symbolic.text import Text, said, unknown
@@ -19,7 +18,7 @@ def is_slice(written: str) -> bool:
     return _ANY.fullmatch(written) is not None
 
 
-def part_of(value: Any, written: str) -> Any:
+def part_of(value: Value, written: str) -> Value:
     """Return a part of a list or text; what is unknown of it is a hole, or unknown."""
     found = _SLICE.fullmatch(written.strip())
     ends = None if found is None else [int(one) if one not in ("", "-") else None for one in found.groups()]

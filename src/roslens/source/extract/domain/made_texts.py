@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from roslens.source.extract.domain.abstract_value import as_text
+from roslens.source.extract.domain.abstract_value import Value, as_text
+from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.symbolic.text import Text, said, unknown
 
 _MOST_LENGTH = 10_000
 _OF_PYTHON = frozenset({"str", "unicode"})
 
 
-def text_made(name: str, arguments: list[Any]) -> Text:
+def text_made(name: str, arguments: list[Value]) -> Text:
     """Return what a constructor or conversion makes: a copy, a part, or so many times one sign."""
     first = arguments[0]
     match first:
@@ -21,7 +20,7 @@ def text_made(name: str, arguments: list[Any]) -> Text:
             return Text.of(f"{first:f}")
     if len(arguments) == 1 or name in _OF_PYTHON:
         return as_text(first)
-    whole, known = as_text(first), first.known if isinstance(first, Text) else None
+    whole, known = as_text(first), known_text(first)
     second, third = (*arguments[1:3], None)[:2]
     if type(first) is int and isinstance(second, Text) and second.known and 0 <= first <= _MOST_LENGTH:
         return Text.of(second.known[:1] * first)
@@ -34,9 +33,9 @@ def text_made(name: str, arguments: list[Any]) -> Text:
     return unknown(said("a part of ", whole), parameter=next((hole.parameter for hole in whole.holes), ""))
 
 
-def with_sign(of: Text, place: Any, sign: Any) -> Text:
+def with_sign(of: Text, place: Value, sign: Value) -> Text:
     """Return a text with another sign at a place: ``name[0] = '_'``."""
-    known, put = of.known, sign.known if isinstance(sign, Text) else None
+    known, put = of.known, known_text(sign)
     if known is not None and type(place) is int and 0 <= place < len(known) and put is not None and len(put) == 1:
         return Text.of(known[:place], put, known[place + 1 :])
     parameter = next((hole.parameter for hole in of.holes), "")

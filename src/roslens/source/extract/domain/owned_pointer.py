@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from roslens.source.extract.domain.abstract_value import Callable
+from roslens.source.extract.domain.abstract_value import Callable, Value
 from roslens.source.extract.ir.type_names import POINTER_NAMES
 
 OWNERS = frozenset(f"{space}{kind}_ptr" for space in ("std.", "boost.", "") for kind in ("shared", "unique", "scoped"))
 
 
-def owns_first(arguments: Sequence[Any]) -> bool:
+def owns_first(arguments: Sequence[Value]) -> bool:
     """Return whether a pointer points to the first thing it is made of: alone, or with a function that deletes it."""
     return len(arguments) == 1 or (len(arguments) == 2 and isinstance(arguments[1], Callable))
 

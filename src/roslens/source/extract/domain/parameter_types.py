@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import Any
 
-from roslens.source.extract.domain.abstract_value import Named, Obj
+from roslens.source.extract.domain.abstract_value import Named, Obj, Value
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.ir.type_names import type_arguments, type_name
 from roslens.source.extract.parameters.ros2_values import LIST
@@ -57,13 +56,13 @@ def _one(written: str) -> str:
     return _WORDS.get(name) or ("int" if _WHOLE.fullmatch(name) else "")
 
 
-def type_of_constant(value: Any) -> str | None:
+def type_of_constant(value: Value) -> str | None:
     """Return the type that a constant names, empty of ``PARAMETER_NOT_SET``; None where it names none."""
     found = _CONSTANT.fullmatch(value.name) if isinstance(value, Named) else None
     return None if found is None else _CONSTANTS.get(found[1] or found[2], "")
 
 
-def type_of_value(value: Any, *, python: bool = False) -> str:
+def type_of_value(value: Value, *, python: bool = False) -> str:
     """Return the type of a parameter by a value of it; empty where it is unknown.
 
     Args:

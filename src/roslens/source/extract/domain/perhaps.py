@@ -2,28 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import msgspec
-
+from roslens.source.extract.domain.abstract_value import Foreign, Value
 from roslens.source.extract.symbolic.condition import all_of
 from roslens.source.extract.symbolic.text import And, Condition
 
 
-class Perhaps(msgspec.Struct, frozen=True):
+class Perhaps(Foreign, frozen=True):
     """An item that a list has under a condition, and what decides that, where it is known.
 
     Only a loop over the list asks for it; to anybody else it is a value of which nothing is known.
     """
 
-    value: Any
+    value: Value
     condition: Condition
     test: Condition | None = None
 
 
-def perhaps(items: list[Any], condition: Condition, test: Condition | None) -> list[Any]:
+def perhaps(items: list[Value], condition: Condition, test: Condition | None) -> list[Value]:
     """Return items that are there if a condition holds; those that are there under another one keep it too."""
-    found: list[Any] = []
+    found: list[Value] = []
     for one in items:
         match one:
             case Perhaps():
@@ -34,6 +31,6 @@ def perhaps(items: list[Any], condition: Condition, test: Condition | None) -> l
     return found
 
 
-def is_counted(items: list[Any]) -> bool:
+def is_counted(items: list[Value]) -> bool:
     """Whether a list has all of its items in any case, so that each has its place."""
     return not any(type(one) is Perhaps for one in items)

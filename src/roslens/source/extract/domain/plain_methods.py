@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Foreign, Table, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
@@ -32,13 +31,13 @@ _PARTS = frozenset(
 )  # fmt: skip
 
 
-class LastSlash(msgspec.Struct, frozen=True):
+class LastSlash(Foreign, frozen=True):
     """The place of the last ``/`` in a namespace that is unknown."""
 
     of: Text
 
 
-def plain_method(of: Any, name: str, arguments: list[Any]) -> Any:
+def plain_method(of: Value, name: str, arguments: list[Value]) -> Value:
     """Return the result of a method of a value that is no object of the workspace and none of ROS."""
     if name in SAME and not isinstance(of, list | dict):
         return of
@@ -52,7 +51,7 @@ def plain_method(of: Any, name: str, arguments: list[Any]) -> Any:
     return of if isinstance(of, Unknown) else Unknown(f"result of {name}()")
 
 
-def _of_text(of: Text, name: str, arguments: list[Any]) -> Any:
+def _of_text(of: Text, name: str, arguments: list[Value]) -> Value:
     if name == "format":
         return formatted(of, arguments)
     if name in ("append", "push_back"):
@@ -72,7 +71,7 @@ def _of_text(of: Text, name: str, arguments: list[Any]) -> Any:
     return Unknown(f"{name} of a text")
 
 
-def _of_python(of: Text, name: str, arguments: list[Any]) -> Any:
+def _of_python(of: Text, name: str, arguments: list[Value]) -> Value:
     """Return the result of a method of a text of Python that says the same wherever it runs."""
     given = [one.known if isinstance(one, Text) else one if type(one) is int else None for one in arguments]
     parameter = next((hole.parameter for hole in of.holes), "")
@@ -90,7 +89,7 @@ def _of_python(of: Text, name: str, arguments: list[Any]) -> Any:
     return Text.of(found[:_MOST_LENGTH])
 
 
-def _of_edge(of: Text, name: str) -> Any:
+def _of_edge(of: Text, name: str) -> Value:
     """Return the first or last sign of a text, or whether it is empty."""
     if name == "empty":
         if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
@@ -109,10 +108,10 @@ def is_namespace(part: str | Hole) -> bool:
     return isinstance(part, Hole) and isinstance(part.reason, OfNode) and part.reason.what is NamePart.NAMESPACE
 
 
-def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
+def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
     """Return where something is in a text, a part of it, or whether it begins or ends with something."""
     first = arguments[0] if arguments else None
-    text = first.known if isinstance(first, Text) else None
+    text = known_text(first)
     if name == "substr":
         return _cut(of, arguments)
     if text is None or len(arguments) > 1:
@@ -132,12 +131,11 @@ def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
     return of.known.rfind(text) if name.startswith(("rfind", "find_last")) else of.known.find(text)
 
 
-def _cut(of: Text, arguments: list[Any]) -> Any:
+def _cut(of: Text, arguments: list[Value]) -> Value:
     begin, count = (*arguments, None, None)[:2]
     if begin == 0 and isinstance(count, LastSlash) and count.of == of and isinstance(hole := of.parts[0], Hole):
         return Text((Hole(OfNode(NamePart.ABOVE, node_of_reason(hole.reason)), default=""),))
-    numbers = all(isinstance(one, int) and not isinstance(one, bool) for one in arguments)
-    if not numbers or not isinstance(begin, int) or begin < 0:
+    if not is_whole(begin) or begin < 0 or not (count is None or is_whole(count)) or not all(map(is_whole, arguments)):
         return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
     if of.known is not None:
         return Text.of(of.known[begin:] if count is None or count < 0 else of.known[begin : begin + count])
@@ -147,7 +145,7 @@ def _cut(of: Text, arguments: list[Any]) -> Any:
     return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
 
 
-def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
+def _of_list(of: list[Value], name: str, arguments: list[Value]) -> Value:
     if name in ("append", "push_back", "emplace_back", "add") and arguments:
         of.append(arguments[0])
         return None
@@ -160,14 +158,14 @@ def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
     return Unknown(f"{name} of a list")
 
 
-def _are_known(key: Any, of: dict[Any, Any]) -> bool:
+def _are_known(key: Value, of: Table) -> bool:
     """Whether a key and all keys of a table are known, so that it is sure that the table does not have it."""
     return all(
         one.known is not None if isinstance(one, Text) else not isinstance(one, Unknown | str) for one in (key, *of)
     )
 
 
-def _of_dict(of: dict[Any, Any], name: str, arguments: list[Any]) -> Any:
+def _of_dict(of: Table, name: str, arguments: list[Value]) -> Value:
     if name == "items":
         return [
             msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Perhaps) else [key, value]
@@ -182,7 +180,7 @@ def _of_dict(of: dict[Any, Any], name: str, arguments: list[Any]) -> Any:
     return Unknown(f"{name}()")
 
 
-def formatted(pattern: Text, values: list[Any]) -> Text:
+def formatted(pattern: Text, values: list[Value]) -> Text:
     """Return a text with ``%s`` and ``{}`` replaced by values, in order."""
     parts: list[str | Hole | Text] = []
     waiting = list(values)
@@ -203,7 +201,7 @@ def formatted(pattern: Text, values: list[Any]) -> Text:
     return Text.of(*parts)
 
 
-def _joined(separator: Text, values: list[Any]) -> Text:
+def _joined(separator: Text, values: list[Value]) -> Text:
     parts: list[Text] = []
     if not is_counted(values):
         return unknown("a text of a list")

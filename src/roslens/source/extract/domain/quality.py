@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import msgspec
 
 from roslens.model.qos import Qos
-from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import is_number, is_whole
 from roslens.source.extract.symbolic.text import Condition, Text
 
 PRESETS = {
@@ -68,15 +68,15 @@ _OF_MIDDLEWARE = re.compile("rmw_qos_policy_(?:reliability|durability|history|li
 POLICIES = ("reliability", "durability", "history", "liveliness")
 
 
-def quality_of(value: Any) -> Any:
+def quality_of(value: Value) -> QosValue | None:
     """Return what is given as quality of service as one; a number is a depth."""
     match value:
         case bool():
             return None
         case int():
             return QosValue(Qos("reliable", "volatile", "keep_last", value))
-        case Obj() if isinstance(value.fields.get("qos"), QosValue):
-            return value.fields["qos"]
+        case Obj() if isinstance(held := value.fields.get("qos"), QosValue):
+            return held
         case Named() if ".QoSPresetProfiles." in value.name:
             known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
             return QosValue(known) if known is not None else None
@@ -89,7 +89,7 @@ def quality_of(value: Any) -> Any:
     return value if isinstance(value, QosValue) else None
 
 
-def quality_by_key(key: Any) -> QosValue:
+def quality_by_key(key: Value) -> QosValue:
     """Return the preset of rclpy that has a short name, as ``sensor_data``."""
     known = _OF_RCLPY.get(key.known.upper()) if isinstance(key, Text) and key.known else None
     return QosValue(Qos(), f"the preset {key}") if known is None else QosValue(known)
@@ -101,16 +101,16 @@ def keeping(base: QosValue, kept: QosValue) -> QosValue:
     return QosValue(qos_, base.unknown or kept.unknown)
 
 
-def lasting(base: QosValue, name: str, value: Any) -> QosValue:
+def lasting(base: QosValue, name: str, value: Value) -> QosValue:
     """Return a quality of service with a duration that is given."""
     if isinstance(value, Named) and value.name in _ENDLESS:
         value = 0
-    if isinstance(value, int | float) and not isinstance(value, bool):
+    if is_number(value):
         return QosValue(msgspec.structs.replace(base.qos, **{DURATIONS[name]: float(value)}), base.unknown)
     return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
 
 
-def with_policy(base: QosValue, name: str, value: Any) -> QosValue:
+def with_policy(base: QosValue, name: str, value: Value) -> QosValue:
     """Return a quality of service with a policy that is given by its enumerator."""
     word = _WORDS.get(_enumerator(value), "") if isinstance(value, Named) else ""
     if not word:
@@ -127,7 +127,7 @@ def _last(value: Named) -> str:
     return value.name.rpartition(".")[2].lower()
 
 
-def changed(base: QosValue, name: str, value: Any) -> QosValue:
+def changed(base: QosValue, name: str, value: Value) -> QosValue:
     """Return a quality of service of which a member is set; what is no part of it changes nothing."""
     if name in POLICIES:
         return with_policy(base, name, value)
@@ -135,13 +135,13 @@ def changed(base: QosValue, name: str, value: Any) -> QosValue:
         return lasting(base, name, value)
     if name != "depth":
         return base
-    if isinstance(value, int) and not isinstance(value, bool):
+    if is_whole(value):
         return QosValue(msgspec.structs.replace(base.qos, depth=value), base.unknown)
     reason = value.reason if isinstance(value, Unknown) else str(value)
     return QosValue(msgspec.structs.replace(base.qos, depth=0), f"its depth is {reason}")
 
 
-def profile_of(policies: list[Any]) -> QosValue:
+def profile_of(policies: list[Value]) -> QosValue:
     """Return a profile of the middleware that is written as its members in their order."""
     names = ("history", "depth", "reliability", "durability", "deadline", "lifespan", "liveliness",
              "liveliness_lease_duration")  # fmt: skip
@@ -152,12 +152,12 @@ def profile_of(policies: list[Any]) -> QosValue:
     return found
 
 
-def history_of(history: Any, depth: Any) -> QosValue:
+def history_of(history: Value, depth: Value) -> QosValue:
     """Return the usual quality of service with a history, and how many messages it keeps."""
     return changed(changed(DEFAULT_QUALITY, "history", history), "depth", depth)
 
 
-def one_of(value: Any, other: Any, condition: Condition) -> QosValue | None:
+def one_of(value: Value, other: Value, condition: Condition) -> QosValue | None:
     """Return what two qualities of service have in common, of which a condition chooses; None where neither is one."""
     if not isinstance(value, QosValue) and not isinstance(other, QosValue) and not _presets(value, other):
         return None
@@ -172,6 +172,6 @@ def one_of(value: Any, other: Any, condition: Condition) -> QosValue | None:
     return QosValue(Qos(**agreed), first.unknown or second.unknown or (f"one of two by {condition}"[:200] * differ))
 
 
-def _presets(value: Any, other: Any) -> bool:
+def _presets(value: Value, other: Value) -> bool:
     # A number is a depth only beside a quality of service.
     return any(isinstance(one, Named) and quality_of(one) is not None for one in (value, other))

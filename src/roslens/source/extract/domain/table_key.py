@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from roslens.source.extract.domain.abstract_value import Callable, Class, Handle, Made, Obj
+from roslens.source.extract.domain.abstract_value import Callable, Class, Handle, Key, Made, Obj, Value
 from roslens.source.extract.symbolic.text import Text
 
 _PLAIN = (Text, str, int, float, bool, type(None))
@@ -18,9 +16,9 @@ class ObjectKey(str):
     other.
     """
 
-    held: tuple[Any, ...]
+    held: tuple[object, ...]
 
-    def __new__(cls, kind: str, *held: Any) -> ObjectKey:
+    def __new__(cls, kind: str, *held: object) -> ObjectKey:
         """Return the key of what is held: an object, or a function and the object that it is bound to."""
         made = super().__new__(cls, kind)
         made.held = held
@@ -41,7 +39,7 @@ class ObjectKey(str):
         return hash(tuple(map(id, self.held)))
 
 
-def hashable(value: Any) -> Any:
+def hashable(value: Value) -> Key:
     """Return a value as a key of a dictionary."""
     if isinstance(value, _PLAIN):
         return value

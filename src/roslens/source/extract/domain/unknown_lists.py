@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Foreign, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import is_whole
 from roslens.source.extract.symbolic.reason import EachOf, ItemOf, PartOf
 from roslens.source.extract.symbolic.text import Choice, Hole, Text, unknown
 from roslens.source.extract.symbolic.text_lists import is_list, listed
 
 
-class Each(msgspec.Struct, frozen=True):
+class Each(Foreign, frozen=True):
     """A list of which nobody knows how long it is; ``item`` stands for each of its items."""
 
-    item: Any
+    item: Value
 
 
-def each_of(value: Any) -> Any:
+def each_of(value: Value) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     match value:
         case Each():
@@ -37,12 +36,12 @@ def each_of(value: Any) -> Any:
 def _each(choice: Choice) -> Choice:
     """Return a choice of items in place of one of lists."""
     then, otherwise = (
-        each_of(one) if one.holes else unknown(EachOf(str(one))) for one in (choice.then, choice.otherwise)
+        as_text(each_of(one)) if one.holes else unknown(EachOf(str(one))) for one in (choice.then, choice.otherwise)
     )
     return Choice(choice.condition, then, otherwise, choice.test)
 
 
-def item_of(value: Any, key: Any) -> Any:
+def item_of(value: Value, key: Value) -> Value:
     """Return the item at a place of an unknown list; None where it is none that is known to be a list."""
     if isinstance(value, Each):
         return value.item
@@ -55,7 +54,7 @@ def item_of(value: Any, key: Any) -> Any:
         case Text() if key.known and isinstance(hole.reason, EachOf):
             # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
             return Text((Hole(PartOf(key.known, hole.reason), hole.parameter, named=hole.named),))
-    if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
+    if not is_list(hole) or not is_whole(key):
         return None
     items = listed(hole.default or "")
     usual = items[key] if -len(items) <= key < len(items) else None

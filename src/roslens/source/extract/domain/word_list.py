@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
-import msgspec
-
+from roslens.source.extract.domain.abstract_value import Foreign, Value
+from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.symbolic.text import Text
 
 ROS_ARGS = "--ros-args"
 _END = "--"
 
 
-class Words(list[Any]):
+class Words(list[Value]):
     """The words of a command line, that of the program first: a list of which nothing is missing.
 
     Attributes:
         goes_on: whether there are more words after these, all of them for ROS.
     """
 
-    def __init__(self, words: Iterable[Any] = (), *, goes_on: bool = False) -> None:
+    def __init__(self, words: Iterable[Value] = (), *, goes_on: bool = False) -> None:
         """Keep words in order."""
         super().__init__(words)
         self.goes_on = goes_on
@@ -43,14 +42,14 @@ class Words(list[Any]):
         return AtLeast(len(self)) if self.goes_on else len(self)
 
 
-class AtLeast(msgspec.Struct, frozen=True):
+class AtLeast(Foreign, frozen=True):
     """A number of which only the least is known."""
 
     number: int
 
-    def compared(self, operator: str, other: Any) -> bool | None:
+    def compared(self, operator: str, other: Value) -> bool | None:
         """Return what comparing it with a number says; None where that depends."""
-        if isinstance(other, bool) or not isinstance(other, int):
+        if not is_whole(other):
             return None
         if operator in (">", ">="):
             return True if self.number > other - (operator == ">=") else None
@@ -64,11 +63,11 @@ def words_given(words: Sequence[Text]) -> Words:
     return Words(words, goes_on=bool(words) and words[-1].known == ROS_ARGS)
 
 
-def without_ros2(words: Sequence[Any]) -> Words:
+def without_ros2(words: Sequence[Value]) -> Words:
     """Return words without those for ROS 2: from ``--ros-args`` to ``--``, or to the end (rcl, arguments.c)."""
     kept, of_ros = Words(), False
     for word in words:
-        known = word.known if isinstance(word, Text) else None
+        known = known_text(word)
         if known == ROS_ARGS:
             of_ros = True
         elif not of_ros:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Class, Named, Names, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_first
 from roslens.source.extract.domain.plain_methods import plain_method
@@ -62,7 +62,7 @@ def _dotted(expression: Expression) -> str:
 class Calls(Expressions):
     """Results of calls."""
 
-    def called(self, expression: Call) -> Any:
+    def called(self, expression: Call) -> Value:
         """Return the result of a call."""
         engine: Context = self
         function = expression.function
@@ -92,8 +92,8 @@ class Calls(Expressions):
         return self._called_name(name, expression, arguments, keywords, templates)
 
     def _called_name(
-        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
-    ) -> Any:
+        self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
+    ) -> Value:
         engine: Context = self
         thing = engine.frame.self
         if isinstance(thing, Obj) and "." not in name:
@@ -113,8 +113,8 @@ class Calls(Expressions):
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
 
     def _called_elsewhere(
-        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
-    ) -> Any:
+        self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
+    ) -> Value:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
         engine: Context = self
         thing = engine.frame.self
@@ -145,7 +145,7 @@ class Calls(Expressions):
                     return engine.construct(defined, arguments, keywords, templates)
         return self.outer(meaning, expression, arguments, keywords, templates)
 
-    def _overload(self, found: Callable, name: str, arguments: list[Any]) -> Callable:
+    def _overload(self, found: Callable, name: str, arguments: list[Value]) -> Callable:
         """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
         engine: Context = self
         several = engine.index.functions_of(name, engine.frame.path, engine.frame.scope)
@@ -155,8 +155,8 @@ class Calls(Expressions):
         return Callable(chosen.what, chosen.path, found.self, found.names, found.arguments)
 
     def outer(
-        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
-    ) -> Any:
+        self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
+    ) -> Value:
         """Return the result of calling something outside of the workspace."""
         engine: Context = self
         called = self._call_of(expression, name, arguments, keywords, templates)
@@ -170,7 +170,7 @@ class Calls(Expressions):
         self._may_set(expression, arguments, name)
         return Unknown(f"result of {name}()")
 
-    def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
+    def _may_set(self, expression: Call, arguments: list[Value], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
         engine: Context = self
         for written, value in zip(expression.arguments, arguments, strict=False):
@@ -179,21 +179,21 @@ class Calls(Expressions):
             if engine.index.programs[engine.frame.path].language == "cpp":
                 engine.assign(written, unknown(f"a text that {name}() may set"))
 
-    def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
+    def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
         engine: Context = self
         called = Called(name, arguments, keywords, templates, (), engine.site)
         known = find_outer(engine, name)
         return known(engine, None, called) if known is not None else Obj(name)
 
-    def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def construct_outer(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> None:
         """Construct a base of an object that is outside of the workspace."""
         engine: Context = self
         known = find_outer(engine, name)
         if known is not None:
             known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
 
-    def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
+    def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:
         engine: Context = self
         name, on = function.name, function.of
         of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
@@ -228,13 +228,13 @@ class Calls(Expressions):
         return guessed or self._plain_method(expression, function, of, arguments, keywords)
 
     def _of_ways(
-        self, of: Obj, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any],
+        self, of: Obj, expression: Call, name: str, arguments: list[Value], keywords: Names,
         templates: tuple[str, ...],
-    ) -> Any:  # fmt: skip
+    ) -> Value:  # fmt: skip
         """Call a method of each object that it may be."""
         engine: Context = self
 
-        def call(thing: Obj) -> Any:
+        def call(thing: Obj) -> Value:
             method = engine.methods(thing, name, len(arguments) + len(keywords), arguments)
             if method is None:
                 return Unknown(f"result of {name}()")
@@ -243,8 +243,8 @@ class Calls(Expressions):
         return each_way(engine, of, call)
 
     def _plain_method(
-        self, expression: Call, function: Member, of: Any, arguments: list[Any], keywords: dict[str, Any]
-    ) -> Any:
+        self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
+    ) -> Value:
         engine: Context = self
         name = function.name
         change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
@@ -261,9 +261,9 @@ class Calls(Expressions):
         return found
 
     def _of_module(
-        self, of: Named, expression: Call, function: Member, arguments: list[Any], keywords: dict[str, Any],
+        self, of: Named, expression: Call, function: Member, arguments: list[Value], keywords: Names,
         templates: tuple[str, ...],
-    ) -> Any:  # fmt: skip
+    ) -> Value:  # fmt: skip
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
         engine: Context = self
         inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
@@ -280,7 +280,7 @@ class Calls(Expressions):
                 return guessed
         return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, templates)
 
-    def _guessed(self, of: Any, called: Called) -> Any:
+    def _guessed(self, of: Value, called: Called) -> Value:
         """Return what a method makes that is known by its name alone; None where it is not."""
         engine: Context = self
         word = guessed_method(engine, of, called)
@@ -298,7 +298,7 @@ class Calls(Expressions):
         found = engine.index.class_of(name, frame.path, frame.scope)
         return None if found is None else Class(found)
 
-    def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+    def _of_base(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a method of the next class after the one that is evaluated."""
         engine: Context = self
         if thing.defined is None:
@@ -325,7 +325,7 @@ class Calls(Expressions):
         known = find_method(engine, thing, called)
         return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
 
-    def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+    def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a function of a class: of a base with the object, or a static one."""
         engine: Context = self
         found = engine.index.methods(of.defined, name)
@@ -341,8 +341,8 @@ class Calls(Expressions):
         return Unknown(f"result of {name}()")
 
     def _apply(
-        self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
-    ) -> Any:
+        self, of: Value, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
+    ) -> Value:
         engine: Context = self
         match of:
             case Callable():
@@ -355,7 +355,7 @@ class Calls(Expressions):
                 return of
         return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
 
-    def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:
+    def _arguments(self, expression: Call) -> tuple[list[Value], Names]:
         value = self.value
         if not expression.keywords:
             return [value(one) for one in expression.arguments], {}
@@ -364,7 +364,7 @@ class Calls(Expressions):
             return spread(self, expression)
         return [value(one) for one in expression.arguments], keywords
 
-    def _bound(self, expression: Call) -> Any:
+    def _bound(self, expression: Call) -> Value:
         """Return a function bound to its object: ``std::bind(&A::f, this, _1)``."""
         arguments = [self.value(one) for one in expression.arguments]
         function = arguments[0] if arguments else None
@@ -380,7 +380,7 @@ class Calls(Expressions):
         return Callable(function.function, function.path, thing, function.names, real)
 
     def _call_of(
-        self, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+        self, expression: Call, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Called:
         engine: Context = self
         place = Evidence(engine.frame.path, expression.line, expression.column)

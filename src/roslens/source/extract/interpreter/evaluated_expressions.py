@@ -5,7 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roslens.source.extract.domain.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Class,
+    Made,
+    Named,
+    Obj,
+    Table,
+    Unknown,
+    Value,
+    as_text,
+    test_of,
+)
 from roslens.source.extract.domain.evaluation_frame import Frame, either, one_of, one_or_none
 from roslens.source.extract.domain.list_slices import is_slice, part_of
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
@@ -54,13 +65,13 @@ class Expressions(Context):
         kinds: what evaluates each kind of expression.
     """
 
-    kinds: ClassVar[dict[type[Any], Function1[[Any, Any], Any]]] = {}
+    kinds: ClassVar[dict[type[Any], Function1[[Any, Any], Value]]] = {}
 
     def __init_subclass__(cls) -> None:
         """Look up once what evaluates each kind of expression."""
         cls.kinds = {kind: getattr(cls, name) for kind, name in _KINDS.items() if hasattr(cls, name)}
 
-    def value(self, expression: Expression) -> Any:
+    def value(self, expression: Expression) -> Value:
         """Return the value of an expression."""
         engine: Context = self
         engine.steps += 1
@@ -70,14 +81,14 @@ class Expressions(Context):
             return names[expression.name]
         return self.kinds[type(expression)](engine, expression)
 
-    def literal(self, expression: Literal) -> Any:
+    def literal(self, expression: Literal) -> Value:
         """Return a literal."""
         value = expression.value
         if not isinstance(value, str):
             return value
         return Text((value,)) if value else Text()
 
-    def name(self, expression: Name) -> Any:
+    def name(self, expression: Name) -> Value:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
         engine: Context = self
         frame, name = engine.frame, expression.name
@@ -99,7 +110,7 @@ class Expressions(Context):
             return found
         return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
 
-    def _outside(self, name: str) -> Any:
+    def _outside(self, name: str) -> Value:
         engine: Context = self
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
@@ -108,7 +119,7 @@ class Expressions(Context):
             return class_of_scope(engine)
         return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
 
-    def defined(self, name: str) -> Any:
+    def defined(self, name: str) -> Value:
         """Return what the workspace defines under a name; None where it does not."""
         engine: Context = self
         frame = engine.frame
@@ -129,7 +140,7 @@ class Expressions(Context):
             return Callable(one, other, frame.self)
         return Callable(one, other) if kind == "function" else None
 
-    def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
+    def _constant(self, name: str, found: tuple[str, Expression]) -> Value:
         engine: Context = self
         path, expression = found
         if (path, name) in engine.constants:
@@ -149,13 +160,13 @@ class Expressions(Context):
         engine.constants[path, name] = read_first(engine, name, value) if of_class else value
         return engine.constants[path, name]
 
-    def member(self, expression: Member) -> Any:
+    def member(self, expression: Member) -> Value:
         """Return a member of an object."""
         engine: Context = self
         of = self.value(expression.of)
         return self.member_of(of, expression.name, engine)
 
-    def member_of(self, of: Any, name: str, engine: Context) -> Any:
+    def member_of(self, of: Value, name: str, engine: Context) -> Value:
         """Return a member of a value by name."""
         match of:
             case Obj():
@@ -173,7 +184,7 @@ class Expressions(Context):
             return of
         return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
 
-    def _member_of_object(self, of: Obj, name: str, engine: Context) -> Any:
+    def _member_of_object(self, of: Obj, name: str, engine: Context) -> Value:
         if name in of.fields:
             return of.fields[name]
         if name == "__class__" and of.defined is not None:
@@ -189,7 +200,7 @@ class Expressions(Context):
                 return self._constant(f"{one.what.qualified_name}.{name}", constant)
         return Unknown(f"{name} of a {of.type}")
 
-    def item(self, expression: Item) -> Any:
+    def item(self, expression: Item) -> Value:
         """Return an item."""
         engine: Context = self
         of = self.value(expression.of)
@@ -210,7 +221,7 @@ class Expressions(Context):
             return Text.of(first[:1])
         return of if isinstance(of, Unknown) else self._open(expression)
 
-    def operation(self, expression: Operation) -> Any:
+    def operation(self, expression: Operation) -> Value:
         """Return the result of an operator."""
         engine: Context = self
         operator = expression.operator
@@ -242,7 +253,7 @@ class Expressions(Context):
             return self._open(expression, None if test is None else negated(test))
         return self._computed(operator, values, expression)
 
-    def _either(self, expression: Operation, decides: Any) -> Any:
+    def _either(self, expression: Operation, decides: Value) -> Value:
         engine: Context = self
         condition = engine.index.lookups.condition(expression.operands[0])
         then, otherwise = expression.operands[1:]
@@ -268,14 +279,14 @@ class Expressions(Context):
             return one if type(one) is type(other) and one == other else self._open(expression)
         return one if not isinstance(one, Unknown) else other
 
-    def _boolean(self, expression: Operation) -> Any:
+    def _boolean(self, expression: Operation) -> Value:
         """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
         engine: Context = self
         python = engine.index.programs[engine.frame.path].language == "python"
         operator, operands = expression.operator, expression.operands
         stops = operator == "or"
-        open_: list[tuple[Any, Expression]] = []
-        value: Any = not stops
+        open_: list[tuple[Value, Expression]] = []
+        value: Value = not stops
         for number, one in enumerate(operands):
             ways = open_ and does_something(engine, one)
             value = after_others(engine, one, open_, operator) if ways else self.value(one)
@@ -299,14 +310,14 @@ class Expressions(Context):
         engine: Context = self
         return Unknown(engine.index.lookups.text(expression), test)
 
-    def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
+    def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Value:
         """Return a text, or where it is empty what comes after ``or``."""
         engine: Context = self
         rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
         other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
         return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
 
-    def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
+    def _computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
         if len(values) == 2 and operator in ("==", "!="):
             one, other = (_comparable(value) for value in values)
             plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
@@ -328,7 +339,7 @@ class Expressions(Context):
             return -values[0]
         return self._open(expression)
 
-    def sum(self, one: Any, other: Any) -> Any:
+    def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
         if isinstance(one, Text) or isinstance(other, Text):
             return Text.of(as_text(one), as_text(other))
@@ -338,13 +349,13 @@ class Expressions(Context):
             return one + other
         return one if isinstance(one, Unknown) else Unknown("a sum")
 
-    def sequence(self, expression: Sequence) -> list[Any]:
+    def sequence(self, expression: Sequence) -> list[Value]:
         """Return a list."""
         return [self.value(one) for one in expression.items]
 
-    def mapping(self, expression: Mapping) -> dict[Any, Any]:
+    def mapping(self, expression: Mapping) -> Table:
         """Return a dictionary."""
-        found: dict[Any, Any] = {}
+        found: Table = {}
         for key, value in expression.items:
             if type(key) is Opaque and key.text == "**":
                 inner = self.value(value)
@@ -358,7 +369,7 @@ class Expressions(Context):
         values = [self.value(one) for one in expression.parts]
         return Text.of(*(_TRUTHS[one] if type(one) is bool else as_text(one) for one in values))
 
-    def closure(self, expression: Lambda) -> Any:
+    def closure(self, expression: Lambda) -> Value:
         """Return a function without name."""
         engine: Context = self
         frame = engine.frame
@@ -370,7 +381,7 @@ class Expressions(Context):
         """Return that nothing is known."""
         return Unknown(expression.text or "an expression")
 
-    def truth(self, value: Any) -> bool | None:
+    def truth(self, value: Value) -> bool | None:
         """Return whether a value is true; None where that is unknown."""
         match value:
             case Text():
@@ -385,7 +396,7 @@ class Expressions(Context):
             return True if value.certain else None
         return True if isinstance(value, _FUNCTIONS) else None
 
-    def items(self, value: Any) -> list[Any] | None:
+    def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes through; None where it is unknown."""
         if isinstance(value, list):
             return value
@@ -418,7 +429,7 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     return "", None, None
 
 
-def _compared(operator: str, values: list[Any]) -> Condition | None:
+def _compared(operator: str, values: list[Value]) -> Condition | None:
     """Return what decides a comparison that is open, where texts are compared."""
     texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
     if len(texts) < len(values) or not any(one.holes for one in texts):
@@ -427,14 +438,14 @@ def _compared(operator: str, values: list[Any]) -> Condition | None:
     return test if operator == "==" else negated(test)
 
 
-def _comparable(value: Any) -> Any:
+def _comparable(value: Value) -> Value:
     """Return a value as it compares: what is not found is at ``npos``."""
     if isinstance(value, Text):
         return value.known
     return -1 if isinstance(value, Named) and value.name.endswith("string.npos") else value
 
 
-def _shown(value: Any) -> str:
+def _shown(value: Value) -> str:
     return type(value).__name__.lower()
 
 

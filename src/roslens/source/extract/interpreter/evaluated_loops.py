@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, test_of
+from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value, test_of
 from roslens.source.extract.domain.evaluation_frame import WayOut, Ways
+from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.domain.unknown_lists import Each, each_of
 from roslens.source.extract.interpreter.vocabulary_streams import words_read
@@ -113,7 +114,7 @@ def _followed(engine: Context, statement: Loop) -> None:
     _once_for_all(engine, statement, over)
 
 
-def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Any]) -> None:
+def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Value]) -> None:
     for item in items[:MOST_TURNS]:
         if type(item) is Perhaps:
             _perhaps_with(engine, statement, item)
@@ -123,7 +124,7 @@ def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: l
             return
 
 
-def _once_for_all(engine: Context, statement: Loop, over: Any) -> None:
+def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
     before, frame = engine.frame.snapshot(), engine.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
@@ -139,7 +140,7 @@ def _once_for_all(engine: Context, statement: Loop, over: Any) -> None:
         _keep_filled(frame.names, after[0])
 
 
-def _turn_for_all(engine: Context, statement: Loop, over: Any, *, once: bool) -> None:
+def _turn_for_all(engine: Context, statement: Loop, over: Value, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
     changes, frame = engine.changes, engine.frame
     since = changes.count
@@ -158,7 +159,7 @@ def _turn_for_all(engine: Context, statement: Loop, over: Any, *, once: bool) ->
         changes.ended()
 
 
-def _perhaps_turned(engine: Context, statement: Loop, over: Any) -> None:
+def _perhaps_turned(engine: Context, statement: Loop, over: Value) -> None:
     """Follow the one turn that stands for all, under the condition that there is one.
 
     A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
@@ -189,7 +190,7 @@ def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
         frame.join(after, item.condition)
 
 
-def _gone_through(engine: Context, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:
+def _gone_through(engine: Context, statement: Loop, over: Value) -> tuple[Expression | None, list[Value] | None]:
     """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
     target = statement.target
     if target is None:
@@ -199,7 +200,7 @@ def _gone_through(engine: Context, statement: Loop, over: Any) -> tuple[Expressi
     return target, plugged_in(engine, over) if items is None and engine.plugged else items
 
 
-def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
+def _keep_filled(names: Names, after: Names) -> None:
     """Keep what a turn put into lists: what stands for each item of a list is there if any item is."""
     for name, value in after.items():
         before = names.get(name)
@@ -249,7 +250,7 @@ def _count(engine: Context, statement: Loop) -> int | None:
     first, last = engine.value(counter), engine.value(end)
     if isinstance(last, Unknown):
         last = count_of_filled(engine, end) or last
-    if not (_is_number(first) and _is_number(last)) or not step[1]:
+    if not (is_number(first) and is_number(last)) or not step[1]:
         return None
     turns = float(last - first) / step[1]
     whole = math.floor(turns) + 1 if over.operator in ("<=", ">=") else math.ceil(turns)
@@ -262,17 +263,13 @@ def _step(statement: Loop) -> tuple[str, int | float] | None:
     if not isinstance(one, Assign) or not isinstance(one.target, Name):
         return None
     name, value = one.target.name, one.value
-    if one.operator == "+=" and isinstance(value, Literal) and _is_number(value.value):
+    if one.operator == "+=" and isinstance(value, Literal) and is_number(value.value):
         return name, value.value
     if isinstance(value, Operation) and value.operator in ("+", "-") and value.operands[0] == one.target:
         by = value.operands[1]
-        if isinstance(by, Literal) and _is_number(by.value):
+        if isinstance(by, Literal) and is_number(by.value):
             return name, by.value if value.operator == "+" else -by.value
     return None
-
-
-def _is_number(value: object) -> TypeGuard[int | float]:
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _forget_counters(engine: Context, statement: Loop) -> None:
@@ -312,7 +309,7 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
     return found
 
 
-def _each(over: Any, statement: Loop) -> Any:
+def _each(over: Value, statement: Loop) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
         return each_of(over)

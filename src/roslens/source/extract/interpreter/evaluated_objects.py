@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.typed_list import TypedList
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class Objects(Calls):
     """Makes objects and values of a type."""
 
-    def constructed(self, declared: str, value: Any) -> Any:
+    def constructed(self, declared: str, value: Value) -> Value:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
         engine: Context = self
         name, inside = type_name(declared)
@@ -46,8 +46,8 @@ class Objects(Calls):
         return engine.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def construct(
-        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
+        self, defined: Defined, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()
+    ) -> Value:
         """Make an object of a class of the workspace, its constructor evaluated."""
         engine: Context = self
         known = find_class(engine, defined.what.qualified_name, defined.path)
@@ -97,7 +97,7 @@ class Objects(Calls):
                     engine.frame = outer
         engine.preparing.pop()
 
-    def _members(self, defined: Defined) -> tuple[tuple[Field, Any], ...]:
+    def _members(self, defined: Defined) -> tuple[tuple[Field, Value], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
         engine: Context = self
         known = engine.index.lookups.members
@@ -123,7 +123,7 @@ class Objects(Calls):
             )
         return found
 
-    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Evaluate the constructor of one class of an object."""
         engine: Context = self
         python = engine.index.programs[defined.path].language == "python"
@@ -147,13 +147,13 @@ class Objects(Calls):
         if not engine.index.chain(defined)[1:]:
             engine.base_constructed(thing, defined, arguments, keywords)
 
-    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Construct the bases that are not in the workspace."""
         engine: Context = self
         for base in engine.index.outer_bases(defined):
             engine.construct_outer(thing, base, arguments, keywords)
 
-    def declared(self, declared: str) -> Any:
+    def declared(self, declared: str) -> Value:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
         engine: Context = self
         name, inside = type_name(declared)
@@ -161,7 +161,7 @@ class Objects(Calls):
             return None
         return engine.of_type(name, [], {}, tuple(type_arguments(inside)))
 
-    def typed(self, declared: str, value: Any) -> Any:
+    def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         engine: Context = self
         if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
@@ -184,16 +184,14 @@ class Objects(Calls):
                     return engine.of_type(name, [value], {})
         return value
 
-    def converted(self, declared: str, value: Any) -> Any:
+    def converted(self, declared: str, value: Value) -> Value:
         """Return a value as a declaration makes it."""
         engine: Context = self
         if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
             return value
         return engine.typed(declared, value)
 
-    def of_type(
-        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
+    def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
         """Return an object of a class by its name as written."""
         engine: Context = self
         if not name or name in _PLAIN:
@@ -212,7 +210,7 @@ class Objects(Calls):
             engine.index.meaning(name, engine.frame.path, engine.frame.scope), arguments, keywords, templates
         )
 
-    def plain(self, name: str, arguments: list[Any]) -> Any:
+    def plain(self, name: str, arguments: list[Value]) -> Value:
         """Return a value of a fundamental type."""
         if name in _TEXTS:
             return text_made(name, arguments) if arguments else Text()
@@ -221,7 +219,7 @@ class Objects(Calls):
         return arguments[0]
 
 
-def _at_first(field: Field) -> Any:
+def _at_first(field: Field) -> Value:
     """Return what a member without a value is, if its type alone says it."""
     name = type_name(field.type)[0]
     if field.value is not None or (name and name not in _PLAIN and "ptr" not in field.type.lower()):
@@ -233,7 +231,7 @@ def _at_first(field: Field) -> Any:
     return Unknown("a value that is not set") if not name or name in _PLAIN else _OF_TYPE
 
 
-_OF_TYPE = object()
+_OF_TYPE = Named("a value of its type")
 """What a member is whose value has to be made for each object."""
 _TEXTS = ("std.string", "string", "QString", "std.string_view")
 _NUMBER = (int, float)

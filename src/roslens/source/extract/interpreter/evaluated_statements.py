@@ -9,15 +9,18 @@ from roslens.source.extract.domain.abstract_value import (
     Callable,
     Class,
     Named,
+    Names,
     Obj,
     QosValue,
     Remappings,
     Unknown,
+    Value,
     as_text,
     test_of,
 )
 from roslens.source.extract.domain.earlier_values import forget_defaults
 from roslens.source.extract.domain.evaluation_frame import join
+from roslens.source.extract.domain.kinds import items_of
 from roslens.source.extract.domain.made_texts import with_sign
 from roslens.source.extract.domain.owned_pointer import owns_first
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
@@ -75,11 +78,12 @@ def initialise(engine: Context, statement: Statement) -> None:
             engine.written_at(statement.line)
             if isinstance(statement.value, Sequence):
                 kind, inside = type_name(declared)
-                if "ptr" in declared.lower() and owns_first(value):
-                    value = value[0]
+                items = items_of(value)
+                if "ptr" in declared.lower() and owns_first(items):
+                    value = items[0]
                 elif not is_list(declared):
-                    value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
-                elif value and isinstance(value[0], int | float) and inside.endswith("string"):
+                    value = engine.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
+                elif items and isinstance(items[0], int | float) and inside.endswith("string"):
                     value = Unknown(f"{name}, which is so many texts")
             elif declared:
                 value = engine.constructed(declared, value)
@@ -87,7 +91,7 @@ def initialise(engine: Context, statement: Statement) -> None:
                 thing.fields[name] = value
 
 
-def _initialise_base(engine: Context, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
+def _initialise_base(engine: Context, call: Call, arguments: list[Value], keywords: Names) -> None:
     """Construct a base, or delegate to another constructor of the class."""
     thing = engine.frame.self
     if not isinstance(call.function, Name) or not isinstance(thing, Obj):
@@ -162,7 +166,7 @@ def _assigned(engine: Context, statement: Assign) -> None:
         assign(engine, statement.target, value)
 
 
-def _set_from_here(engine: Context, name: Name) -> Any:
+def _set_from_here(engine: Context, name: Name) -> Value:
     """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
     key, value = (engine.frame.path, name.name), engine.value(name)
     if key in engine.constants and isinstance(value, _PLAIN):
@@ -171,7 +175,7 @@ def _set_from_here(engine: Context, name: Name) -> Any:
     return value
 
 
-def assign(engine: Context, target: Expression, value: Any) -> None:
+def assign(engine: Context, target: Expression, value: Value) -> None:
     """Put a value where an expression says."""
     match target:
         case Name():
@@ -202,13 +206,13 @@ def assign(engine: Context, target: Expression, value: Any) -> None:
         case Item():
             _assign_item(engine, target, value)
         case Sequence():
-            known = isinstance(value, list) and len(value) == len(target.items) and is_counted(value)
-            items = value if known else None
+            parts = items_of(value)
+            known = len(parts) == len(target.items) and is_counted(parts)
             for place, one in enumerate(target.items):
-                assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+                assign(engine, one, parts[place] if known else Unknown("a part of an unknown value"))
 
 
-def _assign_item(engine: Context, target: Item, value: Any) -> None:
+def _assign_item(engine: Context, target: Item, value: Value) -> None:
     of, key = engine.value(target.of), engine.value(target.key)
     if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
         # It may hold, or not: nobody knows what the name becomes.
@@ -227,7 +231,7 @@ def _assign_item(engine: Context, target: Item, value: Any) -> None:
         put_part(engine, of, key, value)
 
 
-def _assign_name(engine: Context, name: str, value: Any) -> None:
+def _assign_name(engine: Context, name: str, value: Value) -> None:
     frame = engine.frame
     if name in frame.kept:
         keep(engine, name, value)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
 
 from roslens.source.extract.domain.abstract_value import (
     Building,
@@ -17,9 +16,11 @@ from roslens.source.extract.domain.abstract_value import (
     Class,
     Handle,
     Named,
+    Names,
     Obj,
     QosValue,
     Unknown,
+    Value,
 )
 from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.evaluation_frame import Frame, bind_rest, join
@@ -107,15 +108,15 @@ class Evaluation(Objects):
         self.made: list[Obj] = []
         self.later: list[tuple[Callable, Condition | None]] = []
         self.reached = Reached()
-        self.globals: dict[str, Any] = {}
-        self.once: dict[tuple[object, ...], Any] = {}
+        self.globals: Names = {}
+        self.once: dict[tuple[object, ...], Value] = {}
         self.gave: tuple[Frame, Expression] | None = None
         self.bare: dict[int, tuple[Function, Function]] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
         self.preparing: list[str] = []
         self._stack: list[tuple[str, int]] = []
-        self.constants: dict[tuple[str, str], Any] = {}
+        self.constants: dict[tuple[str, str], Value] = {}
         self.site = Evidence(node.path, node.line)
         self.written: tuple[Expression, ...] = ()
         self.calls: list[tuple[Evidence, Function, tuple[Expression, ...]]] = []
@@ -162,7 +163,7 @@ class Evaluation(Objects):
                 self.running = before
                 del self.conditions[len(self.conditions) - len(with_note) :]
 
-    def assign(self, target: Expression, value: Any) -> None:
+    def assign(self, target: Expression, value: Value) -> None:
         """Put a value where an expression says."""
         assign(self, target, value)
 
@@ -194,11 +195,11 @@ class Evaluation(Objects):
     def call(
         self,
         function: Callable,
-        arguments: list[Any],
-        keywords: dict[str, Any],
+        arguments: list[Value],
+        keywords: Names,
         written: tuple[Expression, ...] = (),
         templates: tuple[str, ...] = (),
-    ) -> Any:
+    ) -> Value:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
         if function.function.name not in MAKE:
             return self._call(function, arguments, keywords, written, templates)
@@ -215,11 +216,11 @@ class Evaluation(Objects):
     def _call(
         self,
         function: Callable,
-        arguments: list[Any],
-        keywords: dict[str, Any],
+        arguments: list[Value],
+        keywords: Names,
         written: tuple[Expression, ...],
         templates: tuple[str, ...],
-    ) -> Any:
+    ) -> Value:
         what = function.function
         key = (function.path, what.line)
         if key in self._stack or len(self._stack) >= MOST_DEPTH:
@@ -231,7 +232,7 @@ class Evaluation(Objects):
             lose_unseen(self, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
         if what.decorators and (made := decorated(self, function)) is not function:
-            return made if isinstance(made, Unknown) else self.call(made, arguments, keywords, written)
+            return self.call(made, arguments, keywords, written) if isinstance(made, Callable) else made
         arguments = [*function.arguments, *arguments]
         plain = not keywords and not function.names
         done = self._again.known(key, function.self, (arguments, templates), self._stack) if plain else None
@@ -255,7 +256,7 @@ class Evaluation(Objects):
     def _nodes(self) -> tuple[Building, ...]:
         return (self.first, *self.others)
 
-    def _given_back(self, parameter: Parameter, written: Expression, value: Any) -> None:
+    def _given_back(self, parameter: Parameter, written: Expression, value: Value) -> None:
         # A pointer to anything else is the same object, or may point elsewhere by now.
         if parameter.type[-1] == "&" or isinstance(value, QosValue):
             self.assign(written, value)
@@ -263,8 +264,8 @@ class Evaluation(Objects):
     def _followed(
         self,
         function: Callable,
-        arguments: list[Any],
-        keywords: dict[str, Any],
+        arguments: list[Value],
+        keywords: Names,
         written: tuple[Expression, ...],
         templates: tuple[str, ...],
     ) -> Frame:
@@ -310,7 +311,7 @@ class Evaluation(Objects):
         again.cuts = around
         return frame
 
-    def _computed_by(self, what: Function, arguments: list[Any]) -> Any:
+    def _computed_by(self, what: Function, arguments: list[Value]) -> Value:
         """Return the result of a function that only computes; what decides its arguments decides it."""
         texts = [one for one in arguments if isinstance(one, Text)]
         if not texts:
@@ -344,7 +345,7 @@ class Evaluation(Objects):
                 return next((one for one in functions if one[0].body), functions[0])
         return None
 
-    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
+    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
         defined = thing.defined
         if defined is None or (thing.node is not None and name in KNOWN_BETTER):
@@ -355,7 +356,7 @@ class Evaluation(Objects):
             found = self._overload_of(defined, name, count, arguments)
         return None if found is None else Callable(found[0], found[1], thing)
 
-    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Any] = ()) -> Found:
+    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = ()) -> Found:
         """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
         hidden: Found = None
         for one in self.index.chain(defined):
@@ -371,7 +372,7 @@ class Evaluation(Objects):
             hidden = hidden or (chosen.what, chosen.path)
         return hidden
 
-    def function(self, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
+    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
         frame, known = self.frame, self.index.lookups.functions
         key = (name, frame.path, frame.scope, count)
@@ -384,7 +385,7 @@ class Evaluation(Objects):
                 known[key] = found
         return None if found is None else Callable(found[0], found[1])
 
-    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Any]) -> Found:
+    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
         running = self._stack[-1] if self._stack else ("", 0)
         chosen = overload(self.index, several, count, arguments, running, (self.frame.path, self.first.path))
         if chosen is None:
@@ -416,7 +417,7 @@ class Evaluation(Objects):
 
     # Statements
 
-    def _bind(self, what: Function, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
+    def _bind(self, what: Function, arguments: list[Value], keywords: Names, frame: Frame) -> None:
         declared, given, names = None, len(arguments), frame.names
         if given < len(what.parameters):
             declared = self.index.declaration(what, frame.path)
@@ -446,7 +447,7 @@ class Evaluation(Objects):
                     value = self.once.setdefault((frame.path, what.line, place, id(what)), value)
                 frame.names[parameter.name] = value
 
-    def not_given(self, what: Function, parameter: Parameter) -> Any:
+    def not_given(self, what: Function, parameter: Parameter) -> Value:
         """Return what stands for an argument that nobody gives; what must be a node is the one that is built."""
         reason = f"parameter {parameter.name} of {what.name}()"
         name = type_name(parameter.type)[0]
@@ -468,7 +469,7 @@ class Evaluation(Objects):
 
     # Values by type
 
-    def called_outer(self, callback: Any, note: Condition | None = None) -> str:
+    def called_outer(self, callback: Value, note: Condition | None = None) -> str:
         """Remember that a callback was given away; return its name."""
         if isinstance(callback, Callable):
             # What was followed already is not followed later.

@@ -15,7 +15,17 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Handle, Made, Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import (
+    Building,
+    Handle,
+    Made,
+    Named,
+    Names,
+    Obj,
+    QosValue,
+    Unknown,
+    Value,
+)
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.program import Expression
 from roslens.source.extract.symbolic.text import Text
@@ -37,13 +47,13 @@ class Called(msgspec.Struct, frozen=True):
     """
 
     name: str
-    arguments: list[Any]
-    keywords: dict[str, Any]
+    arguments: list[Value]
+    keywords: Names
     templates: tuple[str, ...]
     written: tuple[Expression, ...]
     evidence: Evidence
 
-    def argument(self, place: int, *names: str, default: Any = None) -> Any:
+    def argument(self, place: int, *names: str, default: Value = None) -> Value:
         """Return an argument by position or the first of its names."""
         for name in names:
             if name in self.keywords:
@@ -51,7 +61,8 @@ class Called(msgspec.Struct, frozen=True):
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
 
 
-Word = Function1[["Context", Any, Called], Any]
+Word = Function1[["Context", Any, Called], Value]
+"""What a call does; the second is the object that it is made on, of the kind under which the word is registered."""
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
@@ -150,7 +161,7 @@ def _said(engine: Context, word: Word | None) -> Word | None:
     return word
 
 
-def find_method(engine: Context, receiver: Any, called: Called) -> Word | None:
+def find_method(engine: Context, receiver: Value, called: Called) -> Word | None:
     """Return what a method of an object does; None where it is not known."""
     _load()
     name = called.name
@@ -163,7 +174,7 @@ def find_method(engine: Context, receiver: Any, called: Called) -> Word | None:
     return None
 
 
-def guessed_method(engine: Context, receiver: Any, called: Called) -> Word | None:
+def guessed_method(engine: Context, receiver: Value, called: Called) -> Word | None:
     """Return what a method does that an object may have of a base or a declaration outside of the workspace.
 
     None where nothing is known of it, or the object has no such base.
@@ -179,7 +190,7 @@ def guessed_method(engine: Context, receiver: Any, called: Called) -> Word | Non
     return _said(engine, word) if isinstance(receiver, Named) and program.language == "cpp" else None
 
 
-def kinds_of(engine: Context, receiver: Any) -> tuple[str, ...]:
+def kinds_of(engine: Context, receiver: Value) -> tuple[str, ...]:
     """Return what an object is, to find its methods."""
     match receiver:
         case Obj():
@@ -202,7 +213,7 @@ def kinds_of(engine: Context, receiver: Any) -> tuple[str, ...]:
     return ("made",) if isinstance(receiver, Made) else ()
 
 
-def node_of(engine: Context, value: Any) -> Building:
+def node_of(engine: Context, value: Value) -> Building:
     """Return the node that a value stands for: the one that is built where it is unknown."""
     match value:
         case Handle():
@@ -216,7 +227,7 @@ def node_of(engine: Context, value: Any) -> Building:
     return engine.node
 
 
-def below(value: Any, name: Text) -> Text:
+def below(value: Value, name: Text) -> Text:
     """Return a name below what a handle puts in front of it."""
     if not isinstance(value, Handle) or not value.prefix.parts:
         return name

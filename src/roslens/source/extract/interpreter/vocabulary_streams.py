@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Value, as_text
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.ir.program import Expression, Operation
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
@@ -18,13 +18,13 @@ HELD = "-text"
 
 
 @outer(*STREAMS)
-def stream(_engine: Context, _thing: Any, called: Called) -> Any:
+def stream(_engine: Context, _thing: Value, called: Called) -> Value:
     """A stream with a text or without."""
     return Obj("std.stringstream", None, {HELD: as_text(called.argument(0)) if called.arguments else Text()})
 
 
 @method("std.stringstream", "str")
-def text_of(_engine: Context, thing: Any, called: Called) -> Any:
+def text_of(_engine: Context, thing: Obj, called: Called) -> Value:
     """The text of a stream is asked for, or given."""
     if called.arguments:
         thing.fields[HELD] = as_text(called.argument(0))
@@ -33,12 +33,12 @@ def text_of(_engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("std.stringstream", "clear")
-def cleared(_engine: Context, _thing: Any, _called: Called) -> Any:
+def cleared(_engine: Context, _thing: Value, _called: Called) -> Value:
     """The state of a stream is cleared: its text stays."""
     return None
 
 
-def words_read(engine: Context, over: Any) -> tuple[Expression, list[Any]] | None:
+def words_read(engine: Context, over: Expression | None) -> tuple[Expression, list[Value]] | None:
     """Return what a loop reads the words of a stream into, and these: ``while (stream >> word)``.
 
     Words of a text that is unknown are one that stands for each. None where a loop does something else.
@@ -48,7 +48,7 @@ def words_read(engine: Context, over: Any) -> tuple[Expression, list[Any]] | Non
     source = engine.value(over.operands[0])
     if not isinstance(source, Obj) or HELD not in source.fields:
         return None
-    text = source.fields[HELD]
+    text = as_text(source.fields[HELD])
     node = deciding_node(engine, text)
     if text.holes and text not in node.asks:
         node.asks.append(text)
@@ -60,7 +60,7 @@ def words_read(engine: Context, over: Any) -> tuple[Expression, list[Any]] | Non
     return over.operands[1], [unknown(f"each word of {text}", parameter=decides)]
 
 
-def written_to(thing: Obj, values: list[Any]) -> Obj:
+def written_to(thing: Obj, values: list[Value]) -> Obj:
     """Return a stream to which values were written."""
-    thing.fields[HELD] = Text.of(thing.fields[HELD], *(as_text(one) for one in values))
+    thing.fields[HELD] = Text.of(as_text(thing.fields[HELD]), *(as_text(one) for one in values))
     return thing

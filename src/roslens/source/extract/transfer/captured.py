@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Names, QosValue, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.ir.program import Lambda, Name
 from roslens.source.extract.symbolic.text import Text, unknown
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-class Around(dict[str, Any]):
+class Around(dict[str, Value]):
     """Variables of which a lambda has copies.
 
     Attributes:
@@ -22,7 +22,7 @@ class Around(dict[str, Any]):
 
     __slots__ = ("frame",)
 
-    def __init__(self, frame: Frame, copies: dict[str, Any]) -> None:
+    def __init__(self, frame: Frame, copies: Names) -> None:
         """Hold copies of variables of a function."""
         super().__init__(copies)
         self.frame = frame
@@ -32,7 +32,7 @@ class Around(dict[str, Any]):
         return True
 
 
-def names_around(engine: Context, made: Lambda) -> dict[str, Any]:
+def names_around(engine: Context, made: Lambda) -> Names:
     """Return the variables around a lambda that is made now."""
     frame, holds = engine.frame, made.holds
     if not holds:
@@ -46,7 +46,7 @@ def names_around(engine: Context, made: Lambda) -> dict[str, Any]:
     return Around(frame, copies)
 
 
-def names_now(engine: Context, around: Around) -> dict[str, Any]:
+def names_now(engine: Context, around: Around) -> Names:
     """Return what the variables around a lambda are that is called now."""
     frame = around.frame
     if not frame.aliases:
@@ -58,7 +58,7 @@ def names_now(engine: Context, around: Around) -> dict[str, Any]:
         engine.frame = outer
 
 
-def _referred(engine: Context) -> dict[str, Any]:
+def _referred(engine: Context) -> Names:
     return {name: engine.value(one) for name, (one, _) in engine.frame.aliases.items()}
 
 
@@ -96,7 +96,7 @@ def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) 
         engine.frame = outer
 
 
-def _lost(name: str, before: Any) -> Text | Unknown | None:
+def _lost(name: str, before: Value) -> Text | Unknown | None:
     match before:
         case Text():
             return unknown(f"{name}, which a lambda sets")

@@ -5,9 +5,10 @@ What a change comes to under a condition that is open is not known: whoever read
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Names, Table, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
@@ -27,8 +28,8 @@ _MOST_LENGTH = 10_000
 
 
 def changed_by(
-    engine: Context, written: Expression, of: Any, name: str, arguments: list[Any], keywords: dict[str, Any]
-) -> tuple[Any] | None:
+    engine: Context, written: Expression, of: Value, name: str, arguments: list[Value], keywords: Names
+) -> tuple[Value] | None:
     """Change a value by a method of it; return the result of the call, None where the method changes nothing.
 
     Args:
@@ -56,11 +57,11 @@ def is_open(engine: Context) -> Condition | None:
     return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else None
 
 
-def put_item(engine: Context, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:
+def put_item(engine: Context, of: Table | list[Value], key: Value, value: Value) -> None:
     """Put an item into a table or list."""
     if isinstance(of, dict):
         engine.changes.put(of, hashable(key), value)
-    elif isinstance(key, int) and not isinstance(key, bool) and -len(of) <= key < len(of):
+    elif is_whole(key) and -len(of) <= key < len(of):
         engine.changes.items(of)
         of[key] = value
     else:
@@ -75,7 +76,7 @@ def _root(written: Expression) -> Expression:
     return written
 
 
-def _text(engine: Context, written: Expression, of: Text, name: str, arguments: list[Any]) -> tuple[Any] | None:
+def _text(engine: Context, written: Expression, of: Text, name: str, arguments: list[Value]) -> tuple[Value] | None:
     if not isinstance(written, Name | Member | Call):
         return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
@@ -91,7 +92,7 @@ def _text(engine: Context, written: Expression, of: Text, name: str, arguments: 
     return (found,)
 
 
-def _is_sign(arguments: list[Any]) -> bool:
+def _is_sign(arguments: list[Value]) -> bool:
     return len(arguments) == 1 and isinstance(arguments[0], Text) and len(arguments[0].known or "") == 1
 
 
@@ -100,7 +101,7 @@ def _doubtful(of: Text, name: str) -> Text:
     return unknown(said(of, f", which {name}() changed", most=200), parameter=parameter)
 
 
-def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:
+def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
     """Return a text after a change; None where that is unknown. ``name`` is a method of std::string, or of QString."""
     texts = [one if isinstance(one, Text) else None for one in arguments]
     numbers = [one if type(one) is int and one >= 0 else None for one in arguments]
@@ -133,7 +134,7 @@ def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:
     return None
 
 
-def _list(engine: Context, of: list[Any], name: str, arguments: list[Any]) -> tuple[Any]:
+def _list(engine: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
         engine.changes.items(of)
         of += arguments[0]
@@ -148,7 +149,8 @@ def _list(engine: Context, of: list[Any], name: str, arguments: list[Any]) -> tu
             of.insert(0, first)
             return (None,)
         if name in ("pop", "pop_back", "pop_front") and of and (not arguments or _is_place(first, of)):
-            return (of.pop(0 if name == "pop_front" else -1 if first is None else first),)
+            place = first if is_whole(first) else -1
+            return (of.pop(0 if name == "pop_front" else place),)
         if name == "clear":
             of.clear()
             return (None,)
@@ -159,29 +161,32 @@ def _list(engine: Context, of: list[Any], name: str, arguments: list[Any]) -> tu
             of.remove(first)
             return (None,)
         if name == "sort" and not arguments and _all_known(of):
-            of.sort(key=lambda one: one.known)
+            of.sort(key=lambda one: known_text(one) or "")
             return (None,)
     return (_forget(of, f"an item of a list that {name}() changed"),)
 
 
-def _is_place(value: Any, of: list[Any]) -> bool:
+def _is_place(value: Value, of: list[Value]) -> bool:
     return type(value) is int and -len(of) <= value < len(of)
 
 
-def _all_known(of: list[Any]) -> bool:
+def _all_known(of: list[Value]) -> bool:
     return all(isinstance(one, Text) and one.known is not None for one in of)
 
 
-def _forget(of: list[Any] | dict[Any, Any], reason: str) -> Unknown:
+def _forget(of: list[Value] | Table, reason: str) -> Unknown:
     """Let nothing be known of the items: who else holds the list or table sees it too."""
-    for place in range(len(of)) if isinstance(of, list) else list(of):
-        of[place] = Unknown(reason)
+    match of:
+        case list():
+            of[:] = [Unknown(reason)] * len(of)
+        case dict():
+            of.update(dict.fromkeys(of, Unknown(reason)))
     return Unknown(reason)
 
 
 def _table(
-    engine: Context, of: dict[Any, Any], name: str, arguments: list[Any], keywords: dict[str, Any],
-) -> tuple[Any]:  # fmt: skip
+    engine: Context, of: Table, name: str, arguments: list[Value], keywords: Names,
+) -> tuple[Value]:  # fmt: skip
     first = arguments[0] if arguments else None
     if name == "update" and (first is None or isinstance(first, dict)):
         for key, value in (*(first or {}).items(), *((Text.of(one), keywords[one]) for one in keywords)):
@@ -202,5 +207,5 @@ def _table(
     return (_forget(of, f"an item of a table that {name}() changed"),)
 
 
-def _is_key(value: Any) -> bool:
+def _is_key(value: Value) -> bool:
     return isinstance(value, int | str) or (isinstance(value, Text) and value.known is not None)

@@ -6,12 +6,12 @@ whether it was set meanwhile: another unit of the program may.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown
-from roslens.source.extract.ir.program import Assign, Call, Evaluate, Member, Name
+from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
+from roslens.source.extract.ir.program import Assign, Call, Evaluate, Expression, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Place = tuple[str, str]
 
 
-def set_attribute(engine: Context, of: Class, name: str, value: Any) -> None:
+def set_attribute(engine: Context, of: Class, name: str, value: Value) -> None:
     """Put a value into an attribute of a class."""
     place = _place(engine, of.defined, name)
     if place is not None:
@@ -32,13 +32,13 @@ def set_attribute(engine: Context, of: Class, name: str, value: Any) -> None:
         engine.changes.put(engine.constants, place, value)
 
 
-def class_of_scope(engine: Context) -> Any:
+def class_of_scope(engine: Context) -> Value:
     """Return the class in whose method ``cls`` stands."""
     found = engine.index.class_of(engine.frame.scope.rpartition(".")[0], engine.frame.path, "")
     return Unknown("cls") if found is None else Class(found)
 
 
-def read_first(engine: Context, name: str, value: Any) -> Any:
+def read_first(engine: Context, name: str, value: Value) -> Value:
     """Return what an attribute is to whoever reads it first: what the class says, if nothing sets it by its class."""
     class_name, _, last = name.rpartition(".")
     if (class_name.rpartition(".")[2], last) not in _all_set(engine):
@@ -52,14 +52,14 @@ def read_first(engine: Context, name: str, value: Any) -> Any:
     return Unknown(reason) if isinstance(value, int | float) else value
 
 
-def of_object(engine: Context, defined: Defined, name: str, value: Any) -> Any:
+def of_object(engine: Context, defined: Defined, name: str, value: Value) -> Value:
     """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
     if (defined.what.name, name) not in _all_set(engine):
         return value
     return engine.member_of(Class(defined), name, engine)
 
 
-def _for_objects(engine: Context, defined: Defined, name: str, before: Any, value: Any) -> None:
+def _for_objects(engine: Context, defined: Defined, name: str, before: Value, value: Value) -> None:
     """Let objects that are at hand have it too, but for those that have one of their own."""
     thing = engine.frame.self
     held = [thing, *engine.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
@@ -114,7 +114,7 @@ def _gather(body: tuple[Statement, ...], owner: str, found: set[Place]) -> None:
                 _gather(getattr(one, part, ()), owner, found)
 
 
-def _is_own_class(of: Any) -> bool:
+def _is_own_class(of: Expression) -> bool:
     """Whether an expression is ``self.__class__`` or ``type(self)``."""
     if isinstance(of, Member):
         return of.name == "__class__"

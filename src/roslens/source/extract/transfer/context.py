@@ -7,9 +7,9 @@ it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import Protocol
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Obj, QosValue
+from roslens.source.extract.domain.abstract_value import Building, Callable, Names, Obj, QosValue, Value
 from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.word_list import Words
@@ -41,9 +41,9 @@ class Context(Protocol):
     changes: Changes
     refined: dict[int, tuple[QosValue, QosValue]]
     frame: Frame
-    globals: dict[str, Any]
-    constants: dict[tuple[str, str], Any]
-    once: dict[tuple[object, ...], Any]
+    globals: Names
+    constants: dict[tuple[str, str], Value]
+    once: dict[tuple[object, ...], Value]
     gave: tuple[Frame, Expression] | None
     bare: dict[int, tuple[Function, Function]]
     words: Words | None
@@ -56,62 +56,60 @@ class Context(Protocol):
     written: tuple[Expression, ...]
     calls: list[tuple[Evidence, Function, tuple[Expression, ...]]]
 
-    def value(self, expression: Expression) -> Any:
+    def value(self, expression: Expression) -> Value:
         """Return the value of an expression."""
 
-    def member_of(self, of: Any, name: str, engine: Context) -> Any:
+    def member_of(self, of: Value, name: str, engine: Context) -> Value:
         """Return a member of a value by name."""
 
-    def sum(self, one: Any, other: Any) -> Any:
+    def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
 
-    def truth(self, value: Any) -> bool | None:
+    def truth(self, value: Value) -> bool | None:
         """Return whether a value is true; None where that is unknown."""
 
-    def items(self, value: Any) -> list[Any] | None:
+    def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes through; None where it is unknown."""
 
-    def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
+    def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
 
-    def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def construct_outer(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> None:
         """Construct a base of an object that is outside of the workspace."""
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
 
-    def constructed(self, declared: str, value: Any) -> Any:
+    def constructed(self, declared: str, value: Value) -> Value:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
 
     def construct(
-        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
+        self, defined: Defined, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()
+    ) -> Value:
         """Make an object of a class of the workspace, its constructor evaluated."""
 
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
 
-    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Evaluate the constructor of one class of an object."""
 
-    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Construct the bases that are not in the workspace."""
 
-    def declared(self, declared: str) -> Any:
+    def declared(self, declared: str) -> Value:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
 
-    def typed(self, declared: str, value: Any) -> Any:
+    def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
 
-    def converted(self, declared: str, value: Any) -> Any:
+    def converted(self, declared: str, value: Value) -> Value:
         """Return a value as a declaration makes it."""
 
-    def of_type(
-        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
+    def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
         """Return an object of a class by its name as written."""
 
-    def plain(self, name: str, arguments: list[Any]) -> Any:
+    def plain(self, name: str, arguments: list[Value]) -> Value:
         """Return a value of a fundamental type."""
 
     def at(self, call: Call) -> None:
@@ -133,7 +131,7 @@ class Context(Protocol):
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""
 
-    def assign(self, target: Expression, value: Any) -> None:
+    def assign(self, target: Expression, value: Value) -> None:
         """Put a value where an expression says."""
 
     def under(self, condition: Condition, test: Condition | None = None) -> None:
@@ -151,11 +149,11 @@ class Context(Protocol):
     def call(
         self,
         function: Callable,
-        arguments: list[Any],
-        keywords: dict[str, Any],
+        arguments: list[Value],
+        keywords: Names,
         written: tuple[Expression, ...] = (),
         templates: tuple[str, ...] = (),
-    ) -> Any:
+    ) -> Value:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
 
     def method(self, thing: Obj, name: str) -> Callable | None:
@@ -164,10 +162,10 @@ class Context(Protocol):
     def method_of(self, defined: Defined, name: str) -> Found:
         """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
 
-    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
+    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
 
-    def function(self, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
+    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
 
     def written_at(self, line: int) -> None:
@@ -176,5 +174,5 @@ class Context(Protocol):
     def callable_type(self, function: Callable, place: int) -> str:
         """Return the declared type of a parameter of a callback; empty where it has none."""
 
-    def called_outer(self, callback: Any, note: Condition | None = None) -> str:
+    def called_outer(self, callback: Value, note: Condition | None = None) -> str:
         """Remember that a callback was given away; return its name."""

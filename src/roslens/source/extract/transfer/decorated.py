@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Callable, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.ir.program import Call, Expression, Name
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def decorated(engine: Context, function: Callable) -> Any:
+def decorated(engine: Context, function: Callable) -> Callable | Unknown:
     """Return what a call of a function calls; the function itself where nothing of the workspace decorates it.
 
     Decorators from elsewhere are taken for such as hand on what they decorate. Of a method only its result is lost: its
@@ -27,10 +27,11 @@ def decorated(engine: Context, function: Callable) -> Any:
         if not known:
             return function
         bare = engine.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
-        made: Any = Callable(bare, function.path, function.self, function.names, function.arguments)
+        itself = Callable(bare, function.path, function.self, function.names, function.arguments)
         if what.class_name:
-            engine.call(made, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
+            engine.call(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
             return Unknown(f"result of {what.name}(), which is decorated")
+        made: Value = itself
         for one in reversed(known):
             decorator = engine.value(one)
             made = engine.call(decorator, [made], {}) if isinstance(decorator, Callable) else None

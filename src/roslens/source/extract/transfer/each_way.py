@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.abstract_value import Obj, Value
 from roslens.source.extract.symbolic.text import Conditions
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def each_way(engine: Context, several: Obj, called: Function1[[Obj], Any]) -> Any:
+def each_way(engine: Context, several: Obj, called: Function1[[Obj], Value]) -> Value:
     """Call a method of each object that it may be, and return what the last one returns."""
     found = None
     for conditions, thing in several.ways:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value
 
 if TYPE_CHECKING:
     from roslens.source.extract.symbols.workspace_index import Defined
@@ -14,7 +14,7 @@ _WITHOUT = frozenset({"object", "NamedTuple", "Protocol", "ABC", "Generic"})
 """Bases that have no constructor of their own."""
 
 
-def set_fields(engine: Context, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> bool:
+def set_fields(engine: Context, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> bool:
     """Set the fields of an object whose class has no constructor; return whether it takes them.
 
     A class that takes arguments, has no constructor and no base elsewhere that may have one, takes its annotated

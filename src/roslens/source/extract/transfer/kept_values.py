@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Obj, QosValue, Unknown, Value
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import Assign, Name, Return
 from roslens.source.extract.symbolic.text import Text
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 _COUNTED = (int, float)
 
 
-def once(engine: Context, statement: Assign) -> Any:
+def once(engine: Context, statement: Assign) -> Value:
     """Return what a variable holds that lives on between calls: what the first call made, or a later one put there."""
     frame, touched = engine.frame, engine.touches
     key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
@@ -36,7 +36,7 @@ def once(engine: Context, statement: Assign) -> Any:
     return value
 
 
-def keep(engine: Context, name: str, value: Any) -> None:
+def keep(engine: Context, name: str, value: Value) -> None:
     """Put a value into a variable of the function that lives on between calls."""
     engine.frame.names[name] = value
     engine.forget_calls()
@@ -54,7 +54,7 @@ def no_place(engine: Context) -> None:
     engine.gave = None
 
 
-def put_where_it_stands(engine: Context, before: Any, after: Any) -> None:
+def put_where_it_stands(engine: Context, before: Value, after: Value) -> None:
     """Put what a returned reference was changed to where it leads; ``before`` is what the call returned."""
     if engine.gave is None:
         return

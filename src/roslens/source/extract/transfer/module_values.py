@@ -5,8 +5,9 @@ Only the statements that set or change a variable are followed, not what else th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from roslens.source.extract.domain.abstract_value import Value
 from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.ir.program import (
@@ -40,7 +41,7 @@ def changes_of(program: Program) -> dict[str, tuple[Statement, ...]]:
     return {name: tuple(all_) for name, all_ in found.items() if len(all_) > 1 or not isinstance(all_[0], Assign)}
 
 
-def module_value(engine: Context, path: str, name: str, first: Expression) -> tuple[Any] | None:
+def module_value(engine: Context, path: str, name: str, first: Expression) -> tuple[Value] | None:
     """Return what a variable of a module is after all that changes it; None where one statement says it all.
 
     Args:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence as SequenceOf
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.domain.abstract_value import Callable, QosValue, test_of
+from roslens.source.extract.domain.abstract_value import Callable, Names, QosValue, Value, test_of
 from roslens.source.extract.domain.evaluation_frame import join
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation, Sequence
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
@@ -66,7 +66,7 @@ def _called(operand: Expression) -> tuple[str, ...]:
 
 def value_if(
     engine: Context, operand: Expression, condition: Condition, test: Condition | None, *, noted: bool = True
-) -> Any:
+) -> Value:
     """Return the value of an operand that is evaluated where a condition holds.
 
     Args:
@@ -98,7 +98,9 @@ def value_if(
     return value
 
 
-def way_of(engine: Context, operand: Expression, condition: Condition, decides: Any, *, opposite: bool = False) -> Any:
+def way_of(
+    engine: Context, operand: Expression, condition: Condition, decides: Value, *, opposite: bool = False
+) -> Value:
     """Return the value of one of two operands of which a condition chooses; the second one with ``opposite``."""
     test = test_of(decides)
     if opposite:
@@ -107,8 +109,8 @@ def way_of(engine: Context, operand: Expression, condition: Condition, decides: 
 
 
 def after_others(
-    engine: Context, operand: Expression, others: SequenceOf[tuple[Any, Expression]], operator: str
-) -> Any:
+    engine: Context, operand: Expression, others: SequenceOf[tuple[Value, Expression]], operator: str
+) -> Value:
     """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
 
     Where one of these does something itself, that it went well is no condition worth telling.
@@ -124,7 +126,7 @@ def after_others(
     return value_if(engine, operand, all_of(conditions), test, noted=asks)
 
 
-def _may_be_as(now: dict[str, Any], before: dict[str, Any], condition: Condition, test: Condition | None) -> None:
+def _may_be_as(now: Names, before: Names, condition: Condition, test: Condition | None) -> None:
     """Let names hold what they were, or what they are now where a condition holds; what was not known stays as now."""
     changed = {
         name: value
@@ -136,7 +138,7 @@ def _may_be_as(now: dict[str, Any], before: dict[str, Any], condition: Condition
     join(now, changed, condition, test)
 
 
-def _is_known(value: Any) -> bool:
+def _is_known(value: Value) -> bool:
     if isinstance(value, Text):
         return bool(value.known) or any(hole.parameter for hole in value.holes)
     return isinstance(value, _KNOWN)

@@ -6,9 +6,9 @@ name has to be set where it stands, and is read there.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import QosValue, Unknown, Value
 from roslens.source.extract.ir.program import Assign, Call, Expression, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.kept_values import no_place
@@ -50,7 +50,7 @@ def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call)
     return True
 
 
-def assign_referred(engine: Context, name: str, value: Any) -> None:
+def assign_referred(engine: Context, name: str, value: Value) -> None:
     """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
     expression, pointer = engine.frame.aliases[name]
     if pointer:

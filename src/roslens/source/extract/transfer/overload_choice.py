@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Value
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.linkage import Near
@@ -20,7 +19,7 @@ _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 
 
 def overload(
-    index: Index, found: list[Defined], count: int, arguments: Sequence[Any] = (), running: tuple[str, int] = ("", 0),
+    index: Index, found: list[Defined], count: int, arguments: Sequence[Value] = (), running: tuple[str, int] = ("", 0),
     at: tuple[str, str] = ("", ""),
 ) -> Defined | None:  # fmt: skip
     """Return the function that takes so many arguments, else the one with the most to say.
@@ -115,13 +114,13 @@ def _least(index: Index, function: Function, path: str) -> int:
     return sum(own.default is None and other.default is None for own, other in pairs)
 
 
-def fit(one: Defined, arguments: Sequence[Any]) -> int:
+def fit(one: Defined, arguments: Sequence[Value]) -> int:
     """Return how well a function fits to arguments; what is unknown fits anywhere."""
     parameters = one.what.parameters if isinstance(one.what, Function) else ()
     return sum(_fit(parameter.type, value) for parameter, value in zip(parameters, arguments, strict=False))
 
 
-def _fit(declared: str, value: Any) -> int:
+def _fit(declared: str, value: Value) -> int:
     name = type_name(declared)[0].rpartition(".")[2] if declared else ""
     if not name or name in ("auto", "T"):
         return 0

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.errors import DocumentError
+from roslens.source.extract.domain.abstract_value import Value
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.symbolic.reason import node_of_reason
 from roslens.source.extract.symbolic.text import Hole, Text
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None) -> Any:
+def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None) -> Value:
     """Return the value of a parameter that decides: a list of texts, or a text; None where nothing tells it.
 
     What a default says keeps its doubt: it is a hole with that default.
@@ -48,7 +49,7 @@ def deciding_node(engine: Context, text: Text) -> Building:
     return engine.node if node is None else node
 
 
-def _maps(value: str) -> Any:
+def _maps(value: str) -> Value:
     """Return a list of maps as YAML writes it in one line, with texts as keys; None where it is none."""
     from roslens.judge.documents.yaml_tree import Items, Scalar, Table, read_tree
 
@@ -56,7 +57,7 @@ def _maps(value: str) -> Any:
         root = read_tree(value.encode(), "value").root
     except DocumentError:
         return None
-    found: list[Any] = []
+    found: list[Value] = []
     for item in root.nodes if isinstance(root, Items) else ():
         match item:
             case Table():

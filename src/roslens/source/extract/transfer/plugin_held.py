@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Obj, Table, Unknown, Value
+from roslens.source.extract.domain.kinds import all_of_kind, is_whole
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -15,26 +16,28 @@ _EACH = None
 """Key of what stands for each item, where the place is unknown."""
 
 
-def held_in(thing: Obj) -> dict[int | None, Any]:
+def held_in(thing: Obj) -> Table:
     """Return what is known to be in a list, by its place."""
     found = thing.fields.get(_HELD)
     return found if isinstance(found, dict) else {}
 
 
-def hold(engine: Context, thing: Obj, key: Any, value: Any) -> None:
+def hold(engine: Context, thing: Obj, key: Value, value: Value) -> None:
     """Put something at a place of a list; what is only there under a condition of its function is unknown."""
     engine.touched()
-    place = key if isinstance(key, int) and not isinstance(key, bool) else _EACH
+    place = key if is_whole(key) else _EACH
     if not isinstance(value, Text | Obj) or (place is _EACH and isinstance(value, Text) and not value.holes):
         value = Unknown("an item of a list")
     held = thing.fields.setdefault(_HELD, {})
+    if not isinstance(held, dict):
+        return
     uncertain = len(engine.conditions) > engine.frame.depth + engine.frame.passed
     if (uncertain or place is _EACH) and held.get(place, value) != value:
         value = Unknown("an item of a list")
     engine.changes.put(held, place, value)
 
 
-def item_held(thing: Obj, key: Any) -> Any:
+def item_held(thing: Obj, key: Value) -> Value:
     """Return what is at a place of a list; None where that is unknown."""
     held = held_in(thing)
     if isinstance(key, Unknown):
@@ -42,11 +45,11 @@ def item_held(thing: Obj, key: Any) -> Any:
     return held.get(key) if _EACH not in held and isinstance(key, int) else None
 
 
-def plugged_in(engine: Context, value: Any) -> list[Any] | None:
+def plugged_in(engine: Context, value: Value) -> list[Value] | None:
     """Return the plug-ins that a list holds; None where it holds none, or others too."""
     if not isinstance(value, Obj) or value.defined is not None:
         return None
     held = held_in(value)
-    items = [held[key] for key in sorted(key for key in held if key is not None)]
+    items = [held[key] for key in sorted(all_of_kind(held, int))]
     known = len(items) == len(held) and all(any(one is item for one, _ in engine.plugged) for item in items)
     return items if items and known else None

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, QosValue, Unknown, Value
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.kept_values import put_where_it_stands
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def refine(engine: Context, holder: Expression, before: Any, after: Any) -> Any:
+def refine(engine: Context, holder: Expression, before: Value, after: Value) -> Value:
     """Let what holds a quality of service hold what it was changed to; return that.
 
     Args:
@@ -37,7 +37,7 @@ def refine(engine: Context, holder: Expression, before: Any, after: Any) -> Any:
     return after
 
 
-def lose(thing: Any, function: Function, names: dict[str, Any] | None = None) -> None:
+def lose(thing: Value, function: Function, names: Names | None = None) -> None:
     """Forget what a function sets where it was not lowered: members of its object, and numbers that it is given.
 
     Args:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, QosValue
+from roslens.source.extract.domain.abstract_value import Obj, QosValue, Value
 from roslens.source.extract.ir.program import Member, Name
 from roslens.source.extract.symbols.declared_field import declared_field
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def changed_for_all(engine: Context, holder: Name | Member, before: Any, after: QosValue) -> None:
+def changed_for_all(engine: Context, holder: Name | Member, before: Value, after: QosValue) -> None:
     """Let a quality of service be what it was changed to under its other names too."""
     python = engine.index.programs[engine.frame.path].language == "python"
     if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
@@ -23,7 +23,7 @@ def changed_for_all(engine: Context, holder: Name | Member, before: Any, after: 
             changed_by_call(engine)
 
 
-def newest(engine: Context, value: Any) -> Any:
+def newest(engine: Context, value: Value) -> Value:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
     while isinstance(value, QosValue) and id(value) in engine.refined:
         value = engine.refined[id(value)][1]

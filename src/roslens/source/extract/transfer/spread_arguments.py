@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Names, Unknown, Value
+from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.domain.perhaps import is_counted
 from roslens.source.extract.ir.program import Call, Opaque
 from roslens.source.extract.symbolic.text import Text
@@ -16,13 +17,13 @@ _MOST_LEFT = 8
 """So many arguments stand for those of a list that nobody knows."""
 
 
-def spread(engine: Context, call: Call) -> tuple[list[Any], dict[str, Any]]:
+def spread(engine: Context, call: Call) -> tuple[list[Value], Names]:
     """Return the arguments of a call by position and by name, as far as what is spread out is known.
 
     Where a table is not known, ``**`` stands among the names: any of them may be given.
     """
     lists = [engine.value(one) for name, one in call.keywords if name == "*"]
-    arguments: list[Any] = []
+    arguments: list[Value] = []
     for one in call.arguments:
         if not isinstance(one, Opaque) or not one.text.startswith("*"):
             arguments.append(engine.value(one))
@@ -32,7 +33,7 @@ def spread(engine: Context, call: Call) -> tuple[list[Any], dict[str, Any]]:
             arguments += [Unknown(one.text)] * _MOST_LEFT
             break
         arguments += items
-    keywords: dict[str, Any] = {}
+    keywords: Names = {}
     for name, expression in call.keywords:
         if name == "*":
             continue
@@ -40,7 +41,7 @@ def spread(engine: Context, call: Call) -> tuple[list[Any], dict[str, Any]]:
         if name != "**":
             keywords[name] = value
         elif isinstance(value, dict) and all(isinstance(key, Text) and key.known for key in value):
-            keywords.update({key.known: item for key, item in value.items()})
+            keywords.update({known: item for key, item in value.items() if (known := known_text(key))})
         else:
             keywords["**"] = value
     return arguments, keywords

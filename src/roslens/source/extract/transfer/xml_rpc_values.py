@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.abstract_value import Foreign, Obj, Value
 from roslens.source.extract.symbolic.text import Conditions, Text
 
 if TYPE_CHECKING:
@@ -13,19 +13,29 @@ if TYPE_CHECKING:
 XML_RPC = frozenset({"XmlRpc.XmlRpcValue", "XmlRpcValue"})
 _PARTS = "its parts"
 
-Parts = dict[str, tuple[Any, Conditions]]
-"""Items by name, each with the conditions under which it was put there."""
+
+class Part(Foreign, frozen=True):
+    """An item, and the conditions under which it was put there."""
+
+    value: Value
+    conditions: Conditions
 
 
-def put_part(engine: Context, of: Obj, key: Any, value: Any) -> None:
+Parts = dict[str, Part]
+"""Items by name."""
+
+
+def put_part(engine: Context, of: Obj, key: Value, value: Value) -> None:
     """Put an item into a value; what has no known name is left out."""
     if isinstance(key, Text) and key.known:
         engine.touched()
-        parts: Parts = of.fields.setdefault(_PARTS, {})
-        parts[key.known] = (value, tuple(dict.fromkeys(engine.conditions)))
+        parts = of.fields.setdefault(_PARTS, {})
+        if isinstance(parts, dict):
+            parts[key.known] = Part(value, tuple(dict.fromkeys(engine.conditions)))
 
 
-def parts_of(value: Any) -> Parts:
+def parts_of(value: Value) -> Parts:
     """Return the items of a value that code fills; empty of any other one."""
     found = value.fields.get(_PARTS) if isinstance(value, Obj) and value.type in XML_RPC else None
-    return found if isinstance(found, dict) else {}
+    parts = found.items() if isinstance(found, dict) else ()
+    return {key: part for key, part in parts if isinstance(key, str) and isinstance(part, Part)}

@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Named, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Building, Callable, Named, Obj, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.word_list import words_given
 from roslens.source.extract.facts.chosen import Chosen
@@ -175,7 +175,9 @@ def facts_of_main(
     def run() -> None:
         engine.frame = Frame(path, "")
         held = None if words is None else words_given(words)
-        given = [Unknown("argc"), Unknown("argv")] if held is None else [held.length, held]
+        given: list[Value] = [Unknown("argc"), Unknown("argv")]
+        if held is not None:
+            given = [held.length, held]
         engine.call(Callable(main, path), given, {})
         _run_callbacks(engine)
         if len(engine.made) > 1:
@@ -398,7 +400,7 @@ def _facts_of_tree_node(
     building = _building(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
     building.named = True
     engine = Evaluation(index, building)
-    unknown = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
+    unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
 
     def run() -> None:
         engine.frame = Frame(path, function.qualified_name)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Unknown, Value
+from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.domain.word_list import ROS_ARGS, Words, without_ros2
 from roslens.source.extract.facts.launched import Launched
 from roslens.source.extract.interpreter.vocabulary import Called, outer
@@ -69,7 +70,7 @@ def _written(function: object) -> str:
     return function.name if isinstance(function, Name) else ""
 
 
-def without_ros(words: Sequence[Any]) -> Words:
+def without_ros(words: Sequence[Value]) -> Words:
     """Return words without those that are for ROS 1: remappings, private parameters, and what begins with ``__``."""
     return Words(one for one in words if not (isinstance(one, Text) and _ASSIGNS in one.pattern))
 
@@ -83,7 +84,7 @@ def given_to_ros(engine: Context, called: Called) -> None:
 
 
 @outer("ros.removeROSArgs")
-def remove_ros_args(engine: Context, _thing: Any, called: Called) -> Any:
+def remove_ros_args(engine: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS are put into a list."""
     words = called.argument(1)
     if isinstance(words, Words) and len(called.written) > 2:
@@ -92,7 +93,7 @@ def remove_ros_args(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.myargv", quiet=True)
-def my_words(engine: Context, _thing: Any, called: Called) -> Any:
+def my_words(engine: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS."""
     words = called.argument(0, "argv", default=engine.words)
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
@@ -100,7 +101,7 @@ def my_words(engine: Context, _thing: Any, called: Called) -> Any:
 
 @outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
        "rclcpp.init_and_remove_ros_arguments", quiet=True)  # fmt: skip
-def of_program(engine: Context, _thing: Any, called: Called) -> Any:
+def of_program(engine: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
     words = engine.words if words is None else words
@@ -108,7 +109,7 @@ def of_program(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rcutils_cli_option_exist", quiet=True)
-def option_given(_engine: Context, _thing: Any, called: Called) -> Any:
+def option_given(_engine: Context, _thing: Value, called: Called) -> Value:
     """Whether a word is among those of the command line."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -116,21 +117,22 @@ def option_given(_engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rcutils_cli_get_option", quiet=True)
-def option_value(_engine: Context, _thing: Any, called: Called) -> Any:
+def option_value(_engine: Context, _thing: Value, called: Called) -> Value:
     """The word after an option; nothing where it is not given."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
-    if place is None or (place >= 0 and not words.has(place + 1)):
+    if place is None or not isinstance(words, Words) or (place >= 0 and not words.has(place + 1)):
         return Unknown(f"what {option} is")
-    return words[place + 1] if place >= 0 else None
+    found: Value = words[place + 1] if place >= 0 else None
+    return found
 
 
-def _place(words: Any, option: Any) -> int | None:
+def _place(words: Value, option: Value) -> int | None:
     """Return where an option is among words, -1 where it is not; None where that is unknown."""
-    known = option.known if isinstance(option, Text) else None
+    known = known_text(option)
     if not isinstance(words, Words) or not known:
         return None
-    texts = [one.known if isinstance(one, Text) else None for one in words]
+    texts = [known_text(one) for one in words]
     if known in texts:
         return texts.index(known)
     # The first word is the path of the program.
@@ -138,14 +140,14 @@ def _place(words: Any, option: Any) -> int | None:
 
 
 @outer("len", quiet=True)
-def count(_engine: Context, _thing: Any, called: Called) -> Any:
+def count(_engine: Context, _thing: Value, called: Called) -> Value:
     """How many words there are; other lists may have become longer in a way that was not followed."""
     words = called.argument(0)
     return words.length if isinstance(words, Words) else Unknown("result of len()")
 
 
 @outer("strcmp", "std.strcmp", quiet=True)
-def compared(_engine: Context, _thing: Any, called: Called) -> Any:
+def compared(_engine: Context, _thing: Value, called: Called) -> Value:
     """Two texts are compared: 0 where they are the same."""
-    one, other = (value.known if isinstance(value, Text) else None for value in (*called.arguments, None, None)[:2])
+    one, other = (known_text(value) for value in (*called.arguments, None, None)[:2])
     return Unknown("result of strcmp()") if one is None or other is None else (one > other) - (one < other)

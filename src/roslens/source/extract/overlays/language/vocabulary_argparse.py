@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import msgspec
-
-from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Foreign, Named, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.kinds import all_of_kind, items_of, known_text
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.symbolic.text import Hole, Text, Written
+from roslens.source.extract.symbolic.text import Conditions, Hole, Text, Written
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -20,7 +19,7 @@ _FLAGS = {"store_true": True, "store_false": False}
 _SEVERAL = frozenset({"*", "+"})
 
 
-class Option(msgspec.Struct, frozen=True):
+class Option(Foreign, frozen=True):
     """An argument that a parser knows.
 
     Attributes:
@@ -34,7 +33,7 @@ class Option(msgspec.Struct, frozen=True):
 
     names: tuple[str, ...]
     dest: str
-    default: Any = None
+    default: Value = None
     kind: str = "text"
     action: str = "store"
     nargs: int | str = ""
@@ -45,48 +44,56 @@ class Option(msgspec.Struct, frozen=True):
         return self.names[0] if self.names else self.dest
 
 
+class _Under(Foreign, frozen=True):
+    """The conditions under which a parser is made."""
+
+    conditions: Conditions
+
+
 class LostError(Exception):
     """What the words come to is not known."""
 
 
 @outer(_PARSER)
-def parser(engine: Context, thing: Any, called: Called) -> Any:
+def parser(engine: Context, thing: Value, called: Called) -> Value:
     """A parser of command lines; what parents of it know is not followed."""
     found = thing if isinstance(thing, Obj) else Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
-    found.fields[_UNDER] = list(engine.conditions)
+    found.fields[_UNDER] = _Under(tuple(engine.conditions))
     return found
 
 
 @method(_PARSER, "add_argument_group", "add_mutually_exclusive_group")
-def group(_engine: Context, thing: Any, _called: Called) -> Any:
+def group(_engine: Context, thing: Value, _called: Called) -> Value:
     """A group of arguments is part of its parser."""
     return thing
 
 
 @method(_PARSER, "add_subparsers")
-def commands(_engine: Context, thing: Any, _called: Called) -> Any:
+def commands(_engine: Context, thing: Obj, _called: Called) -> Value:
     """Commands have parsers of their own, which are not followed."""
     thing.fields[_LOST] = True
     return Unknown("parsers of commands")
 
 
 @method(_PARSER, "set_defaults", anywhere=True)
-def defaults(engine: Context, thing: Any, called: Called) -> Any:
+def defaults(engine: Context, thing: Value, called: Called) -> Value:
     """Values where nothing is given; a function among them is what a command of the command line does."""
     if isinstance(thing, Obj):
-        thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
+        held = thing.fields.setdefault(_DEFAULTS, {})
+        if isinstance(held, dict):
+            held.update(called.keywords.items())
     for one in called.keywords.values():
         engine.called_outer(one, Written("the command line asks for it"))
     return None
 
 
 @method(_PARSER, "add_argument")
-def option(engine: Context, thing: Any, called: Called) -> Any:
+def option(engine: Context, thing: Obj, called: Called) -> Value:
     """An argument is made known to the parser."""
-    names = [one.known if isinstance(one, Text) else None for one in called.arguments]
+    names = [known_text(one) for one in called.arguments]
     known = [one for one in names if one]
-    if len(known) < len(names) or not known or engine.conditions != thing.fields.get(_UNDER):
+    if len(known) < len(names) or not known or _Under(tuple(engine.conditions)) != thing.fields.get(_UNDER):
         thing.fields[_LOST] = True
         return None
     given = called.keywords
@@ -95,19 +102,19 @@ def option(engine: Context, thing: Any, called: Called) -> Any:
     dest = _text(given.get("dest")) or (long or known)[0].lstrip("-").replace("-", "_" if optional else "-")
     action = _text(given["action"]) if "action" in given else "store"
     default = given.get("default", not _FLAGS[action] if action in _FLAGS else None)
-    nargs = given.get("nargs", "")
-    nargs = nargs if isinstance(nargs, int) else _text(nargs)
-    thing.fields.setdefault(_OPTIONS, []).append(
+    several = given.get("nargs", "")
+    nargs = several if isinstance(several, int) else _text(several)
+    items_of(thing.fields.setdefault(_OPTIONS, [])).append(
         Option(tuple(known) if optional else (), dest, default, _kind(given.get("type")), action, nargs)
     )
     return None
 
 
-def _text(value: Any) -> str:
-    return (value.known or "") if isinstance(value, Text) else ""
+def _text(value: Value) -> str:
+    return known_text(value) or ""
 
 
-def _kind(value: Any) -> str:
+def _kind(value: Value) -> str:
     if value is None:
         return "text"
     name = value.name.removeprefix("builtins.") if isinstance(value, Named) else ""
@@ -115,33 +122,34 @@ def _kind(value: Any) -> str:
 
 
 @method(_PARSER, "parse_args", "parse_known_args")
-def parsed(engine: Context, thing: Any, called: Called) -> Any:
+def parsed(engine: Context, thing: Obj, called: Called) -> Value:
     """The words are taken apart."""
     words = called.argument(0, "args")
     if words is None and engine.words is not None:
         words = engine.words.part(1, None)
     rest = called.name == "parse_known_args"
-    options: list[Option] = thing.fields.get(_OPTIONS, [])
-    given = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})
+    options = all_of_kind(items_of(thing.fields.get(_OPTIONS)), Option)
+    held = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})
+    given: Names = {name: one for name, one in held.items() if isinstance(name, str)} if isinstance(held, dict) else {}
     known = None if thing.fields.get(_LOST) or not isinstance(words, list) else _known(options, words, rest=rest)
     values = {**given, **known} if known is not None else _unknown_all(options, given)
     space = Obj(_SPACE, None, values)
     return [space, Unknown("words that the parser does not know")] if rest else space
 
 
-def _known(options: Sequence[Option], words: Sequence[Any], *, rest: bool) -> dict[str, Any] | None:
+def _known(options: Sequence[Option], words: Sequence[Value], *, rest: bool) -> Names | None:
     try:
         return values_of(options, words, rest=rest)
     except LostError:
         return None
 
 
-def _unknown_all(options: Sequence[Option], given: dict[str, Any]) -> dict[str, Any]:
+def _unknown_all(options: Sequence[Option], given: Names) -> Names:
     values = {one.dest: _unknown(one) for one in options}
     return values | {name: _unknown(Option((), name, value)) for name, value in given.items()}
 
 
-def _unknown(one: Option) -> Any:
+def _unknown(one: Option) -> Value:
     """Return what stands for an argument of which nobody knows whether it is given; its default is usual."""
     reason = f"argument {one.shown}"
     if one.kind != "text" or one.action != "store" or isinstance(one.nargs, int):
@@ -151,18 +159,18 @@ def _unknown(one: Option) -> Any:
     return Text((Hole(reason, default=one.default.usual if isinstance(one.default, Text) else None),))
 
 
-def values_of(options: Sequence[Option], words: Sequence[Any], *, rest: bool) -> dict[str, Any]:
+def values_of(options: Sequence[Option], words: Sequence[Value], *, rest: bool) -> Names:
     """Return the values of arguments by where they are found, as argparse does.
 
     Raises:
         LostError: the words hold something that is not followed, or that no parser would take.
     """
-    values: dict[str, Any] = {one.dest: one.default for one in options}
-    plain: list[Any] = []
+    values: Names = {one.dest: one.default for one in options}
+    plain: list[Value] = []
     waiting = list(words)
     while waiting:
         word = waiting.pop(0)
-        known = word.known if isinstance(word, Text) else None
+        known = known_text(word)
         if known is None or known == "--":
             raise LostError
         if not _is_option(known):
@@ -199,35 +207,41 @@ def _meant(options: Sequence[Option], word: str) -> tuple[Option, Text | None]:
     raise LostError
 
 
-def _taken(one: Option, value: Text | None, waiting: list[Any]) -> Any:
+def _taken(one: Option, value: Text | None, waiting: list[Value]) -> Value:
     """Return the value of an argument; words that belong to it are taken from those that follow."""
     if one.action in _FLAGS:
         return _FLAGS[one.action]
     if one.action != "store" or not isinstance(one.nargs, str) or one.nargs == "?":
         raise LostError
     if one.nargs in _SEVERAL:
-        several = []
+        several: list[Value] = []
         while waiting and isinstance(waiting[0], Text) and not _is_option(waiting[0].known or "-x"):
             several.append(_as_kind(one, waiting.pop(0)))
         return several
-    if value is None:
-        if not waiting or (isinstance(waiting[0], Text) and _is_option(waiting[0].known or "")):
-            raise LostError
-        value = waiting.pop(0)
-    return _as_kind(one, value)
+    if value is not None:
+        return _as_kind(one, value)
+    if not waiting or (isinstance(waiting[0], Text) and _is_option(waiting[0].known or "")):
+        raise LostError
+    return _as_kind(one, waiting.pop(0))
 
 
-def _as_kind(one: Option, value: Any) -> Any:
+def _as_kind(one: Option, value: Value) -> Value:
     if one.kind == "text":
         return value
     try:
         known = _text(value)
-        return {"int": int, "float": float}[one.kind](known)
-    except (KeyError, ValueError):
+        return (
+            int(known)
+            if one.kind == "int"
+            else float(known)
+            if one.kind == "float"
+            else Unknown(f"argument {one.shown}")
+        )
+    except ValueError:
         return Unknown(f"argument {one.shown}")
 
 
-def _place(options: Sequence[Option], plain: list[Any], values: dict[str, Any], *, rest: bool) -> None:
+def _place(options: Sequence[Option], plain: list[Value], values: Names, *, rest: bool) -> None:
     """Give positional arguments their words."""
     places = [one for one in options if not one.names]
     for number, one in enumerate(places):

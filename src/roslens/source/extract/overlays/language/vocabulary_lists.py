@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
+from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.domain.parameter_types import ITEM, VECTOR, array_of_cpp
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.typed_list import TypedList
@@ -23,7 +24,7 @@ _MOST = 16
 
 
 @outer("enumerate", quiet=True)
-def numbered(engine: Context, _thing: Any, called: Called) -> Any:
+def numbered(engine: Context, _thing: Value, called: Called) -> Value:
     """Items with their numbers."""
     over, first = called.argument(0), called.argument(1, "start", default=0)
     items = engine.items(over)
@@ -31,11 +32,11 @@ def numbered(engine: Context, _thing: Any, called: Called) -> Any:
         return perhaps_numbered(items)
     if items is None:
         return Each([Unknown("a number"), each_of(over)])
-    counted = isinstance(first, int)
-    return [[number + first if counted else Unknown("a number"), one] for number, one in enumerate(items)]
+    begin = first if isinstance(first, int) else None
+    return [[Unknown("a number") if begin is None else number + begin, one] for number, one in enumerate(items)]
 
 
-def perhaps_numbered(items: list[Any]) -> list[Any]:
+def perhaps_numbered(items: list[Value]) -> list[Value]:
     """Return items of which some may be missing with numbers that nobody knows."""
     return [
         msgspec.structs.replace(one, value=[Unknown("a number"), one.value])
@@ -46,7 +47,7 @@ def perhaps_numbered(items: list[Any]) -> list[Any]:
 
 
 @outer("zip", quiet=True)
-def side_by_side(engine: Context, _thing: Any, called: Called) -> Any:
+def side_by_side(engine: Context, _thing: Value, called: Called) -> Value:
     """Items of several lists, side by side."""
     lists = [engine.items(one) for one in called.arguments]
     known = [one for one in lists if one is not None]
@@ -57,7 +58,7 @@ def side_by_side(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)
-def collected(engine: Context, _thing: Any, called: Called) -> Any:
+def collected(engine: Context, _thing: Value, called: Called) -> Value:
     """A list of the items of another one."""
     if not called.arguments and not called.keywords:
         return []
@@ -71,7 +72,7 @@ def collected(engine: Context, _thing: Any, called: Called) -> Any:
     if called.name == "reversed":
         return items[::-1]
     if called.name == "sorted":
-        texts = [one.known if isinstance(one, Text) else None for one in items]
+        texts = [known_text(one) for one in items]
         known = [one for one in texts if one is not None]
         plain = len(known) == len(items) and not called.keywords
         return [Text.of(one) for one in sorted(known)] if plain else Unknown("result of sorted()")
@@ -81,9 +82,9 @@ def collected(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("range", quiet=True)
-def counted(_engine: Context, _thing: Any, called: Called) -> Any:
+def counted(_engine: Context, _thing: Value, called: Called) -> Value:
     """Numbers in a row."""
-    given = [one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)]
+    given = [one for one in called.arguments if is_whole(one)]
     if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
         return Each(Unknown("a number"))
     numbers = range(*given)
@@ -91,7 +92,7 @@ def counted(_engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer(VECTOR, "vector", quiet=True)
-def vector(_engine: Context, _thing: Any, called: Called) -> Any:
+def vector(_engine: Context, _thing: Value, called: Called) -> Value:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.symbolic.text import Text
 
@@ -15,18 +15,18 @@ _MOST_SIGNS = 30
 
 
 @outer("int", "std.stoi", "std.stol", "std.stoul", "atoi", "std.atoi", quiet=True)
-def whole(_engine: Context, _thing: Any, called: Called) -> Any:
+def whole(_engine: Context, _thing: Value, called: Called) -> Value:
     """A text or number is made a whole number."""
     return _number(called, int)
 
 
 @outer("float", "std.stod", "std.stof", "atof", "std.atof", quiet=True)
-def real(_engine: Context, _thing: Any, called: Called) -> Any:
+def real(_engine: Context, _thing: Value, called: Called) -> Value:
     """A text or number is made a real number."""
     return _number(called, float)
 
 
-def _number(called: Called, kind: type[int] | type[float]) -> Any:
+def _number(called: Called, kind: type[int] | type[float]) -> Value:
     if not called.arguments and called.name in ("int", "float"):
         return kind()
     value = called.argument(0)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.ir.program import Member
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @outer("copy.copy", "copy.deepcopy", quiet=True)
-def copied(_engine: Context, _thing: Any, called: Called) -> Any:
+def copied(_engine: Context, _thing: Value, called: Called) -> Value:
     """A value that is another one than what it is a copy of."""
     value = called.argument(0)
     if type(value) is list:
@@ -36,7 +36,7 @@ _PLAIN = (Text, bool, int, float, QosValue)
 
 
 @outer("setattr", quiet=True)
-def member_set(engine: Context, _thing: Any, called: Called) -> None:
+def member_set(engine: Context, _thing: Value, called: Called) -> None:
     """A member that is set by its name."""
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
@@ -45,7 +45,7 @@ def member_set(engine: Context, _thing: Any, called: Called) -> None:
         _forget_members(engine, thing, name)
 
 
-def _forget_members(engine: Context, thing: Obj, name: Any) -> None:
+def _forget_members(engine: Context, thing: Obj, name: Value) -> None:
     """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
     pattern = name.pattern if isinstance(name, Text) else "*"
     for member, value in list(thing.fields.items()):
@@ -56,8 +56,9 @@ def _forget_members(engine: Context, thing: Obj, name: Any) -> None:
 
 
 @outer("type", quiet=True)
-def kind_of(_engine: Context, _thing: Any, called: Called) -> Any:
+def kind_of(_engine: Context, _thing: Value, called: Called) -> Value:
     """The class of an object."""
     value = called.argument(0)
-    known = isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1
-    return Class(value.defined) if known else Unknown("result of type()")
+    if isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1:
+        return Class(value.defined)
+    return Unknown("result of type()")

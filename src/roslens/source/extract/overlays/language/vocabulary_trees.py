@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.symbolic.text import Hole, Text
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @method("BT.ConditionNode", "getInput")
 @method("BT.DecoratorNode", "getInput")
 @method("BT.TreeNode", "getInput", anywhere=True)
-def port(engine: Context, _thing: Any, called: Called) -> Any:
+def port(engine: Context, _thing: Value, called: Called) -> Value:
     """A port of a node of a behaviour tree is read: what the tree says."""
     name = as_text(called.argument(0))
     value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(engine, name)),))
@@ -34,28 +34,31 @@ def port(engine: Context, _thing: Any, called: Called) -> Any:
 def _port_default(engine: Context, name: Text) -> str | None:
     """Return the default that the class of a node of a behaviour tree gives a port."""
     thing = engine.frame.self
-    if not isinstance(thing, Obj) or "ports" in thing.fields:
-        return thing.fields["ports"].get(name) if isinstance(thing, Obj) else None
-    ports: dict[Text, str | None] = {}
-    thing.fields["ports"] = ports
-    provided = engine.method(thing, "providedPorts")
-    if provided is not None:
-        engine.call(provided, [], {})
-    return ports.get(name)
+    if not isinstance(thing, Obj):
+        return None
+    if "ports" not in thing.fields:
+        thing.fields["ports"] = {}
+        provided = engine.method(thing, "providedPorts")
+        if provided is not None:
+            engine.call(provided, [], {})
+    ports = thing.fields["ports"]
+    default = ports.get(name) if isinstance(ports, dict) else None
+    return default if isinstance(default, str) else None
 
 
 @outer("BT.InputPort", "BT.BidirectionalPort")
-def declared_port(engine: Context, _thing: Any, called: Called) -> Any:
+def declared_port(engine: Context, _thing: Value, called: Called) -> Value:
     """A port is declared, with a default where it has three arguments."""
     thing = engine.frame.self
     default = called.argument(1)
-    if isinstance(thing, Obj) and isinstance(thing.fields.get("ports"), dict) and len(called.arguments) > 2:
-        thing.fields["ports"][as_text(called.argument(0))] = as_text(default).usual
+    ports = thing.fields.get("ports") if isinstance(thing, Obj) else None
+    if isinstance(ports, dict) and len(called.arguments) > 2:
+        ports[as_text(called.argument(0))] = as_text(default).usual
     return Unknown("a port")
 
 
 @method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
-def tree(engine: Context, _thing: Any, called: Called) -> Any:
+def tree(engine: Context, _thing: Value, called: Called) -> Value:
     """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"

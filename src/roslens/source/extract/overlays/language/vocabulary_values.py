@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.source.extract.domain.abstract_value import Value
 from roslens.source.extract.domain.parameter_types import type_of_cpp
 from roslens.source.extract.domain.plain_methods import plain_method
 from roslens.source.extract.interpreter.vocabulary import Called, method
@@ -22,7 +23,7 @@ _AS = {
 
 
 @method("text", *_AS, "get_value", "get", quiet=True)
-def taken(engine: Context, thing: Any, called: Called) -> Any:
+def taken(engine: Context, thing: Text, called: Called) -> Value:
     """The value of a parameter is taken for one of a type."""
     kind = _AS.get(called.name) or (type_of_cpp(called.templates[0]) if called.templates else "")
     if kind:

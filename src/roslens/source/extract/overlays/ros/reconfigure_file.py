@@ -8,13 +8,13 @@ parameter_generator_catkin.py). Functions that it imports may call it as well.
 from __future__ import annotations
 
 import math
-from typing import Any
 from weakref import WeakKeyDictionary
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Building, Foreign, Named, Names, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.kinds import all_of_kind, is_number, is_whole, items_of
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
@@ -25,12 +25,12 @@ from roslens.source.extract.transfer.context import Context
 _GENERATOR, _GROUP = "dynamic_reconfigure.ParameterGenerator", "dynamic_reconfigure.Group"
 _MODULES = ("dynamic_reconfigure.parameter_generator_catkin", "dynamic_reconfigure.parameter_generator")
 _TYPES = {"int": "int", "double": "double", "str": "string", "bool": "bool"}
-_NOTHING: dict[str, Any] = {"int": 0, "double": 0.0, "string": Text(), "bool": False}
+_NOTHING: Names = {"int": 0, "double": 0.0, "string": Text(), "bool": False}
 _ADDED = "-added"
 _ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RecursionError)
 
 
-class Declaration(msgspec.Struct, frozen=True):
+class Declaration(Foreign, frozen=True):
     """A parameter that a ``.cfg`` file declares.
 
     Attributes:
@@ -78,7 +78,7 @@ class _Reading(Evaluation):
         self.frame = Frame(path, "", names={"__name__": Text.of("__main__")})
         self.generated: list[ReconfigureFile] = []
 
-    def _outside(self, name: str) -> Any:
+    def _outside(self, name: str) -> Value:
         return math.pi if name in ("math.pi", "pi") else super()._outside(name)
 
 
@@ -115,32 +115,32 @@ def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...
 
 
 @outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
-def generator(_engine: Context, _thing: Any, _called: Called) -> Any:
+def generator(_engine: Context, _thing: Value, _called: Called) -> Value:
     """A generator is made."""
     return Obj(_GENERATOR, None, {_ADDED: []})
 
 
 @method(_GENERATOR, "add_group")
 @method(_GROUP, "add_group")
-def group(_engine: Context, thing: Obj, _called: Called) -> Any:
+def group(_engine: Context, thing: Obj, _called: Called) -> Value:
     """A group is made; it is for people who look at the parameters, their names stay without it."""
     return Obj(_GROUP, None, {_ADDED: thing.fields[_ADDED]})
 
 
 @method(_GENERATOR, "const", "enum")
-def constant(_engine: Context, _thing: Obj, called: Called) -> Any:
+def constant(_engine: Context, _thing: Obj, called: Called) -> Value:
     """A constant, or values that are chosen from: they limit nothing."""
     return Unknown(f"result of {called.name}()")
 
 
 @method(_GENERATOR, "add")
 @method(_GROUP, "add")
-def add(engine: Context, thing: Obj, called: Called) -> Any:
+def add(engine: Context, thing: Obj, called: Called) -> Value:
     """A parameter is declared."""
     kind = _type(called.argument(1, "paramtype"))
     ends = [_end(called.argument(place, name), kind) for place, name in ((5, "min"), (6, "max"))]
     description = as_text(called.argument(3, "description", default=Text()))
-    thing.fields[_ADDED].append(
+    items_of(thing.fields[_ADDED]).append(
         Declaration(
             as_text(called.argument(0, "name")),
             kind,
@@ -155,38 +155,35 @@ def add(engine: Context, thing: Obj, called: Called) -> Any:
 
 
 @method(_GENERATOR, "generate")
-def generate(engine: Context, thing: Obj, called: Called) -> Any:
+def generate(engine: Context, thing: Obj, called: Called) -> Value:
     """A class is generated of what was declared until now."""
     if isinstance(engine, _Reading):
         texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
         package, name = (one.known or "" for one in texts)
-        engine.generated.append(ReconfigureFile(package, name, engine.frame.path, tuple(thing.fields[_ADDED])))
+        added = all_of_kind(items_of(thing.fields[_ADDED]), Declaration)
+        engine.generated.append(ReconfigureFile(package, name, engine.frame.path, tuple(added)))
     return 0
 
 
-def _type(value: Any) -> str:
+def _type(value: Value) -> str:
     """Return the type that ``int_t`` names, or the text that it is in the generator's own source."""
     written = value.known if isinstance(value, Text) else value.name if isinstance(value, Named) else None
     return _TYPES.get((written or "").rpartition(".")[2].removesuffix("_t"), "")
 
 
-def _value(value: Any, kind: str) -> Text:
+def _value(value: Value, kind: str) -> Text:
     """Return a default as text: what fits its type; without one it is nothing of its type."""
     if value is None and kind:
         value = _NOTHING[kind]
-    if kind == "double" and _is_number(value):
+    if kind == "double" and is_number(value):
         return Text.of(repr(float(value)))
-    fits = {"int": isinstance(value, int) and not isinstance(value, bool), "bool": isinstance(value, bool)}
+    fits = {"int": is_whole(value), "bool": isinstance(value, bool)}
     if fits.get(kind, kind == "string" and isinstance(value, Text)):
         return as_text(value)
     return unknown(as_text(value).holes[0].reason if isinstance(value, Unknown | Named) else f"no value of type {kind}")
 
 
-def _end(value: Any, kind: str) -> str:
-    if kind not in ("int", "double") or not _is_number(value):
+def _end(value: Value, kind: str) -> str:
+    if kind not in ("int", "double") or not is_number(value):
         return ""
     return repr(float(value)) if kind == "double" else str(int(value))
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

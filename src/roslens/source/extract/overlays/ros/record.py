@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -11,15 +11,18 @@ from roslens.source.extract.domain.abstract_value import (
     Building,
     Callable,
     Class,
+    Foreign,
     Group,
     Made,
     Named,
     Obj,
     QosValue,
     Unknown,
+    Value,
     as_text,
 )
 from roslens.source.extract.domain.earlier_values import without_defaults
+from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import (
     EndpointFact,
@@ -61,17 +64,17 @@ KINDS = {
 
 def endpoint(
     engine: Context,
-    receiver: Any,
+    receiver: Value,
     called: Called,
     role: Role,
-    name: Any,
-    kind: Any,
+    name: Value,
+    kind: Value,
     *,
-    qos: Any = None,
+    qos: Value = None,
     queue: int = -1,
     latched: bool = False,
-    callback: Any = None,
-    group: Any = None,
+    callback: Value = None,
+    group: Value = None,
     overrides: Overrides | None = None,
 ) -> Made:
     """Record an endpoint of the node that the receiver is."""
@@ -127,7 +130,7 @@ def _beyond(overrides: Overrides | None, conditions: list[Condition]) -> Overrid
     return msgspec.structs.replace(overrides, conditions=rest)
 
 
-def origin(engine: Context, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:
+def origin(engine: Context, called: Called, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
     """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
     evidence = called.evidence
     through: list[Evidence] = []
@@ -148,14 +151,14 @@ def origin(engine: Context, called: Called, name: Any) -> tuple[Evidence, tuple[
     return evidence, tuple(through)
 
 
-def sure_of(name: Text, receiver: Any) -> Sure:
+def sure_of(name: Text, receiver: Value) -> Sure:
     """Return how sure a name is: certain where it is written, likely where a parameter or guess decides."""
     if name.usual is None:
         return Sure.POSSIBLE
     return Sure.LIKELY if name.holes or is_guessed(receiver) else Sure.CERTAIN
 
 
-def is_guessed(receiver: Any) -> bool:
+def is_guessed(receiver: Value) -> bool:
     """Return whether it is not known of which node something is: the one that is built is taken for it."""
     return receiver is None or isinstance(receiver, Unknown)
 
@@ -167,7 +170,7 @@ def how(name: Text) -> str:
     return "; ".join(dict.fromkeys(str(hole.reason) for hole in name.holes))
 
 
-def type_text(engine: Context, kind: Any, generation: str, role: Role) -> Text:
+def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text:
     """Return the type of an endpoint as text."""
     written = kind if isinstance(kind, str) else ""
     match kind:
@@ -245,12 +248,12 @@ def _in_scope(engine: Context, written: str, kind: str) -> str:
     return ""
 
 
-def type_of_callback(engine: Context, callback: Any, place: int = 0) -> str:
+def type_of_callback(engine: Context, callback: Value, place: int = 0) -> str:
     """Return the type that a callback takes, as its declaration says."""
     return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
 
 
-class Described(msgspec.Struct, frozen=True):
+class Described(Foreign, frozen=True):
     """What the declaration of a parameter says of it.
 
     See :class:`~roslens.source.extract.facts.node_facts.ParameterFact`.
@@ -266,9 +269,10 @@ _TAKEN = "taken to be of this node"
 
 
 def parameter(
-    engine: Context, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
-    given: bool = False, described: Described = _PLAIN, evidence: Evidence | None = None,
-) -> Any:  # fmt: skip
+    engine: Context, receiver: Value, called: Called, access: str, name: Value, *,
+    default: Value = None, kind: str = "", given: bool = False, described: Described = _PLAIN,
+    evidence: Evidence | None = None,
+) -> Value:  # fmt: skip
     """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
@@ -303,7 +307,7 @@ def parameter(
     return Text((Hole(OfParameter(str(written), node.number), known, usual, named=named),))
 
 
-def _type_by_default(node: Building, default: Any, *, python: bool) -> str:
+def _type_by_default(node: Building, default: Value, *, python: bool) -> str:
     """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
     if isinstance(default, Text) and default.holes:
         first = default.parts[0]
@@ -317,7 +321,7 @@ def _type_by_default(node: Building, default: Any, *, python: bool) -> str:
     return type_of_value(default, python=python and node.generation == "ros2")
 
 
-def is_set(value: Any) -> Condition | None:
+def is_set(value: Value) -> Condition | None:
     """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
     if not isinstance(value, Text):
         return None
@@ -325,7 +329,7 @@ def is_set(value: Any) -> Condition | None:
     return IsSet(value) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
 
 
-def value_text(value: Any) -> Text:
+def value_text(value: Value) -> Text:
     """Return the value of a parameter as text: a list as YAML in one line, where all of it is known."""
     if not isinstance(value, list):
         return as_text(value)
@@ -343,9 +347,9 @@ def declared_default(node: Building, name: Text) -> Text | None:
     return None
 
 
-def timer(engine: Context, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:
+def timer(engine: Context, receiver: Value, called: Called, period: Value, callback: Value, group: Value) -> None:
     """Record a timer."""
     node = node_of(engine, receiver)
-    seconds = float(period) if isinstance(period, int | float) and not isinstance(period, bool) else None
+    seconds = float(period) if is_number(period) else None
     name = group.name if isinstance(group, Group) else ""
     node.timers.append(TimerFact(seconds, called.evidence, engine.called_outer(callback), name))

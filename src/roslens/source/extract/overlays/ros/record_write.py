@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def write_parameter(
-    engine: Context, receiver: Any, called: Called, name: Any, value: Any, conditions: Conditions = ()
+    engine: Context, receiver: Value, called: Called, name: Value, value: Value, conditions: Conditions = ()
 ) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
 
@@ -30,12 +30,14 @@ def write_parameter(
     written = below(receiver, as_text(name))
     if isinstance(value, dict) and value and all(isinstance(key, Text | str) for key in value):
         for key, item in value.items():
-            inner = key if isinstance(key, Text) else Text.of(key)
+            inner = as_text(key) if not isinstance(key, str) else Text.of(key)
             write_parameter(engine, receiver, called, Text.of(as_text(name), "/", inner), item)
         return
     parts = parts_of(value)
-    for key, (part, held) in parts.items():
-        write_parameter(engine, receiver, called, Text.of(as_text(name), "/", key), part, (*conditions, *held))
+    for key, part in parts.items():
+        write_parameter(
+            engine, receiver, called, Text.of(as_text(name), "/", key), part.value, (*conditions, *part.conditions)
+        )
     if parts:
         return
     text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))

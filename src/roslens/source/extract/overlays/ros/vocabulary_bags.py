@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.abstract_value import Obj, Value
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 
 if TYPE_CHECKING:
@@ -12,6 +12,6 @@ if TYPE_CHECKING:
 
 
 @outer("rosbag.Bag", quiet=True)
-def bag(_: Context, __: Any, called: Called) -> Obj:
+def bag(_: Context, __: Value, called: Called) -> Obj:
     """A file of messages: where ROS itself is in the workspace, its insides would be followed by whoever has one."""
     return Obj(called.name)

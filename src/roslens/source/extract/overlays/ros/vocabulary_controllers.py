@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Handle, Obj
+from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.symbolic.text import Text
@@ -25,7 +25,7 @@ _SERVICES = (
 
 
 @outer("controller_manager.ControllerManager")
-def manager(engine: Context, _thing: Any, called: Called) -> Any:
+def manager(engine: Context, _thing: Value, called: Called) -> Value:
     """A manager of controllers, in the namespace of the handle that it is given."""
     if engine.node.generation == "ros1":
         given = [one for one in called.arguments if isinstance(one, Handle)]

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeGuard
 
-from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.abstract_value import Names, Obj, Value
+from roslens.source.extract.domain.kinds import is_number, known_text
 from roslens.source.extract.facts.node_facts import Terms
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.overlays.ros.record import Described
@@ -23,16 +24,16 @@ _SET = "set__"
 
 
 @outer(_DESCRIPTOR, quiet=True)
-def descriptor(_engine: Context, _thing: Any, called: Called) -> Any:
+def descriptor(_engine: Context, _thing: Value, called: Called) -> Value:
     """A descriptor: with an empty range of each kind, which C++ makes by ``resize(1)``."""
     if called.arguments and is_descriptor(called.arguments[0]):
         return called.arguments[0]
-    ranges = {name: [Obj(kind, None, {})] for name, kind in _RANGES.items()}
+    ranges: Names = {name: [Obj(kind, None, {})] for name, kind in _RANGES.items()}
     return Obj(_DESCRIPTOR, None, {**ranges, **called.keywords})
 
 
 @outer(*_RANGES.values(), quiet=True)
-def bounds(_engine: Context, _thing: Any, called: Called) -> Any:
+def bounds(_engine: Context, _thing: Value, called: Called) -> Value:
     """The range of a number."""
     if called.arguments and isinstance(called.arguments[0], Obj):
         return called.arguments[0]
@@ -44,19 +45,19 @@ def bounds(_engine: Context, _thing: Any, called: Called) -> Any:
         "read_only", "dynamic_typing", *_RANGES)))  # fmt: skip
 @method("IntegerRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
 @method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
-def set_field(_engine: Context, thing: Any, called: Called) -> Any:
+def set_field(_engine: Context, thing: Value, called: Called) -> Value:
     """A field is set: ``descriptor.set__read_only(true)``."""
     if isinstance(thing, Obj):
         thing.fields[called.name.removeprefix(_SET)] = called.argument(0)
     return thing
 
 
-def is_descriptor(value: Any) -> bool:
+def is_descriptor(value: Value) -> TypeGuard[Obj]:
     """Whether a value describes a parameter."""
     return isinstance(value, Obj) and value.type.rpartition(".")[2] == "ParameterDescriptor"
 
 
-def described_by(values: Iterable[Any], kind: str = "") -> Described:
+def described_by(values: Iterable[Value], kind: str = "") -> Described:
     """Return what the descriptor among some values says of a parameter of a type; empty is not known."""
     found = next((one.fields for one in values if is_descriptor(one)), None)
     if found is None:
@@ -65,7 +66,7 @@ def described_by(values: Iterable[Any], kind: str = "") -> Described:
     ranges = [one for name in _CHECKED.get(kind, _RANGES) if (one := _range(found.get(name)))]
     return Described(
         ranges[0] if ranges else "",
-        (text.known or "") if isinstance(text, Text) else "",
+        (known_text(text) or ""),
         Terms(
             read_only=found.get("read_only") is True,
             dynamic=found.get("dynamic_typing") is True,
@@ -74,10 +75,10 @@ def described_by(values: Iterable[Any], kind: str = "") -> Described:
     )
 
 
-def _range(given: Any) -> str:
+def _range(given: Value) -> str:
     """Return a range of numbers as text; empty where there is none, or one of its ends is unknown."""
     items = given if isinstance(given, list) else [given]
     fields = next((one.fields for one in reversed(items) if isinstance(one, Obj) and one.fields), None)
     ends = [] if fields is None else [fields.get(name, 0) for name in ("from_value", "to_value")]
-    known = [one for one in ends if isinstance(one, int | float) and not isinstance(one, bool)]
+    known = [one for one in ends if is_number(one)]
     return f"{known[0]}..{known[1]}" if len(known) == 2 else ""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import Called, method
 from roslens.source.extract.overlays.ros.record import endpoint
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 @method("node", "create_generic_publisher", anywhere=True)
-def publisher(engine: Context, thing: Any, called: Called) -> Any:
+def publisher(engine: Context, thing: Value, called: Called) -> Value:
     """A publisher of serialized messages."""
     quality = quality_of(called.argument(2))
     return endpoint(engine, thing, called, Role.PUBLISHER, called.argument(0), _kind(called), qos=quality)
 
 
 @method("node", "create_generic_subscription", anywhere=True)
-def subscription(engine: Context, thing: Any, called: Called) -> Any:
+def subscription(engine: Context, thing: Value, called: Called) -> Value:
     """A subscription to serialized messages."""
     quality, callback = quality_of(called.argument(2)), called.argument(3)
     name = called.argument(0)
@@ -31,19 +31,19 @@ def subscription(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_generic_client", anywhere=True)
-def client(engine: Context, thing: Any, called: Called) -> Any:
+def client(engine: Context, thing: Value, called: Called) -> Value:
     """A client of a service with any type."""
     return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), _kind(called))
 
 
 @method("node", "create_generic_service", anywhere=True)
-def service(engine: Context, thing: Any, called: Called) -> Any:
+def service(engine: Context, thing: Value, called: Called) -> Value:
     """A server of a service with any type."""
     name, callback = called.argument(0), called.argument(2)
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, _kind(called), callback=callback)
 
 
-def _kind(called: Called) -> Any:
+def _kind(called: Called) -> Value:
     kind = called.argument(1)
     if isinstance(kind, Text) and kind.known:
         return kind.known.replace("/", "::")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown, Value
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_ros2 import free_function
@@ -22,17 +22,17 @@ _CAMERA = "sensor_msgs::msg::CameraInfo"
 
 
 @outer("image_transport.ImageTransport")
-def images(engine: Context, _thing: Any, called: Called) -> Any:
+def images(engine: Context, _thing: Value, called: Called) -> Value:
     """What images are published and subscribed to with."""
     return Obj("image_transport.ImageTransport", None, {"handle": handle_of(engine, called)})
 
 
-def _handle(thing: Any, engine: Context) -> Any:
+def _handle(thing: Value, engine: Context) -> Value:
     return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")
-def image_publisher(engine: Context, thing: Any, called: Called) -> Any:
+def image_publisher(engine: Context, thing: Value, called: Called) -> Value:
     """A publisher of images, and with a camera of what is known of it."""
     handle, queue = _handle(thing, engine), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -44,7 +44,7 @@ def image_publisher(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
-def image_subscription(engine: Context, thing: Any, called: Called) -> Any:
+def image_subscription(engine: Context, thing: Value, called: Called) -> Value:
     """A subscription to images, and with a camera to what is known of it."""
     handle, queue = _handle(thing, engine), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -58,7 +58,7 @@ def image_subscription(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
-def camera(engine: Context, _thing: Any, called: Called) -> Any:
+def camera(engine: Context, _thing: Value, called: Called) -> Value:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
@@ -69,7 +69,7 @@ def camera(engine: Context, _thing: Any, called: Called) -> Any:
 
 @outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
        "image_transport.Subscriber")  # fmt: skip
-def made_at_once(engine: Context, _thing: Any, called: Called) -> Any:
+def made_at_once(engine: Context, _thing: Value, called: Called) -> Value:
     """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
     if len(called.arguments) < 2:
         return Unknown(called.name)
@@ -81,7 +81,7 @@ def made_at_once(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("camera_info_manager.CameraInfoManager")
-def camera_manager(engine: Context, _thing: Any, called: Called) -> Any:
+def camera_manager(engine: Context, _thing: Value, called: Called) -> Value:
     """What keeps what is known of a camera: it is set by a service.
 
     Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
@@ -98,13 +98,13 @@ def camera_manager(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("image_transport.getCameraInfoTopic")
-def camera_topic(_engine: Context, _thing: Any, called: Called) -> Any:
+def camera_topic(_engine: Context, _thing: Value, called: Called) -> Value:
     """The topic of what is known of a camera, beside that of its images."""
     return _camera(called.argument(0))
 
 
 @outer("image_transport.SubscriberFilter")
-def filtered_images(engine: Context, _thing: Any, called: Called) -> Any:
+def filtered_images(engine: Context, _thing: Value, called: Called) -> Value:
     """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("image_transport.SubscriberFilter")
     if called.arguments:
@@ -113,17 +113,17 @@ def filtered_images(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method("image_transport.SubscriberFilter", "subscribe")
-def filtered_images_later(engine: Context, _thing: Any, called: Called) -> Any:
+def filtered_images_later(engine: Context, _thing: Value, called: Called) -> Value:
     """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
     first = called.argument(0)
     given = _handle(first, engine) if isinstance(first, Obj) and first.node is None else first
     return endpoint(engine, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
 
 
-def _camera(image: Any) -> Any:
+def _camera(image: Value) -> Value:
     """Return the topic of the camera's information beside a topic of images."""
     last = image.parts[-1] if isinstance(image, Text) and image.parts else None
-    if not isinstance(last, str) or ("/" not in last and len(image.parts) > 1):
+    if not isinstance(image, Text) or not isinstance(last, str) or ("/" not in last and len(image.parts) > 1):
         return Unknown("the topic beside that of the image")
     folder, slash, _ = last.rpartition("/")
     return Text.of(*image.parts[:-1], f"{folder}{slash}camera_info")

@@ -7,11 +7,11 @@ that the parameters decide, so that names made of them are followed.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.unknown_lists import each_of
 from roslens.source.extract.facts.node_facts import Sure
 from roslens.source.extract.interpreter.vocabulary import LISTENER, Called, method, node_of, outer
@@ -26,7 +26,7 @@ _PARAMS, _ENTRIES = "ParameterStruct", "ParameterEntries"
 
 
 @outer(LISTENER)
-def listener(engine: Context, _thing: Any, called: Called) -> Any:
+def listener(engine: Context, _thing: Value, called: Called) -> Value:
     """A listener is made: it declares the parameters of its file, below a prefix where one is given."""
     made = Obj(called.name, None, {})
     if not called.arguments:
@@ -43,14 +43,14 @@ def listener(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method(LISTENER, "get_params", "get_stack_params")
-def params(_engine: Context, thing: Any, _called: Called) -> Any:
+def params(_engine: Context, thing: Value, _called: Called) -> Value:
     """All parameters are read."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     return known if known is not None else Unknown("parameters of a listener")
 
 
 @method(LISTENER, "try_get_params", "try_update_params", "try_get_stack_params")
-def params_into(engine: Context, thing: Any, called: Called) -> Any:
+def params_into(engine: Context, thing: Value, called: Called) -> Value:
     """All parameters are read into a variable."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     if known is not None and called.written:
@@ -59,7 +59,7 @@ def params_into(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method(_ENTRIES, "at", "get_entry")
-def entry(_engine: Context, thing: Any, _called: Called) -> Any:
+def entry(_engine: Context, thing: Value, _called: Called) -> Value:
     """One of the entries of a map, which stands for each."""
     return thing.fields["entry"] if isinstance(thing, Obj) else Unknown("an entry")
 
@@ -84,7 +84,7 @@ class _Declaring:
             at.fields[last] = value
         return whole
 
-    def _declared(self, one: Declaration) -> Any:
+    def _declared(self, one: Declaration) -> Value:
         pieces = one.name.split(".")
         parts: list[str | Text] = []
         for place, piece in enumerate(pieces):
@@ -101,7 +101,7 @@ class _Declaring:
             default=None if one.default is None else Text.of(one.default), given=one.default is not None,
             kind=one.type, described=Described(one.range, one.description, one.terms), evidence=evidence,
         )  # fmt: skip
-        self._known[one.name] = value
+        self._known[one.name] = as_text(value)
         return value
 
     def _keys(self, name: str, around: Iterable[str]) -> Text:
@@ -121,7 +121,7 @@ def _inside(at: Obj, piece: str) -> Obj:
         inner = at.fields.setdefault(piece, Obj(_PARAMS, None, {}))
         return inner if isinstance(inner, Obj) else Obj(_PARAMS, None, {})
     entries = at.fields.setdefault(f"{piece.removeprefix(MAP)}_map", Obj(_ENTRIES, None, {}))
-    found = entries.fields.setdefault("entry", Obj(_PARAMS, None, {}))
+    found = entries.fields.setdefault("entry", Obj(_PARAMS, None, {})) if isinstance(entries, Obj) else None
     at.fields["get_entry"] = Unknown("an entry")
     return found if isinstance(found, Obj) else Obj(_PARAMS, None, {})
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
-from roslens.source.extract.domain.abstract_value import Handle, Obj, QosValue
+from roslens.source.extract.domain.abstract_value import Handle, Obj, QosValue, Value
 from roslens.source.extract.interpreter.vocabulary import Called, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
@@ -27,7 +27,7 @@ _ENDS = (
     "interactive_markers.InteractiveMarkerServer",
     "interactive_markers.interactive_marker_server.InteractiveMarkerServer",
 )
-def server(engine: Context, _thing: Any, called: Called) -> Any:
+def server(engine: Context, _thing: Value, called: Called) -> Value:
     """A server of interactive markers; in ROS 2 all that exist are asked for by a service."""
     found = Obj("interactive_markers.InteractiveMarkerServer")
     name = next((one for one in called.arguments if isinstance(one, Text)), called.keywords.get("topic_ns"))
@@ -44,7 +44,7 @@ def server(engine: Context, _thing: Any, called: Called) -> Any:
     return found
 
 
-def _server_of_ros2(engine: Context, handle: Any, called: Called, name: Text) -> None:
+def _server_of_ros2(engine: Context, handle: Value, called: Called, name: Text) -> None:
     given = [one for one in called.arguments if isinstance(one, QosValue)]
     update = given[0] if given else _keeping(_QUEUE)
     feedback = given[1] if len(given) > 1 else _keeping(_QUEUE if called.evidence.path.endswith(".py") else 1)

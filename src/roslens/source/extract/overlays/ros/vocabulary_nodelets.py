@@ -6,10 +6,10 @@ node_handle.cpp).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Handle, Obj, Remappings, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Handle, Obj, Remappings, Unknown, Value, as_text
 from roslens.source.extract.facts.node_facts import LoadFact
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.overlays.ros.record import endpoint
@@ -23,21 +23,21 @@ _STRINGS = ("std::string", "std::string")
 
 
 @outer("ros.M_string", "nodelet.M_string", quiet=True)
-def remappings(_engine: Context, _thing: Any, called: Called) -> Any:
+def remappings(_engine: Context, _thing: Value, called: Called) -> Value:
     """A map of remappings, empty as long as nobody puts names in it."""
     given = called.argument(0)
     return Unknown("remappings that somebody gives") if given is not None else Remappings()
 
 
 @outer("std.map", quiet=True)
-def mapping(_engine: Context, _thing: Any, called: Called) -> Any:
+def mapping(_engine: Context, _thing: Value, called: Called) -> Value:
     """A map: one of texts may be one of remappings."""
     plain = tuple(one.strip() for one in called.templates) == _STRINGS and not called.arguments
     return Remappings() if plain else Obj("std.map")
 
 
 @outer("nodelet.Loader")
-def loader(engine: Context, _thing: Any, called: Called) -> Any:
+def loader(engine: Context, _thing: Value, called: Called) -> Value:
     """A loader of nodelets, with services of a manager where it is told so."""
     engine.node.generation = "ros1"
     given = called.argument(0, default=True)
@@ -52,7 +52,7 @@ def loader(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method("nodelet.Loader", "load")
-def load(engine: Context, _thing: Any, called: Called) -> Any:
+def load(engine: Context, _thing: Value, called: Called) -> Value:
     """A nodelet is loaded into this process."""
     given = called.argument(2)
     match given:

@@ -6,9 +6,10 @@ at (rcl, ``rcl_remap_node_name``); without any it takes the name that is given t
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Building, Named, Names, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import items_of
 from roslens.source.extract.domain.outside_options import OPTIONS, OUTSIDE
 from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.facts.node_facts import Inherits
@@ -28,7 +29,7 @@ _SAME = (
 
 
 @outer(OPTIONS)
-def options(_engine: Context, thing: Any, called: Called) -> Any:
+def options(_engine: Context, thing: Value, called: Called) -> Value:
     """Options of a node: those of a copy, or none."""
     given = called.argument(0)
     found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
@@ -43,20 +44,21 @@ def _copy(given: Obj) -> Obj:
 
 
 @method(OPTIONS, "arguments")
-def arguments(_engine: Context, thing: Any, called: Called) -> Any:
+def arguments(_engine: Context, thing: Obj, called: Called) -> Value:
     """The command line of the node is asked for, or given."""
     if not called.arguments:
         held = thing.fields.get("-arguments", [])
         return list(held) if isinstance(held, list) else held
     given = called.argument(0)
     # What is added where it is not there yet is among the arguments in any case.
-    listed = isinstance(given, list)
-    thing.fields["-arguments"] = [one.value if type(one) is Perhaps else one for one in given] if listed else given
+    thing.fields["-arguments"] = (
+        [one.value if isinstance(one, Perhaps) else one for one in given] if isinstance(given, list) else given
+    )
     return thing
 
 
 @method(OPTIONS, "use_global_arguments")
-def use_global(_engine: Context, thing: Any, called: Called) -> Any:
+def use_global(_engine: Context, thing: Obj, called: Called) -> Value:
     """Whether the command line of the process is for the node too."""
     if not called.arguments:
         return thing.fields.get("-global", True)
@@ -65,13 +67,13 @@ def use_global(_engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, "parameter_overrides", "append_parameter_override")
-def overrides(_engine: Context, thing: Any, called: Called) -> Any:
+def overrides(_engine: Context, thing: Obj, called: Called) -> Value:
     """Values of parameters are given to the node."""
     if not called.arguments:
         return thing.fields.get("-overrides", [])
     held = thing.fields.setdefault("-overrides", [])
     if called.name.startswith("append"):
-        held.append([called.argument(0), called.argument(1)])
+        items_of(held).append([called.argument(0), called.argument(1)])
     else:
         given = called.argument(0)
         thing.fields["-overrides"] = list(given) if isinstance(given, list) else given
@@ -79,7 +81,7 @@ def overrides(_engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, _DECLARES)
-def declares(_engine: Context, thing: Any, called: Called) -> Any:
+def declares(_engine: Context, thing: Obj, called: Called) -> Value:
     """Whether the node declares each parameter that is set for it."""
     if not called.arguments:
         return thing.fields.get("-declares", False)
@@ -88,26 +90,26 @@ def declares(_engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, *_SAME)
-def same(_engine: Context, thing: Any, called: Called) -> Any:
+def same(_engine: Context, thing: Value, called: Called) -> Value:
     """What says nothing of names."""
     return thing if called.arguments else Unknown(f"{called.name} of the options")
 
 
 @method("node", "get_node_options")
-def options_of(engine: Context, thing: Any, _called: Called) -> Any:
+def options_of(engine: Context, thing: Value, _called: Called) -> Value:
     """The options of a node are asked for."""
     held = node_of(engine, thing).options
     return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
 
 
-def given_options(called: Called) -> Any:
+def given_options(called: Called) -> Obj | None:
     """Return the options that a node is made with; None where it is made without."""
     for one in (*called.arguments, *called.keywords.values()):
         if isinstance(one, Obj) and one.type == OPTIONS:
             return one
     if not {"cli_args", "use_global_arguments", "parameter_overrides", _DECLARES} & set(called.keywords):
         return None
-    held: dict[str, Any] = {"-arguments": called.keywords.get("cli_args") or []}
+    held: Names = {"-arguments": called.keywords.get("cli_args") or []}
     held["-global"] = called.keywords.get("use_global_arguments", True)
     held["-overrides"] = called.keywords.get("parameter_overrides") or []
     held["-declares"] = called.keywords.get(_DECLARES, False)
@@ -120,7 +122,8 @@ def take_options(engine: Context, building: Building, given: Obj, called: Called
     words = given.fields.get("-arguments", [])
     match words:
         case list():
-            building.inherits = given.fields.get("-inherits", Inherits.NOTHING)
+            inherits = given.fields.get("-inherits")
+            building.inherits = inherits if isinstance(inherits, Inherits) else Inherits.NOTHING
             if building.inherits is Inherits.ALL and words != [OUTSIDE]:
                 building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
             elif OUTSIDE in words:
@@ -134,7 +137,7 @@ def take_options(engine: Context, building: Building, given: Obj, called: Called
         _doubt(building, called, "whether those of the process hold for it is unknown")
     building.declares_set = given.fields.get("-declares") is True
     values = given.fields.get("-overrides", [])
-    pairs = list(values.items()) if isinstance(values, dict) else values if isinstance(values, list) else []
+    pairs = list(values.items()) if isinstance(values, dict) else items_of(values)
     for one in pairs:
         if isinstance(one, list | tuple) and len(one) == 2:
             building.settings.append((as_text(one[0]), as_text(one[1])))
@@ -154,7 +157,7 @@ def _doubt(building: Building, called: Called, reason: str) -> None:
 
 
 @outer("std.replace")
-def replaced(engine: Context, _thing: Any, called: Called) -> Any:
+def replaced(engine: Context, _thing: Value, called: Called) -> Value:
     """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
     of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
     before, after = called.argument(2), called.argument(3)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.facts.node_facts import Overrides
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.symbolic.text import Text
@@ -24,7 +24,7 @@ _FIELD = "qos_overriding_options"
 
 @outer("rclcpp.PublisherOptions", "rclcpp.SubscriptionOptions", "rclcpp.PublisherOptionsWithAllocator",
        "rclcpp.SubscriptionOptionsWithAllocator", quiet=True)  # fmt: skip
-def of_endpoint(_engine: Context, thing: Any, called: Called) -> Any:
+def of_endpoint(_engine: Context, thing: Value, called: Called) -> Value:
     """Options of an endpoint: those of a copy, or none yet."""
     given = called.argument(0)
     held = dict(given.fields) if isinstance(given, Obj) and given.type == called.name else {}
@@ -35,7 +35,7 @@ def of_endpoint(_engine: Context, thing: Any, called: Called) -> Any:
 
 
 @outer(_CPP, _PYTHON, quiet=True)
-def chosen(engine: Context, _thing: Any, called: Called) -> Overrides:
+def chosen(engine: Context, _thing: Value, called: Called) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
     match kinds:
@@ -53,12 +53,12 @@ def chosen(engine: Context, _thing: Any, called: Called) -> Overrides:
 
 
 @outer(f"{_CPP}.with_default_policies", f"{_PYTHON}.with_default_policies", quiet=True)
-def usual(engine: Context, _thing: Any, called: Called) -> Overrides:
+def usual(engine: Context, _thing: Value, called: Called) -> Overrides:
     """History, depth and reliability may be set by parameters."""
     return _overrides(engine, called, None, called.arguments)
 
 
-def _overrides(engine: Context, called: Called, kinds: Any, rest: list[Any]) -> Overrides:
+def _overrides(engine: Context, called: Called, kinds: Value, rest: list[Value]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
     engine.touched()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
@@ -68,7 +68,7 @@ def _overrides(engine: Context, called: Called, kinds: Any, rest: list[Any]) -> 
     return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(engine.conditions)))
 
 
-def _names(kinds: Any) -> list[str] | None:
+def _names(kinds: Value) -> list[str] | None:
     if not isinstance(kinds, list):
         return None
     words = [one.name.rpartition(".")[2].replace("_", "").lower() if isinstance(one, Named) else "" for one in kinds]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.parameter_types import VECTOR, type_of_constant, type_of_cpp, type_of_value
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
@@ -21,14 +21,14 @@ _PYTHON = ("rclpy.parameter.Parameter", "rclpy.Parameter")
 
 
 @method("node", "declare_parameter", anywhere=True)
-def declare(engine: Context, thing: Any, called: Called) -> Any:
+def declare(engine: Context, thing: Value, called: Called) -> Value:
     """A parameter is declared."""
     default = called.argument(1, "value", "default_value")
     return _declared(engine, thing, called, called.argument(0, "name"), default, _template(called))
 
 
 @method("node", "declare_or_get_parameter", anywhere=True)
-def declare_or_read(engine: Context, thing: Any, called: Called) -> Any:
+def declare_or_read(engine: Context, thing: Value, called: Called) -> Value:
     """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
     return declare(engine, thing, called)
 
@@ -37,14 +37,14 @@ def declare_or_read(engine: Context, thing: Any, called: Called) -> Any:
     *(f"{space}.{name}" for space in ("nav2_util", "nav2", "nav2_ros_common")
       for name in ("declare_parameter_if_not_declared", "declare_or_get_parameter")),
 )  # fmt: skip
-def declare_of(engine: Context, _thing: Any, called: Called) -> Any:
+def declare_of(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter of the node that is given first is declared, if it is not yet."""
     named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
     inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
     return declare(engine, called.argument(0), inner)
 
 
-def _declared(engine: Context, thing: Any, called: Called, name: Any, default: Any, kind: str) -> Any:
+def _declared(engine: Context, thing: Value, called: Called, name: Value, default: Value, kind: str) -> Value:
     if is_descriptor(default):
         default = None
     constant = type_of_constant(default)
@@ -64,7 +64,7 @@ def _declared(engine: Context, thing: Any, called: Called, name: Any, default: A
     )  # fmt: skip
 
 
-def _fitting(default: Any, kind: str) -> Any:
+def _fitting(default: Value, kind: str) -> Value:
     """Return a default in the type that a template argument makes of it."""
     if kind == "double" and type(default) is int:
         return float(default)
@@ -74,7 +74,7 @@ def _fitting(default: Any, kind: str) -> Any:
 
 
 @outer("rclcpp.ParameterValue", "rclcpp.Parameter", *_PYTHON)
-def parameter_value(_engine: Context, _thing: Any, called: Called) -> Any:
+def parameter_value(_engine: Context, _thing: Value, called: Called) -> Value:
     """A value of a parameter."""
     if called.name == "rclcpp.ParameterValue":
         value = called.argument(0, default=Unknown("a value that is not set"))
@@ -92,15 +92,17 @@ def _template(called: Called) -> str:
 
 
 @method("node", "declare_parameters", anywhere=True)
-def declare_all(engine: Context, thing: Any, called: Called) -> Any:
+def declare_all(engine: Context, thing: Value, called: Called) -> Value:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
-    items = list(given.items()) if isinstance(given, dict) else given
-    if not isinstance(items, list):
-        items = [[unknown("a parameter of a list that is not followed")]]
-    for pair in items:
-        if not isinstance(pair, list | tuple) or not pair:
-            pair = [unknown("a parameter that is not followed")]
+    items: list[Value] = [[unknown("a parameter of a list that is not followed")]]
+    match given:
+        case dict():
+            items = list(given.items())
+        case list():
+            items = given
+    for one in items:
+        pair = one if isinstance(one, list | tuple) and one else [unknown("a parameter that is not followed")]
         name = as_text(pair[0])
         if not isinstance(prefix, Text) or prefix.parts:
             name = Text.of(as_text(prefix), ".", name)
@@ -111,7 +113,7 @@ def declare_all(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "get_parameter", "get_parameter_or", anywhere=True)
-def read(engine: Context, thing: Any, called: Called) -> Any:
+def read(engine: Context, thing: Value, called: Called) -> Value:
     """A parameter is read, into a variable where one is given."""
     python = called.evidence.path.endswith(".py")
     default = called.argument(1 if python else 2, "alternative_value")
@@ -129,6 +131,6 @@ def read(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
-def write(_engine: Context, _thing: Any, called: Called) -> Any:
+def write(_engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written, or asked for; by names that are not followed."""
     return Unknown(f"result of {called.name}()")

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.facts.node_facts import PluginFact
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.ir.type_names import type_name
@@ -24,7 +25,7 @@ _MOST = 64
 
 
 @outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
-def loader(_engine: Context, _thing: Any, called: Called) -> Any:
+def loader(_engine: Context, _thing: Value, called: Called) -> Value:
     """A loader of classes."""
     written = called.argument(1)
     base = written.known if isinstance(written, Text) and called.name == _LOADER else None
@@ -33,10 +34,11 @@ def loader(_engine: Context, _thing: Any, called: Called) -> Any:
 
 @method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
         quiet=True)  # fmt: skip
-def instance(engine: Context, thing: Any, called: Called) -> Any:
+def instance(engine: Context, thing: Obj, called: Called) -> Value:
     """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
-    base = called.templates[0] if called.templates else thing.fields.get("base", "")
+    held = thing.fields.get("base")
+    base = called.templates[0] if called.templates else held if isinstance(held, str) else ""
     node = deciding_node(engine, kind)
     name = None if engine.chosen is None else kind.usual
     defined = _class(engine, name) if name and len(engine.plugged) < _MOST else None
@@ -55,7 +57,7 @@ def instance(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method(_LOADER, "getName", quiet=True)
-def plain_name(_engine: Context, _thing: Any, called: Called) -> Any:
+def plain_name(_engine: Context, _thing: Value, called: Called) -> Value:
     """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
     kind = as_text(called.argument(0))
     last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
@@ -71,7 +73,7 @@ def _class(engine: Context, name: str) -> Defined | None:
 
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
-def added(engine: Context, thing: Any, called: Called) -> Any:
+def added(engine: Context, thing: Obj, called: Called) -> Value:
     """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
         engine.called_outer(one)
@@ -89,9 +91,11 @@ def added(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("std.vector", "back", "front", "at", quiet=True)
-def end(_engine: Context, thing: Any, called: Called) -> Any:
+def end(_engine: Context, thing: Obj, called: Called) -> Value:
     """One end of a list, or what is at a place of it."""
     held = held_in(thing)
     keys = sorted(key for key in held if isinstance(key, int))
-    place = called.argument(0) if called.name == "at" else keys[0 if called.name == "front" else -1] if keys else None
+    place = hashable(called.argument(0)) if called.name == "at" else None
+    if called.name != "at" and keys:
+        place = keys[0 if called.name == "front" else -1]
     return held.get(place, Unknown(f"{called.name} of a list"))

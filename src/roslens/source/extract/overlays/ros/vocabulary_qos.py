@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.qos import Qos
-from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.quality import (
     DEFAULT_QUALITY,
     DURATIONS,
@@ -31,7 +31,7 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
-def qos(_engine: Context, thing: Any, called: Called) -> Any:
+def qos(_engine: Context, thing: Value, called: Called) -> Value:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
     value = msgspec.structs.replace(_from_words(called))
@@ -52,14 +52,14 @@ def _from_words(called: Called) -> QosValue:
     return base
 
 
-def _given(first: Any, called: Called) -> QosValue:
+def _given(first: Value, called: Called) -> QosValue:
     """Return what the first argument says, which is a depth, a history, or another quality of service."""
     match first:
         case Obj() if first.type == INITIALISATION:
             profile = DEFAULT_QUALITY
             if len(called.arguments) > 1:
                 profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
-            return keeping(profile, first.fields["qos"])
+            return keeping(profile, _held(first))
         case Text() | Unknown() | Named() if quality_of(first) in (None, QosValue(Qos(), _reason(first))):
             reason = _reason(first)
             # Another one may be copied.
@@ -68,32 +68,38 @@ def _given(first: Any, called: Called) -> QosValue:
     return quality_of(first) or _NO_DEPTH
 
 
-def _reason(value: Any) -> str:
+def _held(thing: Obj) -> QosValue:
+    """Return the quality of service that an object is made with."""
+    held = thing.fields.get("qos")
+    return held if isinstance(held, QosValue) else QosValue(Qos(), "a quality of service of another class")
+
+
+def _reason(value: Value) -> str:
     if isinstance(value, Named):
         return f"the value of {value.name}"
     return str(value.reason if isinstance(value, Unknown) else value)
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
-def by_key(_engine: Context, _thing: Any, called: Called) -> Any:
+def by_key(_engine: Context, _thing: Value, called: Called) -> Value:
     """A preset by the name that command lines have for it."""
     return quality_by_key(called.argument(0, "name"))
 
 
 @outer("rmw_qos_profile_t")
-def profile(_engine: Context, _thing: Any, called: Called) -> Any:
+def profile(_engine: Context, _thing: Value, called: Called) -> Value:
     """A profile of the middleware, by its members or empty."""
     return profile_of(called.arguments)
 
 
 @outer("rclcpp.QoSInitialization")
-def initialisation(_engine: Context, _thing: Any, called: Called) -> Any:
+def initialisation(_engine: Context, _thing: Value, called: Called) -> Value:
     """A history and how many messages it keeps."""
     return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
-def keep(_engine: Context, _thing: Any, called: Called) -> Any:
+def keep(_engine: Context, _thing: Value, called: Called) -> Value:
     """How many messages are kept."""
     first = called.argument(0)
     if called.name.endswith("from_rmw"):
@@ -106,12 +112,12 @@ def keep(_engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
-def preset(_engine: Context, thing: Any, called: Called) -> Any:
+def preset(_engine: Context, thing: Value, called: Called) -> Value:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])
     first = called.argument(0)
     if isinstance(first, Obj) and first.type == INITIALISATION:
-        value = keeping(value, first.fields["qos"])
+        value = keeping(value, _held(first))
     elif first is not None:
         value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
     if isinstance(thing, Obj):
@@ -124,9 +130,9 @@ def preset(_engine: Context, thing: Any, called: Called) -> Any:
         "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
         "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
-def refined(engine: Context, thing: Any, called: Called) -> Any:
+def refined(engine: Context, thing: Obj | QosValue, called: Called) -> Value:
     """A quality of service with one policy changed."""
-    base = thing.fields["qos"] if isinstance(thing, Obj) else thing
+    base = _held(thing) if isinstance(thing, Obj) else thing
     found = _refined(base, called)
     if isinstance(thing, Obj):
         engine.changes.put(thing.fields, "qos", found)

@@ -6,10 +6,11 @@ is given one (realtime_publisher.h, realtime_publisher.hpp).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Made, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Made, Obj, Unknown, Value
+from roslens.source.extract.domain.kinds import is_whole
 from roslens.source.extract.interpreter.vocabulary import Called, find_method, method, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
@@ -22,7 +23,7 @@ _MADE, _TYPE = "-made", "-type"
 
 
 @outer(_NAME)
-def realtime_publisher(engine: Context, _thing: Any, called: Called) -> Any:
+def realtime_publisher(engine: Context, _thing: Value, called: Called) -> Value:
     """A publisher, the one that is given, or none before ``init`` makes it."""
     given = next((one for one in called.arguments if isinstance(one, Made)), None)
     if given is not None:
@@ -35,7 +36,7 @@ def realtime_publisher(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method(_NAME, "init")
-def made_later(engine: Context, thing: Any, called: Called) -> Any:
+def made_later(engine: Context, thing: Obj, called: Called) -> Value:
     """The publisher is made."""
     thing.fields[_MADE] = _made(engine, thing, called)
     return None
@@ -45,24 +46,24 @@ def _made(engine: Context, thing: Obj, called: Called) -> Made:
     queue, latched = called.argument(2), called.argument(3)
     return endpoint(
         engine, handle_of(engine, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
-        queue=queue if isinstance(queue, int) and not isinstance(queue, bool) else -1, latched=latched is True,
+        queue=queue if is_whole(queue) else -1, latched=latched is True,
     )  # fmt: skip
 
 
 @method("made", "unlockAndPublish", "tryPublish", "try_publish")
-def publish(engine: Context, thing: Made, called: Called) -> Any:
+def publish(engine: Context, thing: Made, called: Called) -> Value:
     """What is in the message is published."""
     return _published(engine, thing, called)
 
 
 @method(_NAME, "unlockAndPublish")
-def publish_of_later(engine: Context, thing: Any, called: Called) -> Any:
+def publish_of_later(engine: Context, thing: Obj, called: Called) -> Value:
     """What is in the message is published, by what ``init`` made."""
     made = thing.fields.get(_MADE)
     return _published(engine, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
 
 
-def _published(engine: Context, made: Made, called: Called) -> Any:
+def _published(engine: Context, made: Made, called: Called) -> Value:
     plain = Called("publish", [], {}, (), (), called.evidence)
     word = find_method(engine, made, plain)
     return None if word is None else word(engine, made, plain)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Class, Handle, Named, Obj, as_text
+from roslens.source.extract.domain.abstract_value import Class, Handle, Named, Obj, Value, as_text
 from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, origin
@@ -29,10 +29,10 @@ _CLASS_END = "Config"
 
 
 @outer("dynamic_reconfigure.Server", _PYTHON)
-def reconfigure(engine: Context, _thing: Any, called: Called) -> Any:
+def reconfigure(engine: Context, _thing: Value, called: Called) -> Value:
     """A server that lets parameters of a node be changed while it runs."""
     python = called.evidence.path.endswith(".py") and not called.templates
-    kind: Any = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
+    kind: Value = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
     handle = _space(engine, called) if python else _handle(engine, called)
     for name, message, role in _ENDS:
         endpoint(engine, handle, called, role, Text.of(name), message, latched=role is Role.PUBLISHER)
@@ -43,7 +43,7 @@ def reconfigure(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method("dynamic_reconfigure.Server", "setCallback")
-def reconfigured(engine: Context, _thing: Any, called: Called) -> Any:
+def reconfigured(engine: Context, _thing: Value, called: Called) -> Value:
     """What is called when parameters are changed."""
     engine.called_outer(called.argument(0))
     return None
@@ -73,7 +73,7 @@ def _without_end(name: Text) -> Text:
     return Text.of(*name.parts[:-1], last.rstrip("/") or "/") if isinstance(last, str) else name
 
 
-def _written(engine: Context, kind: Any) -> str:
+def _written(engine: Context, kind: Value) -> str:
     """Return the class that a server is of, without aliases; in Python it is a module."""
     match kind:
         case str():

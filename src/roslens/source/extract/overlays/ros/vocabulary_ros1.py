@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.earlier_values import else_before
+from roslens.source.extract.domain.kinds import is_whole
 from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.overlays.language.command_words import given_to_ros
 from roslens.source.extract.overlays.ros.record import endpoint, is_set, parameter, timer, type_of_callback
@@ -25,7 +26,7 @@ _OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServic
 
 
 @outer("ros.init", "rospy.init_node")
-def init(engine: Context, _thing: Any, called: Called) -> Any:
+def init(engine: Context, _thing: Value, called: Called) -> Value:
     """The process becomes a node."""
     node = engine.node
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
@@ -42,7 +43,7 @@ def init(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("ros.NodeHandle", "ros.NodeHandlePtr")
-def handle(engine: Context, _thing: Any, called: Called) -> Any:
+def handle(engine: Context, _thing: Value, called: Called) -> Value:
     """Something names are resolved against: a namespace of the node."""
     return _handle(engine, called)
 
@@ -74,26 +75,26 @@ def _trimmed(name: Text) -> Text:
 
 @method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
 @method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
-def public_handle(engine: Context, _thing: Any, _called: Called) -> Any:
+def public_handle(engine: Context, _thing: Value, _called: Called) -> Value:
     """The namespace of the node."""
     return Handle(engine.node)
 
 
 @method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
 @method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
-def private_handle(engine: Context, _thing: Any, _called: Called) -> Any:
+def private_handle(engine: Context, _thing: Value, _called: Called) -> Value:
     """The private namespace of the node."""
     return Handle(engine.node, Text.of("~"))
 
 
 @method("nodelet.Nodelet", "getName")
-def nodelet_name(engine: Context, _thing: Any, _called: Called) -> Any:
+def nodelet_name(engine: Context, _thing: Value, _called: Called) -> Value:
     """The name of the nodelet."""
     return Text((Hole(OfNode(NamePart.NAME), default=engine.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
-def nodelet(engine: Context, thing: Any, _called: Called) -> Any:
+def nodelet(engine: Context, thing: Value, _called: Called) -> Value:
     """A nodelet is constructed."""
     engine.node.generation = "ros1"
     engine.node.kind = "nodelet"
@@ -102,12 +103,12 @@ def nodelet(engine: Context, thing: Any, _called: Called) -> Any:
     return thing
 
 
-def _queue(value: Any) -> int:
-    return value if isinstance(value, int) and not isinstance(value, bool) else -1
+def _queue(value: Value) -> int:
+    return value if is_whole(value) else -1
 
 
 @method("handle", "advertise", anywhere=True)
-def advertise(engine: Context, thing: Any, called: Called) -> Any:
+def advertise(engine: Context, thing: Value, called: Called) -> Value:
     """A publisher."""
     if called.arguments and isinstance(called.arguments[0], Handle):
         # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
@@ -125,7 +126,7 @@ def advertise(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("handle", "subscribe", anywhere=True)
-def subscribe(engine: Context, thing: Any, called: Called) -> Any:
+def subscribe(engine: Context, thing: Value, called: Called) -> Value:
     """A subscription."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
@@ -133,14 +134,14 @@ def subscribe(engine: Context, thing: Any, called: Called) -> Any:
         return Unknown("result of subscribe()")
     callback = _callback(engine, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
-    kind: Any = written or Unknown("the type its callback takes")
+    kind: Value = written or Unknown("the type its callback takes")
     return endpoint(
         engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=_queue(called.argument(1)),
         callback=callback,
     )  # fmt: skip
 
 
-def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Any:
+def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Value:
     """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
 
     A callback of a topic takes one message, that of a service a request and a response.
@@ -155,31 +156,31 @@ def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> An
 
 
 @method("handle", "advertiseService", anywhere=True)
-def advertise_service(engine: Context, thing: Any, called: Called) -> Any:
+def advertise_service(engine: Context, thing: Value, called: Called) -> Value:
     """A server of a service."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
     callback = _callback(engine, called, 1, takes=2)
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
-    kind: Any = written or Unknown("the type its callback takes")
+    kind: Value = written or Unknown("the type its callback takes")
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
 
 
 @method("handle", "serviceClient", anywhere=True)
-def service_client(engine: Context, thing: Any, called: Called) -> Any:
+def service_client(engine: Context, thing: Value, called: Called) -> Value:
     """A client of a service."""
     kind = called.templates[0] if called.templates else Unknown("its type")
     return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
 @outer("ros.service.call", "ros.service.createClient")
-def call_once(engine: Context, _thing: Any, called: Called) -> Any:
+def call_once(engine: Context, _thing: Value, called: Called) -> Value:
     """A service is called by its name."""
     kind = called.templates[0] if called.templates else _declared_type(engine, called)
     return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
-def _declared_type(engine: Context, called: Called) -> Any:
+def _declared_type(engine: Context, called: Called) -> Value:
     """Return the type of the request, or of what holds request and response."""
     value = called.argument(1)
     del engine
@@ -187,7 +188,7 @@ def _declared_type(engine: Context, called: Called) -> Any:
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
-def wait_for_message(engine: Context, _thing: Any, called: Called) -> Any:
+def wait_for_message(engine: Context, _thing: Value, called: Called) -> Value:
     """A topic is subscribed to for one message."""
     kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
     endpoint(engine, Handle(engine.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
@@ -199,7 +200,7 @@ _TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "
 
 
 @method("handle", "param", "getParam", "getParamCached", "param_cached")
-def read(engine: Context, thing: Any, called: Called) -> Any:
+def read(engine: Context, thing: Value, called: Called) -> Value:
     """A parameter is read, into a variable where one is given."""
     default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
     if called.name == "param" and len(called.arguments) == 2:
@@ -217,7 +218,7 @@ def read(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @outer("ros.param.param", "ros.param.get", "ros.param.getCached")
-def read_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+def read_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is read by its name."""
     named = "param" if called.name.endswith(".param") else "getParam"
     inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
@@ -225,27 +226,27 @@ def read_by_name(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method("handle", "setParam")
-def write(engine: Context, thing: Any, called: Called) -> Any:
+def write(engine: Context, thing: Value, called: Called) -> Value:
     """A parameter is written."""
     write_parameter(engine, thing, called, called.argument(0), called.argument(1))
     return None
 
 
 @outer("ros.param.set")
-def write_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+def write_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written by its name."""
     return write(engine, Handle(engine.node), called)
 
 
 @outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
-def spin(engine: Context, _thing: Any, called: Called) -> Any:
+def spin(engine: Context, _thing: Value, called: Called) -> Value:
     """The node runs until it is shut down; what is written after it is no part of that."""
     engine.running = True
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "searchParam")
-def search(engine: Context, _thing: Any, called: Called) -> Any:
+def search(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is looked for in the namespaces above too."""
     name = as_text(called.argument(0))
     if len(called.written) > 1:
@@ -254,18 +255,18 @@ def search(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @method("handle", "hasParam", quiet=True)
-def has(engine: Context, thing: Any, called: Called) -> Any:
+def has(engine: Context, thing: Value, called: Called) -> Value:
     """Whether a parameter is set."""
     return _has(engine, thing, called)
 
 
 @outer("ros.param.has", "rospy.has_param", quiet=True)
-def has_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+def has_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """Whether a parameter is set, by its name."""
     return _has(engine, Handle(engine.node), called)
 
 
-def _has(engine: Context, thing: Any, called: Called) -> Unknown:
+def _has(engine: Context, thing: Value, called: Called) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
     test = is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(engine, thing) is engine.node else None
@@ -273,13 +274,13 @@ def _has(engine: Context, thing: Any, called: Called) -> Unknown:
 
 
 @method("handle", "deleteParam", "ok", "shutdown", quiet=True)
-def ask(_engine: Context, _thing: Any, called: Called) -> Any:
+def ask(_engine: Context, _thing: Value, called: Called) -> Value:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
-def namespace(engine: Context, thing: Any, called: Called) -> Any:
+def namespace(engine: Context, thing: Value, called: Called) -> Value:
     """The namespace of a handle, or a name below it."""
     if called.name == "resolveName":
         return below(thing, as_text(called.argument(0)))
@@ -290,33 +291,33 @@ def namespace(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @outer("ros.this_node.getName", "rospy.get_name")
-def own_name(_engine: Context, _thing: Any, _called: Called) -> Any:
+def own_name(_engine: Context, _thing: Value, _called: Called) -> Value:
     """The full name of the node."""
     return Text((Hole(OfNode(NamePart.FULL_NAME), default="~"),))
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
-def own_namespace(_engine: Context, _thing: Any, called: Called) -> Any:
+def own_namespace(_engine: Context, _thing: Value, called: Called) -> Value:
     """The namespace of the node; that of rospy ends with ``/``."""
     space = Hole(OfNode(NamePart.NAMESPACE), default="/")
     return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 
 @outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
-def resolve(_engine: Context, _thing: Any, called: Called) -> Any:
+def resolve(_engine: Context, _thing: Value, called: Called) -> Value:
     """A name is resolved: it stays what it is."""
     return as_text(called.argument(len(called.arguments) - 1))
 
 
 @method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
-def create_timer(engine: Context, thing: Any, called: Called) -> Any:
+def create_timer(engine: Context, thing: Value, called: Called) -> Value:
     """A timer."""
     timer(engine, thing, called, called.argument(0), _callback(engine, called, 1), None)
     return Obj("ros.Timer")
 
 
 @outer("rospy.Publisher")
-def py_publisher(engine: Context, _thing: Any, called: Called) -> Any:
+def py_publisher(engine: Context, _thing: Value, called: Called) -> Value:
     """A publisher of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
@@ -325,7 +326,7 @@ def py_publisher(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Subscriber")
-def py_subscriber(engine: Context, _thing: Any, called: Called) -> Any:
+def py_subscriber(engine: Context, _thing: Value, called: Called) -> Value:
     """A subscription of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
@@ -334,7 +335,7 @@ def py_subscriber(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Service")
-def py_service(engine: Context, _thing: Any, called: Called) -> Any:
+def py_service(engine: Context, _thing: Value, called: Called) -> Value:
     """A server of a service of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
@@ -343,7 +344,7 @@ def py_service(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.ServiceProxy")
-def py_service_proxy(engine: Context, _thing: Any, called: Called) -> Any:
+def py_service_proxy(engine: Context, _thing: Value, called: Called) -> Value:
     """A client of a service of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
@@ -352,7 +353,7 @@ def py_service_proxy(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.get_param", "rospy.get_param_cached")
-def py_read(engine: Context, _thing: Any, called: Called) -> Any:
+def py_read(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is read by rospy."""
     given = len(called.arguments) > 1 or "default" in called.keywords
     return parameter(
@@ -362,7 +363,7 @@ def py_read(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.set_param")
-def py_write(engine: Context, _thing: Any, called: Called) -> Any:
+def py_write(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written by rospy."""
     value = called.argument(1, "param_value")
     write_parameter(engine, _here(engine), called, called.argument(0, "param_name"), value)
@@ -370,7 +371,7 @@ def py_write(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Timer")
-def py_timer(engine: Context, _thing: Any, called: Called) -> Any:
+def py_timer(engine: Context, _thing: Value, called: Called) -> Value:
     """A timer of rospy."""
     timer(engine, _here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
     return Obj("rospy.Timer")
@@ -381,7 +382,7 @@ def _here(engine: Context) -> Handle:
     return Handle(engine.node)
 
 
-def _by_options(engine: Context, thing: Any, called: Called, role: Role, options: Obj) -> Any:
+def _by_options(engine: Context, thing: Value, called: Called, role: Role, options: Obj) -> Value:
     fields = options.fields
     name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
     return endpoint(
@@ -391,7 +392,7 @@ def _by_options(engine: Context, thing: Any, called: Called, role: Role, options
 
 
 @outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
-def endpoint_options(engine: Context, _thing: Any, called: Called) -> Any:
+def endpoint_options(engine: Context, _thing: Value, called: Called) -> Value:
     """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
     found = Obj(called.name.removesuffix(".create"))
     if called.name.endswith(".create") or called.arguments:
@@ -399,7 +400,7 @@ def endpoint_options(engine: Context, _thing: Any, called: Called) -> Any:
     return found
 
 
-def fill_options(engine: Context, thing: Any, called: Called) -> Any:
+def fill_options(engine: Context, thing: Obj, called: Called) -> Value:
     """Let options hold what they are made of, or what ``init`` gives them."""
     service = thing.type.endswith("ServiceOptions")
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))

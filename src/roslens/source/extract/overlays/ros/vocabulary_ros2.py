@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import (
-    Callable,
-    Group,
-    Handle,
-    Named,
-    Obj,
-    Unknown,
-    as_text,
-)
+from roslens.source.extract.domain.abstract_value import Callable, Group, Handle, Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
@@ -34,18 +26,18 @@ _LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode",
 
 
 @outer(*_NODES)
-def node(engine: Context, thing: Any, called: Called) -> Any:
+def node(engine: Context, thing: Value, called: Called) -> Value:
     """A node is made, or a class that is one is constructed."""
     return _node(engine, thing, called, "node")
 
 
 @outer(*_LIFECYCLE)
-def lifecycle_node(engine: Context, thing: Any, called: Called) -> Any:
+def lifecycle_node(engine: Context, thing: Value, called: Called) -> Value:
     """A managed node."""
     return _node(engine, thing, called, "lifecycle")
 
 
-def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
+def _node(engine: Context, thing: Value, called: Called, kind: str) -> Value:
     building = engine.node
     if building.named and (not isinstance(thing, Obj) or thing.node is None):
         building = engine.further(called.evidence)
@@ -72,7 +64,7 @@ def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
     return Obj("rclcpp.Node", None, {}, building)
 
 
-def _group(called: Called, *places: int) -> Any:
+def _group(called: Called, *places: int) -> Value:
     for value in (*(called.argument(place) for place in places), *called.keywords.values()):
         match value:
             case Group():
@@ -86,12 +78,12 @@ def _python(called: Called) -> bool:
     return called.evidence.path.endswith(".py") or (not called.templates and _is_type(called.argument(0, "msg_type")))
 
 
-def _is_type(value: Any) -> bool:
+def _is_type(value: Value) -> bool:
     return isinstance(value, Named) and ("." in value.name)
 
 
 @method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
-def publisher(engine: Context, thing: Any, called: Called) -> Any:
+def publisher(engine: Context, thing: Value, called: Called) -> Value:
     """A publisher."""
     if not called.templates and _python(called):
         name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
@@ -107,7 +99,7 @@ def publisher(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_subscription", anywhere=True)
-def subscription(engine: Context, thing: Any, called: Called) -> Any:
+def subscription(engine: Context, thing: Value, called: Called) -> Value:
     """A subscription."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
@@ -124,7 +116,7 @@ def subscription(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_service", anywhere=True)
-def service(engine: Context, thing: Any, called: Called) -> Any:
+def service(engine: Context, thing: Value, called: Called) -> Value:
     """A server of a service."""
     if not called.templates and _python(called):
         name, kind, callback = (
@@ -139,7 +131,7 @@ def service(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_client", anywhere=True)
-def client(engine: Context, thing: Any, called: Called) -> Any:
+def client(engine: Context, thing: Value, called: Called) -> Value:
     """A client of a service."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "srv_name"), called.argument(0, "srv_type")
@@ -151,7 +143,7 @@ def client(engine: Context, thing: Any, called: Called) -> Any:
 @outer("rclcpp.create_publisher", "rclcpp.create_subscription", "rclcpp.create_service", "rclcpp.create_client",
        "rclcpp.create_timer", "rclcpp.create_wall_timer", "image_transport.create_publisher",
        "image_transport.create_subscription")  # fmt: skip
-def free_function(engine: Context, _thing: Any, called: Called) -> Any:
+def free_function(engine: Context, _thing: Value, called: Called) -> Value:
     """A function that makes an endpoint of the node it is given first."""
     name = called.name.rpartition(".")[2]
     templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
@@ -176,18 +168,20 @@ def free_function(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rclcpp_action.create_server", "rclpy.action.ActionServer", "rclpy.action.server.ActionServer")
-def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+def action_server(engine: Context, _thing: Value, called: Called) -> Value:
     """A server of an action."""
     return _action(engine, called, Role.ACTION_SERVER)
 
 
 @outer("rclcpp_action.create_client", "rclpy.action.ActionClient", "rclpy.action.client.ActionClient")
-def action_client(engine: Context, _thing: Any, called: Called) -> Any:
+def action_client(engine: Context, _thing: Value, called: Called) -> Value:
     """A client of an action."""
     return _action(engine, called, Role.ACTION_CLIENT)
 
 
-def _action(engine: Context, called: Called, role: Role) -> Any:
+def _action(engine: Context, called: Called, role: Role) -> Value:
+    name: Value
+    kind: Value
     if called.templates:
         texts = [one for one in called.arguments if isinstance(one, Text)]
         name, kind = texts[0] if texts else called.argument(1), called.templates[0]
@@ -203,7 +197,7 @@ def _action(engine: Context, called: Called, role: Role) -> Any:
 
 
 @method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
-def wall_timer(engine: Context, thing: Any, called: Called) -> Any:
+def wall_timer(engine: Context, thing: Value, called: Called) -> Value:
     """A timer."""
     given = called.arguments
     callback = next((one for one in (*given, *called.keywords.values()) if isinstance(one, Callable)), None)
@@ -213,7 +207,7 @@ def wall_timer(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_callback_group", anywhere=True)
-def callback_group(engine: Context, _thing: Any, called: Called) -> Any:
+def callback_group(engine: Context, _thing: Value, called: Called) -> Value:
     """A callback group, named after where it is made."""
     del engine
     kind = called.argument(0)
@@ -222,13 +216,13 @@ def callback_group(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("rclpy.callback_groups.ReentrantCallbackGroup", "rclpy.callback_groups.MutuallyExclusiveCallbackGroup")
-def python_group(_engine: Context, _thing: Any, called: Called) -> Any:
+def python_group(_engine: Context, _thing: Value, called: Called) -> Value:
     """A callback group of rclpy."""
     return Group(f"{called.name.rpartition('.')[2].removesuffix('CallbackGroup')}:{called.evidence.line}")
 
 
 @method("node", "create_sub_node")
-def sub_node(engine: Context, thing: Any, called: Called) -> Any:
+def sub_node(engine: Context, thing: Value, called: Called) -> Value:
     """A node below another one: its names begin with the namespace."""
     before = thing.prefix if isinstance(thing, Handle) else Text()
     name = as_text(called.argument(0))
@@ -239,13 +233,13 @@ def sub_node(engine: Context, thing: Any, called: Called) -> Any:
         "get_node_parameters_interface", "get_node_clock_interface", "get_node_logging_interface",
         "get_node_waitables_interface", "get_node_graph_interface", "get_node_timers_interface", "shared_from_this",
         "weak_from_this", "lock", "get")  # fmt: skip
-def interface(engine: Context, thing: Any, _called: Called) -> Any:
+def interface(engine: Context, thing: Value, _called: Called) -> Value:
     """A part of a node stands for the node."""
     return thing if isinstance(thing, Obj | Handle) else Handle(engine.node)
 
 
 @method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")
-def own_name(engine: Context, thing: Any, called: Called) -> Any:
+def own_name(engine: Context, thing: Value, called: Called) -> Value:
     """The name of the node, which may be given to it from outside."""
     node_ = node_of(engine, thing)
     if "namespace" in called.name:
@@ -256,7 +250,7 @@ def own_name(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
-def resolved(engine: Context, thing: Any, called: Called) -> Any:
+def resolved(engine: Context, thing: Value, called: Called) -> Value:
     """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
     node_ = node_of(engine, thing)
     name = as_text(called.argument(0, "topic", "service"))
@@ -264,7 +258,7 @@ def resolved(engine: Context, thing: Any, called: Called) -> Any:
 
 
 @outer("rclcpp.expand_topic_or_service_name")
-def expanded(_engine: Context, _thing: Any, called: Called) -> Any:
+def expanded(_engine: Context, _thing: Value, called: Called) -> Value:
     """A name is expanded below the namespace that is given."""
     space = as_text(called.argument(2))
     first = space.parts[0] if len(space.parts) == 1 else ""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
-from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import is_whole, items_of
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
 from roslens.source.extract.symbolic.reason import RandomEnd
@@ -22,7 +23,7 @@ _DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
 _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
-def handle_of(engine: Context, called: Called) -> Any:
+def handle_of(engine: Context, called: Called) -> Value:
     """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
     given = (*called.arguments, *called.keywords.values())
     for value in given:
@@ -40,7 +41,7 @@ def follow_visitors(engine: Context, called: Called, first: int) -> None:
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
-def listener(engine: Context, _thing: Any, called: Called) -> Any:
+def listener(engine: Context, _thing: Value, called: Called) -> Value:
     """A listener to transforms."""
     node = _listening(engine, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
@@ -52,7 +53,7 @@ def listener(engine: Context, _thing: Any, called: Called) -> Any:
     return Obj(called.name)
 
 
-def _listening(engine: Context, called: Called) -> Any:
+def _listening(engine: Context, called: Called) -> Value:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
     if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
@@ -66,7 +67,7 @@ def _listening(engine: Context, called: Called) -> Any:
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
-def broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
+def broadcaster(engine: Context, _thing: Value, called: Called) -> Value:
     """A broadcaster of transforms."""
     node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
@@ -75,7 +76,7 @@ def broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
 
 @outer("tf2_ros.StaticTransformBroadcaster",
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
-def static_broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
+def static_broadcaster(engine: Context, _thing: Value, called: Called) -> Value:
     """A broadcaster of transforms that stay."""
     node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
@@ -83,7 +84,7 @@ def static_broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("message_filters.Subscriber")
-def filtered(engine: Context, _thing: Any, called: Called) -> Any:
+def filtered(engine: Context, _thing: Value, called: Called) -> Value:
     """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
     if called.arguments or called.keywords:
@@ -92,9 +93,11 @@ def filtered(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 def _filtered(engine: Context, found: Obj, called: Called) -> None:
-    templates = found.fields.get("templates") or []
+    templates = items_of(found.fields.get("templates"))
     texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
     python = called.evidence.path.endswith(".py")
+    name: Value
+    kind: Value
     if python and not called.templates:
         # Subscriber(topic, type) of rospy, Subscriber(node, type, topic) of rclpy.
         names = [one for one in called.arguments if isinstance(one, Text)]
@@ -104,12 +107,12 @@ def _filtered(engine: Context, found: Obj, called: Called) -> None:
         name = called.arguments[texts[0]] if texts else called.argument(1, default=Unknown("its name"))
         kind = templates[0] if templates else Unknown("its type")
     quality = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, QosValue)), None)
-    queue = next((one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)), -1)
+    queue = next((one for one in called.arguments if is_whole(one)), -1)
     endpoint(engine, handle_of(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
 
 
 @method("message_filters.Subscriber", "subscribe")
-def filtered_later(engine: Context, thing: Any, called: Called) -> Any:
+def filtered_later(engine: Context, thing: Obj, called: Called) -> Value:
     """A filtered subscription is made."""
     _filtered(engine, thing, called)
     return None
@@ -117,30 +120,29 @@ def filtered_later(engine: Context, thing: Any, called: Called) -> Any:
 
 @outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
        "actionlib.action_server.ActionServer")  # fmt: skip
-def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+def action_server(engine: Context, _thing: Value, called: Called) -> Value:
     """A server of an action of actionlib."""
     return _action(engine, called, Role.ACTION_SERVER)
 
 
 @outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
        "actionlib.action_client.ActionClient")  # fmt: skip
-def action_client(engine: Context, _thing: Any, called: Called) -> Any:
+def action_client(engine: Context, _thing: Value, called: Called) -> Value:
     """A client of an action of actionlib."""
     return _action(engine, called, Role.ACTION_CLIENT)
 
 
-def _action(engine: Context, called: Called, role: Role) -> Any:
+def _action(engine: Context, called: Called, role: Role) -> Value:
     engine.node.generation = "ros1"
-    name = next((one for one in called.arguments if isinstance(one, Text)), None)
-    if name is None:
-        name = called.argument(0, "name", "ns")
-    kind: Any = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
+    texts = [one for one in called.arguments if isinstance(one, Text)]
+    name = texts[0] if texts else called.argument(0, "name", "ns")
+    kind: Value = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
     callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
     return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
 
 
 @outer("diagnostic_updater.Updater")
-def updater(engine: Context, _thing: Any, called: Called) -> Any:
+def updater(engine: Context, _thing: Value, called: Called) -> Value:
     """A publisher of diagnostics."""
     node = handle_of(engine, called)
     kind = "diagnostic_msgs::msg::DiagnosticArray"
@@ -151,7 +153,7 @@ def updater(engine: Context, _thing: Any, called: Called) -> Any:
 
 @method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
         "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
-def use(_engine: Context, thing: Made, called: Called) -> Any:
+def use(_engine: Context, thing: Made, called: Called) -> Value:
     """A message is published, or a service or action called."""
     fact = thing.node.endpoints[thing.place]
     place = msgspec.structs.replace(called.evidence, how="written")
@@ -161,7 +163,7 @@ def use(_engine: Context, thing: Made, called: Called) -> Any:
 
 
 @method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
-def topic_of(_engine: Context, thing: Made, _called: Called) -> Any:
+def topic_of(_engine: Context, thing: Made, _called: Called) -> Value:
     """The name of an endpoint."""
     return thing.node.endpoints[thing.place].name
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Handle, Obj
+from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.symbolic.text import Text, Written
@@ -18,7 +18,7 @@ _FRAMES, _TYPE = "tf2_frames", "tf2_msgs::srv::FrameGraph"
 
 
 @outer("tf2_ros.Buffer", "tf2_ros.buffer.Buffer")
-def buffer(engine: Context, thing: Any, called: Called) -> Any:
+def buffer(engine: Context, thing: Value, called: Called) -> Value:
     """A buffer of transforms.
 
     In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:
@@ -41,9 +41,9 @@ def buffer(engine: Context, thing: Any, called: Called) -> Any:
     return found
 
 
-def _given(called: Called) -> Sequence[Any]:
+def _given(called: Called) -> Sequence[Value]:
     return [called.keywords["node"]] if "node" in called.keywords else called.arguments
 
 
-def _is_node(value: Any) -> bool:
+def _is_node(value: Value) -> bool:
     return isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None)

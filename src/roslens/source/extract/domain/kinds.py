@@ -1,0 +1,36 @@
+"""What a value is, asked in one place: numbers are no truth values, and a text may be known or not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TypeGuard, TypeVar
+
+from roslens.source.extract.domain.abstract_value import Value
+from roslens.source.extract.symbolic.text import Text
+
+_Kind = TypeVar("_Kind")
+
+
+def is_number(value: object) -> TypeGuard[int | float]:
+    """Return whether a value is a number, which a truth value is not."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def is_whole(value: object) -> TypeGuard[int]:
+    """Return whether a value is a whole number, which a truth value is not."""
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def known_text(value: Value) -> str | None:
+    """Return a text that is known as a whole; None of any other value."""
+    return value.known if isinstance(value, Text) else None
+
+
+def items_of(value: Value) -> list[Value]:
+    """Return the items of a list; none of any other value."""
+    return value if isinstance(value, list) else []
+
+
+def all_of_kind(values: Iterable[Value], kind: type[_Kind]) -> list[_Kind]:
+    """Return those of some values that are of a kind."""
+    return [one for one in values if isinstance(one, kind)]

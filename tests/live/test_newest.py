@@ -4,7 +4,7 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
-from roslens.live.system.world import FORGET_GONE_S
+from roslens.live.system.world import FORGET_GONE_S, SURPLUS_S
 from roslens.live.window.newest import MOST_GONE, keep_newest
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -45,6 +45,9 @@ def test_a_watch_forgets_what_came_and_went_but_not_what_is_expected():
     assert len(tools) <= MOST_GONE + 1
     assert f"/tool_{many - 1}" in tools
     assert {"/stays", "/expected"} <= set(world.topics)
+    read = {entity.name for entity, _ in session.readings(many + 1000.0) if entity.kind is EntityKind.TOPIC}
+    assert {name for name in read if name.startswith("/tool_")} <= {f"/tool_{many - 1}"}
+    assert "/stays" in read
     assert len([one for one in world.sampled if one.name.startswith("/tool_")]) <= 301
 
 
@@ -65,6 +68,20 @@ def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(re
     session.look(many + 1.0)
     tools = {topic for topic, _, _ in world.connections if topic.startswith("/tool_")}
     assert f"/tool_{many - 1}" in tools
-    assert len(tools) <= MOST_GONE + FORGET_GONE_S + SWEEP_S + 1
+    assert len(tools) <= MOST_GONE + SURPLUS_S + SWEEP_S + 1
     assert "/expected" in {topic for topic, _, _ in world.connections}
     assert len(session.monitor._presences.existing) <= 3 * (len(tools) + 1)
+
+
+def test_topics_whose_connections_are_remembered_count_among_what_is_gone():
+    session = Session(load_reference([GivenText("r.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+    once = Moments(1, 0.15, 0.15**2, 0.15, 0.15)
+    many = 3 * MOST_GONE
+    for number in range(many):
+        name, now = f"/tool_{number}", float(number + 1)
+        graph = Graph("ros2", (Node(name, "base", 7),), (Endpoint(name, Role.PUBLISHER, name),), ("base",))
+        tallies = [Tally(name, name, "", now - 0.15, now, 1, 100, now, now, once)]
+        session.take([Frame(VERSION, "base/ros2", number, now, tallies, [], [], graph)])
+        session.look(now)
+    remembered = [name for name in session.monitor.world.topics if name.startswith("/tool_")]
+    assert len(remembered) <= max(MOST_GONE, FORGET_GONE_S) + 2 * SWEEP_S + 1

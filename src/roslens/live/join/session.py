@@ -200,7 +200,10 @@ class Session:
         self.monitor.add_tallies(tallies, voice)
 
     def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
-        """Return the latest values of every entity that has any, each entity once."""
+        """Return the latest values of every entity that has any, each entity once.
+
+        What has ended, and is judged by nobody, has none: that it is silent says nothing any more.
+        """
         found: dict[str, dict[str, float]] = {}
         waiting = [self.tree(now)]
         while waiting:
@@ -208,7 +211,9 @@ class Session:
             if part.values:
                 found[part.id] = part.values
             waiting += part.children
-        return [(EntityId.parse(entity), values) for entity, values in sorted(found.items())]
+        ended = self.monitor.world.ended()
+        named = ((EntityId.parse(entity), values) for entity, values in sorted(found.items()))
+        return [(entity, values) for entity, values in named if entity not in ended]
 
     def graph(self) -> Graph:
         """Return what is there now, as far as any observer knows."""

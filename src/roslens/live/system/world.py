@@ -25,6 +25,8 @@ FORGET_GONE_S = 300.0
 """After which a connection is forgotten that the graph has no more, and a process or node that nobody samples."""
 FORGET_QUIET_S = 3600.0
 """After which a silent connection is forgotten of which no graph says that it is gone."""
+SURPLUS_S = 60.0
+"""After which a silent connection that no graph had, and that nobody judges, may give its place to newer ones."""
 
 _COMING_AND_GOING = (EntityKind.NODE, EntityKind.SERVICE)
 
@@ -137,7 +139,7 @@ class World:
             (now - since, one) for one in self.connections.values() if (since := self._silent_since(one)) is not None
         ]
         unknown = sorted(
-            ((long, one) for long, one in silent if not (one.gone or self._matters(one)) and long > FORGET_GONE_S),
+            ((long, one) for long, one in silent if not (one.gone or self._matters(one)) and long > SURPLUS_S),
             key=lambda found: found[0],
         )
         surplus = {id(one) for _, one in unknown[MOST_GONE:]}
@@ -167,13 +169,17 @@ class World:
         ]
 
     def outdated_topics(self) -> list[Topic]:
-        """Return the topics that are gone, that nobody judges, and after which many others went."""
-        gone = [
-            one
-            for one in self.topics.values()
-            if one.seen and not (one.known or one.connections or one.judged or one.planless)
-        ]
-        return gone[: max(len(gone) - MOST_GONE, 0)]
+        """Return the topics that are gone, that nobody judges, and after which many others went.
+
+        Those with connections that are remembered count among the many.
+        """
+        gone = [one for one in self.topics.values() if _ended(one)]
+        return [one for one in gone[: max(len(gone) - MOST_GONE, 0)] if not one.connections]
+
+    def ended(self) -> set[EntityId]:
+        """Return the topics, and connections of these, that graphs had and have no more and that nobody judges."""
+        topics = [one for one in self.topics.values() if _ended(one)]
+        return {one.id for topic in topics for one in (topic, *topic.all_connections()) if not one.judged}
 
     def forget(self, connection: Connection) -> None:
         """Let a connection go, and its topic when that was all that is known of it."""
@@ -348,3 +354,8 @@ def _one(text: str) -> frozenset[str]:
 
 def _observers(topic: Topic) -> set[str]:
     return {one.host for group in topic.connections.values() for one in group} - {""}
+
+
+def _ended(topic: Topic) -> bool:
+    """Whether graphs had a topic and have it no more, and nobody judges it."""
+    return bool(topic.seen) and not (topic.known or topic.judged or topic.planless)

@@ -66,6 +66,7 @@ def burn(seconds):
     return (ended.own - begun.own) / (ended.all - begun.all)
 
 
+@pytest.mark.nightly  # it starves its neighbours too
 def test_a_test_that_starves_itself_is_not_excused(sleeper):
     """What it started takes all processors: all is late, and others did not do it."""
     watched, shares = Watched(sleeper), []

@@ -12,7 +12,7 @@ from killed.trial import COMMANDS, WAYS, drawn, left, tried, usual
 
 pytestmark = [pytest.mark.heavy, pytest.mark.timed]
 
-FEW = 12
+FEW = 5
 SEED = 12
 MANY = 200
 
@@ -53,7 +53,7 @@ def test_what_is_left_is_seen(tmp_path):
     assert wait_for(lambda: not where.processes(), 10)
 
 
-def test_commands_that_are_ended_at_a_dozen_moments(tmp_path, template, usually, mount):
+def test_commands_that_are_ended_at_a_few_moments(tmp_path, template, usually, mount):
     wrong = []
     for number, moment in enumerate(drawn(FEW, SEED)):
         wrong += [(moment, one) for one in tried(moment, template, tmp_path / str(number), usually, mount)]

@@ -150,7 +150,9 @@ class Trends:
                 found.append(TrendEvent(place, "release", release.name))
         for place in range(1, len(headers)):
             found += _changes(place, headers[place - 1], headers[place])
-            found += _moves(place, self._packages[place - 1], self._packages[place])
+            # Of a run of a larger workspace all paths are other, and nothing moved.
+            if headers[place - 1].root == headers[place].root:
+                found += _moves(place, self._packages[place - 1], self._packages[place])
         return tuple(sorted(found, key=lambda one: (one.point, one.kind)))
 
     def load(self) -> Trends:

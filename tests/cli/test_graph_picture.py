@@ -13,7 +13,7 @@ def test_one_launch_file_is_one_svg_with_what_does_not_fit(talking, tmp_path, ca
     assert main([*launch, "-o", str(out)]) == 0
     ET.parse(out)
     assert "topic /chatter" in out.read_text()
-    assert "/rosout" not in out.read_text().partition("left out")[0]
+    assert "/rosout" not in out.read_text().partition(" hidden: ")[0]
     assert 'class="mark error"' in out.read_text()
     capsys.readouterr()
     assert main([*launch, "--all"]) == 0

@@ -155,7 +155,7 @@ def test_names_that_depend_on_what_the_name_of_their_node_depends_on_are_told_wi
     lines = text.splitlines()
     first = lines.index("unresolved: 5") + 1
     assert lines[first].endswith(
-        '7  /*/a: the node\'s name depends on space, and so do 2 names of what it makes "/{space}/a"'
+        '7  /*/a: the node\'s name depends on space, and 2 of its endpoints with it "/{space}/a"'
     )
     assert lines[first + 1 : first + 4] == [
         '  pkg/src/a.cpp:3  /*/a: the name of this publisher depends on parameter d "d"',

@@ -27,7 +27,7 @@ def add_kept_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what a command that shows a run keeps below the workspace: with both options, nothing."""
     parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing of it")
     parser.add_argument(
-        "--no-store", action="store_true", help="analyse the workspace now instead of taking a run that was kept"
+        "--no-store", action="store_true", help="analyse the workspace now instead of using a stored run"
     )
 
 

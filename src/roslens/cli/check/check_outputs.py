@@ -27,7 +27,7 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
         "--format",
         action="append",
         metavar="NAME[=FILE]",
-        help="of the result: text (default), json, csv, sarif, junit, gitlab, github, checkstyle, markdown or badge; "
+        help="output format: text (default), json, csv, sarif, junit, gitlab, github, checkstyle, markdown or badge; "
         "with =FILE it is written there besides; may be given again",
     )
     parser.add_argument(
@@ -35,8 +35,8 @@ def add_output_arguments(parser: argparse.ArgumentParser) -> None:
         "--output",
         action="append",
         metavar="FILE",
-        help="write the result there instead, in the format of --format or of the ending (.json, .sarif, .junit.xml, "
-        ".md, .svg…); a csv name without .csv is a folder for all tables; may be given again",
+        help="write the result to this file instead, in the format of --format or of the ending (.json, .sarif, "
+        ".junit.xml, .md, .svg…); a csv name without .csv is a folder for all tables; may be given again",
     )
 
 

@@ -34,7 +34,7 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
     """
     group = parser.add_argument_group(title)
     where = group.add_mutually_exclusive_group()
-    where.add_argument("--distro", metavar="NAME", help="a distribution of the index of ROS, as jazzy")
+    where.add_argument("--distro", metavar="NAME", help="a distribution of the ROS index, such as jazzy")
     where.add_argument(
         "--distribution",
         metavar="FILE|URL",
@@ -55,9 +55,11 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
     group.add_argument(
         "--whole", action="store_true", help="also the content of past revisions, for churn and `roslens history`"
     )
-    group.add_argument("--update", action="store_true", help="ask for what branches have now, in place of the lock")
+    group.add_argument(
+        "--update", action="store_true", help="fetch the current heads of branches instead of the locked commits"
+    )
     group.add_argument("--into", metavar="DIR", help="folder that the repositories come to (default: .)")
-    group.add_argument("--offline", action="store_true", help="ask no server; take what is here")
+    group.add_argument("--offline", action="store_true", help="contact no server; use what is on disk")
 
 
 def refuse_without_fetch(options: argparse.Namespace) -> None:

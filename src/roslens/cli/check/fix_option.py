@@ -12,7 +12,7 @@ def add_fix_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fix",
         action="store_true",
-        help="mend in the files what can be mended safely, then say what is left; --undo-fix takes it back",
+        help="fix in place what can be fixed safely, then report the rest; --undo-fix reverts it",
     )
     parser.add_argument(
         "--diff",
@@ -26,7 +26,9 @@ def add_fix_arguments(parser: argparse.ArgumentParser) -> None:
         help="with --fix or --diff, mend findings of these rules only; ids or patterns such as 'cpp.*'; may be given "
         "again",
     )
-    parser.add_argument("--undo-fix", action="store_true", help="take back what the last --fix changed, and do no more")
+    parser.add_argument(
+        "--undo-fix", action="store_true", help="revert what the last --fix changed, and do nothing else"
+    )
 
 
 def refuse_contradictions(options: argparse.Namespace) -> None:

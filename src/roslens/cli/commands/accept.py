@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from roslens.source.workspace.acceptances import Acceptance
     from roslens.store.read import RunView
 
-TEXT = "Accept findings, or call them false, in roslens.accepted.toml."
+TEXT = "Accept findings, or mark them as false positives, in roslens.accepted.toml."
 EXAMPLES = """\
   roslens accept 3f2a9c0d --reason "the buffer is sized by the caller"
   roslens accept src/drive.cpp:12 --false-positive --reason "x is never null here"
@@ -31,13 +31,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "RULE@GLOB for those of a rule in files",
     )
     parser.add_argument("--path", default=".", metavar="PATH", help="the workspace that was checked (default: .)")
-    parser.add_argument("--reason", metavar="TEXT", help="why; whoever reviews the file reads it")
+    parser.add_argument("--reason", metavar="TEXT", help="the reason, for reviewers of the file")
     parser.add_argument(
-        "--false-positive", action="store_true", help="the finding is not true (default: true, and stays)"
+        "--false-positive", action="store_true", help="the finding is a false positive (default: true, and accepted)"
     )
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--list", action="store_true", help="show what is accepted")
-    what.add_argument("--undo", action="store_true", help="take entries back, by fingerprint or the beginning of one")
+    what.add_argument("--undo", action="store_true", help="remove entries, by fingerprint or its first digits")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
 
 

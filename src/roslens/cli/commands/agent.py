@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from roslens.live.agent.work import Agent
 
-TEXT = "Sample this host and its ROS processes, and tell what its nodes count, for a monitor."
+TEXT = "Sample this host and its ROS processes, and send the traffic counters of its nodes to a monitor."
 EXAMPLES = """\
   roslens agent --new-key ~/.roslens-key        once; copy the file to each host
   roslens agent base.local:7411 --key-file ~/.roslens-key
@@ -33,8 +33,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--key-file", type=Path, metavar="FILE", help="the key that monitor and agents share")
     parser.add_argument("--new-key", type=Path, metavar="FILE", help="write a key of 256 random bits and end")
     parser.add_argument("--make-key", dest="new_key", type=Path, metavar="FILE", help=argparse.SUPPRESS)
-    parser.add_argument("--enrol", type=Path, metavar="FOLDER", help="write what this host and its monitor need to act")
-    parser.add_argument("--enrolled", type=Path, metavar="FOLDER", help="take requests, as allow.yaml in it permits")
+    parser.add_argument(
+        "--enrol",
+        type=Path,
+        metavar="FOLDER",
+        help="write the keys and certificates that let this host act for its monitor",
+    )
+    parser.add_argument(
+        "--enrolled", type=Path, metavar="FOLDER", help="accept requests, as far as allow.yaml in it permits"
+    )
     parser.add_argument(
         "--requests", metavar="HOST[:PORT]", help=f"who asks (default: the monitor, port {DEFAULT_REQUESTS_PORT})"
     )

@@ -65,7 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fail-on",
         choices=("note", "warning", "error", "never"),
-        help="exit with 1 from this severity on (default: error)",
+        help="exit with 1 at this severity or above (default: error)",
     )
     parser.add_argument(
         "--accept-partial",
@@ -90,7 +90,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_tools_arguments(parser)
     add_process_arguments(parser)
     add_stream_arguments(parser)
-    parser.add_argument("--fetch", action="store_true", help="first `roslens fetch`, then check what is there")
+    parser.add_argument("--fetch", action="store_true", help="fetch first, as `roslens fetch` does, then check")
     add_fetch_arguments(parser, "with --fetch")
 
 

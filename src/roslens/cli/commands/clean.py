@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-TEXT = "Remove the cache, old runs or everything that roslens keeps of a workspace."
+TEXT = "Remove the cache, old runs or everything that roslens keeps for a workspace."
 EXAMPLES = """\
   roslens clean                  remove the cache; runs stay
   roslens clean --keep 10        remove all but the ten newest runs

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from roslens.cli.past.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
 
-TEXT = "Compare two runs or revisions; or source, what runs, recordings and references with each other."
+TEXT = "Compare two runs or revisions; or source, a running system, recordings and references with each other."
 EXAMPLES = """\
   roslens compare release now                what is different since the last release
   roslens compare v1.2.0 v1.3.0              two releases, analysed if they were not yet
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "path", nargs="?", metavar="C", help="a third side; of runs the workspace (default: this folder)"
     ).complete = SIDES  # type: ignore[attr-defined]
     parser.add_argument("--format", choices=("text", "markdown", "json"), default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
     parser.add_argument(
         "--fail-on",
         choices=("note", "warning", "error", "never"),
@@ -63,9 +63,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     sides.add_argument(
         "--workspace", default=".", metavar="DIR", help="where launch files and kept runs are (default: this folder)"
     )
-    sides.add_argument("--notes", action="store_true", help="also tell what is as it should be, or cannot be decided")
+    sides.add_argument("--notes", action="store_true", help="also report what matches or cannot be decided")
     sides.add_argument(
-        "--for", dest="length", metavar="TIME", help="look at what runs for so long (default: until nothing changes)"
+        "--for",
+        dest="length",
+        metavar="TIME",
+        help="observe the running system for this time (default: until nothing changes)",
     )
     sides.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
     sides.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-TEXT = "Print what a shell must set so that the nodes started from it count what they publish and take."
+TEXT = "Print the environment that enables message counting in the nodes started from a shell."
 EXAMPLES = """\
   eval "$(roslens env)"            from now on, in this shell
   eval "$(roslens env --undo)"     no longer
@@ -13,8 +13,8 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the shell and the way back."""
-    parser.add_argument("--shell", choices=("sh", "fish"), default="sh", help="whose words to print (default: sh)")
-    parser.add_argument("--undo", action="store_true", help="print what takes it back")
+    parser.add_argument("--shell", choices=("sh", "fish"), default="sh", help="syntax to print (default: sh)")
+    parser.add_argument("--undo", action="store_true", help="print what undoes it")
 
 
 def run(options: argparse.Namespace) -> int:

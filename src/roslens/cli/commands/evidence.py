@@ -25,10 +25,15 @@ FORMATS = ("text", "json", "markdown", "html")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the package, the workspace, and how it is written."""
     parser.add_argument("package", metavar="PACKAGE", help="as the last run names it")
-    parser.add_argument("--workspace", metavar="PATH", default=".", help="that was checked (default: this folder)")
-    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    parser.add_argument(
+        "--workspace",
+        metavar="PATH",
+        default=".",
+        help="the workspace the workspace that was checked (default: this folder)",
+    )
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     parser.add_argument("--format", choices=FORMATS, default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -26,7 +26,7 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to explain."""
-    what = parser.add_argument("id", metavar="ID", help="id of a rule, key of a quantity or name of a model")
+    what = parser.add_argument("id", metavar="ID", help="rule id, quantity key or model name")
     what.complete = IDS  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")

@@ -8,7 +8,7 @@ from roslens.cli.check.fetch_options import add_fetch_arguments, fetched
 from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.terminal.streams import add_stream_arguments, progress_for
 
-TEXT = "Fetch the repositories of a distribution, or some of them, to be checked as one workspace."
+TEXT = "Fetch the repositories of a distribution, or a selection of them, into one workspace."
 EXAMPLES = """\
   roslens fetch --distro jazzy --package nav2_core --into nav2        the repository that has it
   roslens fetch --distribution robot.repos --into robot_ws/src        what `vcs import` reads

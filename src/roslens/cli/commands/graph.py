@@ -41,14 +41,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--launch", metavar="FILE", help="what it starts: PACKAGE/FILE, a path, or a name of [graph.configurations]"
     )
     argument = parser.add_argument(
-        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file; again for more"
+        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file; may be repeated"
     )
     # Scripts of shells are made from what actions hold under this name.
     vars(launch)["complete"], vars(argument)["complete"] = LAUNCHES, ARGUMENTS
     parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only what this package makes")
     parser.add_argument("--node", action="append", default=[], metavar="NAME", help="only this node, or a pattern")
-    parser.add_argument("--all", action="store_true", help="also endpoints that every node has, as /rosout")
-    parser.add_argument("--format", choices=FORMATS, default="text", help="of the result")
+    parser.add_argument("--all", action="store_true", help="include endpoints that every node has, such as /rosout")
+    parser.add_argument("--format", choices=FORMATS, default="text", help="output format")
     parser.add_argument(
         "--diff",
         nargs=2,
@@ -56,7 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="compare two revisions of git (. is the files as they are), two launch files (FILE[:arg=value,...]) or "
         "two files written by --format json",
     )
-    parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the result to this file instead")
     parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")

@@ -42,13 +42,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("history of a running system")
     parser.add_argument("--since", metavar="TIME", help=f"{_STRETCH}; with --every, a date or a revision")
     _add_live_arguments(group)
-    parser.add_argument("--no-color", action="store_true", help="no colours (NO_COLOR does the same)")
+    parser.add_argument("--no-color", action="store_true", help="print no colours (as does NO_COLOR)")
 
 
 def _add_live_arguments(parser: argparse._ArgumentGroup) -> None:
     parser.add_argument(
         "--entity", action="append", default=[], metavar="PATTERN",
-        help="only what matches: a name as in references, with or without its kind: 'topic:/camera/**', '/lidar'",
+        help="only entities that match, with or without a kind, as in references: 'topic:/camera/**', '/lidar'",
     )  # fmt: skip
     parser.add_argument(
         "--signal", action="append", default=[], metavar="PATTERN", help="only these signals: rate, 'cpu*'"
@@ -58,7 +58,7 @@ def _add_live_arguments(parser: argparse._ArgumentGroup) -> None:
         "--what", action="append", default=[], choices=PARTS, help="only this (default: all; CSV and Parquet: series)"
     )
     parser.add_argument("--format", choices=("text", "json", "csv", "parquet"), default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from roslens.store.read_journal import JournalReader
 
-TEXT = "Show what reactions decided and did, follow it, or look whether the journal of it was changed."
+TEXT = "Show what reactions decided and did, follow it, or verify that the journal was not altered."
 EXAMPLES = """\
   roslens journal                          what was decided and done here
   roslens journal --follow                 and what comes next, until Ctrl-C
@@ -25,10 +25,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add which journal, and what to do with it."""
     parser.add_argument("journal", nargs="?", type=Path, metavar="FILE", help="default: that of `roslens react` here")
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--follow", action="store_true", help="go on with what is added, until Ctrl-C")
-    what.add_argument("--verify", action="store_true", help="look at every hash; exit code 1 if anything was changed")
+    what.add_argument("--follow", action="store_true", help="keep printing new entries until Ctrl-C")
+    what.add_argument("--verify", action="store_true", help="verify every hash; exit with 1 if anything was changed")
     what.add_argument("--export", type=Path, metavar="FILE", help="write it as JSON, or as CSV by the file's ending")
-    parser.add_argument("--head", default="", metavar="HASH", help="with --verify: a hash that was kept of it")
+    parser.add_argument("--head", default="", metavar="HASH", help="with --verify: a hash of it kept elsewhere")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from roslens.cli.workplace.workplace import add_workspace_argument
 if TYPE_CHECKING:
     from roslens.report.study.standings import Standing
 
-TEXT = "Say where the packages of the last run stand among ROS packages of many known repositories."
+TEXT = "Rank the packages of the last run among the ROS packages of many known repositories."
 EXAMPLES = """\
   roslens percentile                             what is unusual of each package: beyond nine of ten
   roslens percentile --package nav2_amcl         everything of one package
@@ -22,12 +22,12 @@ EXAMPLES = """\
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the workspace, what of it, and how it is written."""
     add_workspace_argument(parser)
-    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only this one, with everything")
     parser.add_argument("--quantity", action="append", default=[], metavar="KEY", help="only this one")
-    parser.add_argument("--all", action="store_true", help="everything, not only what is unusual")
+    parser.add_argument("--all", action="store_true", help="show show everything, not only what is unusual")
     parser.add_argument("--format", choices=("text", "csv", "json"), default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -9,7 +9,7 @@ from pathlib import Path
 from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
 
-TEXT = "List plug-ins with the quantities and rules that each gives, and the foreign tools that --tools can name."
+TEXT = "List plug-ins with the quantities and rules that each provides, and the foreign tools that --tools accepts."
 EXAMPLES = """\
   roslens plugins
   roslens plugins --format json"""

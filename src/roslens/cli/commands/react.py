@@ -13,7 +13,7 @@ from roslens.cli.watch.observers import add_observer_arguments
 from roslens.cli.watch.param_reference import add_reference_argument, reference_argument
 from roslens.model.errors import UsageError
 
-TEXT = "Watch a running ROS system, and do what its reference says is to be done about faults, as far as it is allowed."
+TEXT = "Watch a running ROS system, and act on faults as its reference specifies, within the permissions given."
 EXAMPLES = """\
   roslens react rover.yaml                                  say what would be done (--mode dry-run), and do nothing
   roslens react rover.yaml --mode ask                       ask in the terminal before anything is done to the robot
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_reference_argument(parser)
     parser.add_argument(
         "--mode", choices=MODES, default="dry-run",
-        help="dry-run: only say it; ask: in the terminal; act: do it (default: dry-run)",
+        help="dry-run: only report; ask: confirm in the terminal; act: carry out (default: dry-run)",
     )  # fmt: skip
     add_hand_arguments(parser)
     parser.add_argument("--journal", type=Path, metavar="FILE", help="default: in the state folder of this user")
@@ -45,13 +45,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_door_arguments(parser)
     parser.add_argument("--publish-journal", metavar="TOPIC", help="publish each entry in ROS, as JSON in a String")
     held = parser.add_mutually_exclusive_group()
-    held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all that is done from here, at once")
-    held.add_argument("--release", action="store_true", help="go on, also with what was given up")
+    held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all actions from this host at once")
+    held.add_argument("--release", action="store_true", help="resume, including nodes that were left alone")
     add_limit_arguments(parser)
     react_simulate.add_arguments(parser)
     add_observer_arguments(parser)
     parser.add_argument(
-        "--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`); with --hold: end the hold"
+        "--for",
+        dest="length",
+        metavar="TIME",
+        help="stop after this time (`60s`, `5 min`); with --hold: release after it",
     )
     parser.add_argument("--json", action="store_true", help="print JSON: a line for each entry of the journal")
     add_stream_arguments(parser)

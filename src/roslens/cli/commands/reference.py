@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.unmatched import Subject
     from roslens.model.entity import EntityId
 
-TEXT = "Check, explain, draft, test, export or import references: documents that say how a running robot should behave."
+TEXT = "Check, explain, draft, test, export or import references: documents that specify a robot's behaviour."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
@@ -49,10 +49,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     check = actions.add_parser("check", help=_CHECK, description=_CHECK)
     check.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
     check.add_argument(
-        "--bag", type=Path, nargs="+", metavar="FILE", help="say what of it is about nothing in a recording"
+        "--bag", type=Path, nargs="+", metavar="FILE", help="report which of it matches nothing in a recording"
     )
     check.add_argument(
-        "--graph", metavar="GRAPH", help="refuse what is not in a graph: of a run, `3:drive.launch.xml`, or in a file"
+        "--graph",
+        metavar="GRAPH",
+        help="reject names that a graph does not have: of a run, `3:drive.launch.xml`, or of a file",
     )
     check.add_argument("-q", "--quiet", action="store_true", help="no table of what is expected")
     check.set_defaults(act=_check)
@@ -62,7 +64,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for word in _NARROWING:
         explain.add_argument(f"--{word}", default="", metavar="NAME", help=f"its {word}, where that is known")
     explain.add_argument(
-        "--bag", type=Path, nargs="+", metavar="FILE", help="also what was wrong with it in a recording, and why"
+        "--bag", type=Path, nargs="+", metavar="FILE", help="also explain what was wrong with it in a recording"
     )
     explain.add_argument("--json", action="store_true", help="print JSON")
     explain.set_defaults(act=_explain)

@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     where.add_argument("-o", "--output", metavar="DIR", default="roslens-report", help="folder (default: %(default)s)")
     where.add_argument("--single-file", metavar="FILE", help="one self-contained HTML file")
     parser.add_argument("--jobs", type=int, metavar="N", help="processes that write pages (default: one per processor)")
-    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     add_shown_argument(parser)
     add_kept_arguments(parser)
     add_stream_arguments(parser)

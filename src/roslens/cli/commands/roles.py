@@ -7,7 +7,7 @@ import sys
 
 from roslens.cli.workplace.workplace import add_workspace_argument
 
-TEXT = "Say of each package of the last run whether it is a driver, a library or an application, and why."
+TEXT = "Classify each package of the last run as a driver, a library, an application and so on, with the reasons."
 EXAMPLES = """\
   roslens roles
   roslens roles ~/robot_ws --package nav2_amcl      one package, with all reasons
@@ -17,10 +17,10 @@ EXAMPLES = """\
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the workspace, the packages, and how it is written."""
     add_workspace_argument(parser)
-    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only this one")
     parser.add_argument("--format", choices=("text", "csv", "json"), default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-TEXT = "Run a command so that the nodes it starts count what they publish and take; their code stays as it is."
+TEXT = "Run a command so that the nodes it starts count their messages, without a change to their code."
 EXAMPLES = """\
   roslens run -- ros2 launch demo robot.launch.py
   roslens run -- python3 talker.py"""

@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_workspace_argument(parser)
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: this machine only)")
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
-    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     add_door_arguments(parser)
     parser.add_argument(
         "--accept", action="store_true",
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_shown_argument(parser)
     add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
-    live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
+    live.add_argument("--live", action="store_true", help="also watch the running system, on pages beside the others")
     live.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="show a recording there instead")
     live.add_argument("--history", type=Path, metavar="FILE", help="show what `roslens watch --history` kept instead")
     live.add_argument(
@@ -81,7 +81,11 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(" with ".join(several), expected="one of them")
     of_bag = bool(options.bag)
     if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
-        raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+        raise UsageError(
+            f"{option} without --live",
+            expected="both",
+            advice="A reference is compared with a running system: add --live",
+        )
     checked(options)
     from roslens.cli.check.kept_new import shown_new
     from roslens.cli.check.shown_run import shown_run

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from roslens.model.quantity import Quantity
     from roslens.model.study import Corpus
 
-TEXT = "Say how quantities are distributed over many packages, how they go together, and which rules are broken."
+TEXT = "Summarise many packages: distributions and correlations of quantities, and which rules are broken."
 EXAMPLES = """\
   roslens study                                  of the last run of this workspace
   roslens study --by role --format html -o study.html
@@ -52,17 +52,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="KEY",
-        help="only these (default: sizes, findings and what the models bound)",
+        help="only these (default: sizes, findings and what the models limit)",
     )
     parser.add_argument(
         "--model",
         action="append",
         default=[],
         metavar="NAME",
-        help="whose bounds are thresholds (default: those of the run)",
+        help="models whose limits are thresholds (default: those of the run)",
     )
     parser.add_argument("--format", choices=FORMATS, default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roslens.cli.top.feed import Feed
     from roslens.report.writing.terminal import Terminal
 
-TEXT = "Show the robot that runs in the terminal: what is wrong by first cause, the tree, plots of what is chosen."
+TEXT = "Show a running robot in the terminal: faults by first cause, the tree, plots of the selected entity."
 EXAMPLES = """\
   roslens top robot:8080                    what `roslens watch --serve` or `roslens serve --live` there sees
   roslens top --reference rover.yaml        what runs here, observed by itself

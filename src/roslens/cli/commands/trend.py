@@ -10,7 +10,7 @@ from roslens.cli.completion_words import QUANTITIES
 from roslens.model.errors import UsageError
 from roslens.model.trend import Trend, TrendEvent
 
-TEXT = "Show how a quantity went over past revisions: a curve per package, with releases and changes of tools."
+TEXT = "Show how a quantity developed over past revisions: a curve per package, with releases and changes of tools."
 EXAMPLES = """\
   roslens trend loc                          after `roslens history --every release`
   roslens trend findings --package nav2_amcl
@@ -21,16 +21,18 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is followed, and how it is written."""
-    what = parser.add_argument("quantity", nargs="?", metavar="QUANTITY", help="its key; without, all keys are listed")
+    what = parser.add_argument(
+        "quantity", nargs="?", metavar="QUANTITY", help="its key; without one, all keys are listed"
+    )
     what.complete = QUANTITIES  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument(
         "--package", action="append", default=[], metavar="NAME", help="only this package; may be given again"
     )
-    parser.add_argument("--since", metavar="DATE", help="without what is older, such as 2024-01-31")
+    parser.add_argument("--since", metavar="DATE", help="leave out what is older, such as 2024-01-31")
     parser.add_argument("--format", choices=("text", "json", "csv"), default="text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
-    parser.add_argument("--no-color", action="store_true", help="no colours (NO_COLOR does the same)")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
+    parser.add_argument("--no-color", action="store_true", help="print no colours (as does NO_COLOR)")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-TEXT = "Trust the plug-ins that a workspace's configuration names by path, as they are now."
+TEXT = "Trust the plug-ins that a workspace's configuration names by path, with their current content."
 EXAMPLES = """\
   roslens trust                     those of the nearest roslens.toml
   roslens trust ~/robot_ws/src --list    only say what would run, and whether it is trusted
@@ -17,8 +17,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--list", action="store_true", help="say what would run and whether it is trusted")
-    what.add_argument("--revoke", action="store_true", help="trust it no more")
+    what.add_argument("--list", action="store_true", help="report what would run and whether it is trusted")
+    what.add_argument("--revoke", action="store_true", help="stop trusting it")
 
 
 def run(options: argparse.Namespace) -> int:

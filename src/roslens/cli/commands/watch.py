@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
     from roslens.live.join.session import Step
 
-TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."
+TEXT = "Watch a running ROS system or a recording, and report deviations from the reference."
 EXAMPLES = """\
   roslens watch --bag drive.bag --reference rover.yaml      a recording, as fast as it can be read
   roslens watch --reference rover.yaml                      what runs here, until Ctrl-C; read again when it changes
@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
     add_reference_argument(parser)
     add_observer_arguments(parser)
-    parser.add_argument("--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`)")
+    parser.add_argument("--for", dest="length", metavar="TIME", help="stop after this time (`60s`, `5 min`)")
     parser.add_argument(
         "--fail-on",
         default="low,high,absent",
@@ -50,8 +50,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="states that make the exit code 1: low, high, absent, unknown (at the end), or never "
         "(default: low,high,absent)",
     )
-    parser.add_argument("--format", choices=("text", "json"), default="text", help="json: a line for each change")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
+    parser.add_argument(
+        "--format", choices=("text", "json"), default="text", help="output format; json: one line per change"
+    )
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result to this file")
     parser.add_argument("--prometheus", type=int, metavar="PORT", help="serve values for Prometheus on this machine")
     parser.add_argument(
         "--diagnostics", action="store_true", default=None, help="publish diagnostic_msgs on /diagnostics in ROS"
@@ -62,9 +64,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
     add_door_arguments(parser)
     parser.add_argument(
-        "--graph-out", type=Path, metavar="FILE", help="write the graph there at the end (rosgraph_msgs/Graph, YAML)"
+        "--graph-out",
+        type=Path,
+        metavar="FILE",
+        help="write the graph to this file at the end (rosgraph_msgs/Graph, YAML)",
     )
-    parser.add_argument("--history", type=Path, metavar="FILE", help="keep series and verdicts in this file (SQLite)")
+    parser.add_argument("--history", type=Path, metavar="FILE", help="store series and verdicts in this file (SQLite)")
     add_stream_arguments(parser)
 
 

@@ -22,7 +22,7 @@ def add_check_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fail-on",
         choices=("note", "warning", "error", "never"),
-        help="with --check: exit with 1 from this severity on (default: error)",
+        help="with --check: exit with 1 at this severity or above (default: error)",
     )
 
 

@@ -26,8 +26,8 @@ def add_revision_arguments(parser: argparse.ArgumentParser) -> None:
     )
     group.add_argument("--model", action="append", metavar="NAME", help="quality model, as for `roslens check`")
     group.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
-    group.add_argument("-q", "--quiet", action="store_true", help="no progress")
-    group.add_argument("-v", "--verbose", action="store_true", help="name each revision as it is done")
+    group.add_argument("-q", "--quiet", action="store_true", help="print no progress")
+    group.add_argument("-v", "--verbose", action="store_true", help="name each revision when it is done")
 
 
 def every_of(text: str) -> Every:

@@ -29,7 +29,7 @@ TELL_S = 2.0
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is simulated."""
-    parser.add_argument("--simulate", action="store_true", help="do nothing; say what would have been done, and why")
+    parser.add_argument("--simulate", action="store_true", help="do nothing; report what would have been done, and why")
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="along a recording")
     parser.add_argument("--timeline", type=Path, metavar="FILE", help="along a time line (YAML)")
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from roslens.live.drafting.draft_session import DraftSession
     from roslens.model.failure import Failure
 
-TEXT = "Draft a reference from a recording, what runs now, or a graph, each line with what speaks for it."
+TEXT = "Draft a reference from a recording, a running system or a graph, each line with its evidence."
 EXAMPLES = """\
   roslens reference draft --bag drive.bag -o robot.yaml      from a recording
   roslens reference draft --live 60s -o robot.yaml           from what runs here, started through `roslens run`
@@ -34,7 +34,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is drafted from and where it goes."""
     source = parser.add_mutually_exclusive_group(required=True)
     source.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording")
-    source.add_argument("--live", metavar="TIME", help="what runs now, for so long (`60s`); Ctrl-C ends it earlier")
+    source.add_argument(
+        "--live", metavar="TIME", help="the running system, for this time (`60s`); Ctrl-C ends it earlier"
+    )
     source.add_argument(
         "--graph",
         metavar="RUN",
@@ -42,8 +44,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "configurations, `3:drive.launch.xml`; or a file that `watch --graph-out` or `graph --format rosgraph` wrote",
     )
     parser.add_argument("--name", default="draft", help="of the reference (default: draft)")
-    parser.add_argument("--each", action="store_true", help="a line for each topic, also where several are alike")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it there (default: standard output)")
+    parser.add_argument("--each", action="store_true", help="one line per topic, even where several are alike")
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="FILE", help="write it to this file (default: standard output)"
+    )
     add_observer_arguments(parser.add_argument_group("with --live"))
     parser.set_defaults(act=draft)
 

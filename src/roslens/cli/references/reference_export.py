@@ -12,7 +12,9 @@ from roslens.cli.terminal.boundary import CLEAN
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
 
-TEXT = "Make rules of Prometheus, routes of Alertmanager, a dashboard of Grafana or a layout of Foxglove of references."
+TEXT = (
+    "Export references: rules for Prometheus, routes for Alertmanager, a dashboard for Grafana, a layout for Foxglove."
+)
 EXAMPLES = """\
   roslens reference export rover.yaml --prometheus -o rover.rules.yml      promtool check rules rover.rules.yml
   roslens reference export rover.yaml --alertmanager -o alertmanager.yml   amtool check-config alertmanager.yml
@@ -36,8 +38,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--rated", metavar="TOPIC", default=RATED,
         help=f"where `roslens watch --publish-statistics` publishes, for --foxglove (default: {RATED})",
     )  # fmt: skip
-    parser.add_argument("-o", "--output", metavar="FILE", help="write it there (default: standard output)")
-    parser.add_argument("-q", "--quiet", action="store_true", help="do not tell what is left out")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write it to this file (default: standard output)")
+    parser.add_argument("-q", "--quiet", action="store_true", help="do not report what is left out")
     parser.set_defaults(act=export)
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from roslens.live.mutation.trial import Trial
     from roslens.live.replay.alarms import Alarm
 
-TEXT = "Put known faults into a healthy recording, and say which of them references see: a score to raise."
+TEXT = "Inject known faults into a healthy recording, and report which of them the references detect, as a score."
 EXAMPLES = """\
   roslens reference mutate robot.yaml --bag drive.mcap                     a table of what is seen and what is not
   roslens reference mutate robot.yaml --bag drive.mcap --time 5min         more stretches of it
@@ -41,10 +41,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--time", default=f"{TIME_S:g} s", metavar="TIME", help="how long to try at most (default: %(default)s)"
     )
     parser.add_argument(
-        "--at-least", type=float, metavar="SHARE", help="exit code 1 where fewer of 100 faults are seen (default: 0)"
+        "--at-least",
+        type=float,
+        metavar="SHARE",
+        help="exit with 1 if fewer than this percentage of faults is detected (default: 0)",
     )
     parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("-q", "--quiet", action="store_true", help="no progress")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print no progress")
     parser.set_defaults(act=mutate)
 
 

@@ -13,9 +13,9 @@ from typing import TextIO
 
 def add_stream_arguments(parser: argparse.ArgumentParser) -> None:
     """Add ``-q``, ``-v`` and ``--no-color``."""
-    parser.add_argument("-q", "--quiet", action="store_true", help="no progress, no hints")
-    parser.add_argument("-v", "--verbose", action="store_true", help="name each package as it is done; show details")
-    parser.add_argument("--no-color", action="store_true", help="no colours (NO_COLOR does the same)")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print no progress and no hints")
+    parser.add_argument("-v", "--verbose", action="store_true", help="name each package when it is done; show details")
+    parser.add_argument("--no-color", action="store_true", help="print no colours (as does NO_COLOR)")
 
 
 def wants_color(options: argparse.Namespace, stream: TextIO) -> bool:

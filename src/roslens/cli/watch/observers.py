@@ -25,14 +25,14 @@ def add_observer_arguments(parser: argparse._ActionsContainer) -> None:
         metavar="PATTERN",
         help="subscribe to topics that match, within a budget; for nodes that were not started through `roslens run`",
     )
-    parser.add_argument("--listen", metavar="HOST:PORT", help="take reports of `roslens agent` on other hosts")
+    parser.add_argument("--listen", metavar="HOST:PORT", help="accept reports of `roslens agent` on other hosts")
     parser.add_argument(
         "--key-file",
         type=Path,
         action="append",
         default=[],
         metavar="FILE",
-        help="the key that agents know too; may be given again, for hosts with keys of their own",
+        help="the key shared with agents; may be repeated, for hosts with their own keys",
     )
 
 

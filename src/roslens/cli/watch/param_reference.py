@@ -24,7 +24,7 @@ def add_reference_argument(parser: argparse._ActionsContainer) -> None:
         action="append",
         default=[],
         metavar="FILE",
-        help="what is expected; param:/NAME reads it from a parameter of ROS",
+        help="reference documents; param:/NAME reads one from a ROS parameter",
     )
 
 

@@ -25,7 +25,11 @@ ANSWERS = "forges"
 def add_workspace_argument(parser: argparse.ArgumentParser) -> None:
     """Add the optional PATH that says which workspace's last run is meant."""
     parser.add_argument(
-        "path", nargs="?", default=".", metavar="PATH", help="the workspace that was checked (default: this folder)"
+        "path",
+        nargs="?",
+        default=".",
+        metavar="PATH",
+        help="the workspace the workspace that was checked (default: this folder)",
     )
 
 

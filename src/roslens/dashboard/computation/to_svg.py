@@ -229,7 +229,7 @@ def _captions(system: System, drawing: Drawing, *, as_lines: bool) -> list[str]:
         return [title, "Topics, services and actions are the lines between nodes."]
     hidden = len(system.elements) - len(drawing.places)
     quiet = ", ".join(preset.title for preset in PRESETS if preset.key in DEFAULT)
-    return [title, f"{hidden} left out: {quiet}"] if hidden else [title]
+    return [title, f"{hidden} hidden: {quiet}"] if hidden else [title]
 
 
 def _legend(top: float, captions: Sequence[str]) -> Iterator[str]:

@@ -92,7 +92,7 @@ def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
         below = len(causes[one.node, one.cause]) - 1 if one.missing is Missing.NODE_NAME else 0
         node = f"{one.node}: " if one.node else ""
         text = f' "{_short(one.text)}"' if one.text else ""
-        more = f", and so do {below} names of what it makes" if below > 0 else ""
+        more = f", and {below} of its endpoints with it" if below > 0 else ""
         yield f"  {one.proof.place}  {node}{one.reason}{more}{text}"
 
 

@@ -15,7 +15,7 @@ from roslens.source.rules.graph.told import TOOL, ids_of, told
 RULE = RuleInfo(
     "graph.remap",
     "Remapping that matches nothing",
-    "A remapping names what none of the nodes that it holds for uses. Nodes whose code is unknown, or not understood "
+    "No node in the scope of a remapping uses the name that it remaps. Nodes whose code is unknown, or not understood "
     "everywhere, are taken to use it, except where a node outside of a remapping for several nodes has the name: it "
     "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, "
     "and a note where it may be left over; what every node has, "

@@ -20,8 +20,9 @@ from roslens.live.agent.link import frame_body
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.agent.work import COUNT_EVERY_S, COUNT_SHARE
 from roslens.live.inside import slots
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters
-from roslens.live.inside.slots import VARIABLE, CounterFile, Slot
+from roslens.live.inside.slots import VARIABLE, Slot
 from roslens.model.wire import VERSION, Frame
 
 PROCESSES = 100

@@ -3,7 +3,28 @@
 from pathlib import Path
 
 SOURCE = Path(__file__).parents[2] / "src" / "roslens"
-LONGEST = 500
+LONGEST = 400
+LONG = {
+    "dashboard/site.py",
+    "live/rate/monitor.py",
+    "live/window/window.py",
+    "source/extract/builds/cmake_commands.py",
+    "source/extract/builds/cmake_evaluation.py",
+    "source/extract/builds/cmake_targets.py",
+    "source/extract/interpreter/evaluated_expressions.py",
+    "source/extract/interpreter/evaluation.py",
+    "source/extract/launch/launch_ros1.py",
+    "source/extract/launch_python/python_interpreter.py",
+    "source/extract/lowering/cpp/cpp_definitions.py",
+    "source/extract/lowering/cpp/cpp_statements.py",
+    "source/extract/lowering/python/python_program_expressions.py",
+    "source/extract/lowering/python/python_program_statements.py",
+    "source/extract/overlays/ros/vocabulary_ros1.py",
+    "source/extract/symbols/workspace_index.py",
+    "source/extract/units/node_units.py",
+    "source/pipeline.py",
+}
+"""Files that are longer, and at most 500 lines: whoever splits one by idea takes it off, and no new one is put on."""
 NAMELESS = {"util", "utils", "helper", "helpers", "common", "base", "manager", "handler", "data", "misc"}
 
 
@@ -13,9 +34,11 @@ def modules() -> list[Path]:
     return found
 
 
-def test_no_file_grows_over_500_lines():
+def test_no_file_grows_long():
     long = {str(path.relative_to(SOURCE)): n for path in modules() if (n := path.read_text().count("\n")) > LONGEST}
-    assert not long, f"split by idea: {long}"
+    grown = {name: n for name, n in long.items() if n > (500 if name in LONG else LONGEST)}
+    assert not grown, f"split by idea: {grown}"
+    assert set(long) >= LONG, "take off the list what is short now"
 
 
 def test_every_name_says_what_it_is():

@@ -14,7 +14,7 @@ from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.units.workspace_units import facts_of_workspace
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 HEADER = Path(__file__).with_name("recording_rclcpp.hpp")
 INCLUDES = "#include <rclcpp/rclcpp.hpp>\n#include <std_msgs/msg/string.hpp>\n"

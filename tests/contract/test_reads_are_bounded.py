@@ -39,7 +39,7 @@ OWN = {
     "source/extract/launch/gazebo_plugins.py": "comes with roslens",
     "source/extract/launch/ros_controllers.py": "comes with roslens",
     "source/keys.py": "comes with roslens",
-    "source/syntax/macros.py": "comes with roslens",
+    "source/syntax/macro/macros.py": "comes with roslens",
     "source/tools/tool_checks.py": "comes with roslens",
     "store/migrate.py": "comes with roslens",
     "store/postgres/migrate.py": "comes with roslens",

@@ -83,7 +83,7 @@ def _repositories(content: bytes) -> None:
 
 @cache
 def _macros():
-    from roslens.source.syntax.macros import load_macros
+    from roslens.source.syntax.macro.macros import load_macros
 
     return load_macros()
 

@@ -7,8 +7,9 @@ import pytest
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.inside import slots
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters, place_of
-from roslens.live.inside.slots import VARIABLE, CounterFile
+from roslens.live.inside.slots import VARIABLE
 from roslens.live.observe.local_host import LocalHost
 from roslens.model.graph import Change
 

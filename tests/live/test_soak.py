@@ -12,10 +12,11 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.adapters.ros2.observation import Observation
-from roslens.live.inside import rclpy_hook, slots
+from roslens.live.inside import rclpy_hook, rclpy_state, slots
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.host_counters import HostCounters
-from roslens.live.inside.slots import VARIABLE, CounterFile
+from roslens.live.inside.slots import VARIABLE
 from roslens.live.join.session import Session
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -223,8 +224,8 @@ class Publisher:
 def test_the_hook(tmp_path, monkeypatch):
     """Publishers come and go, messages do all the time."""
     monkeypatch.setenv(VARIABLE, str(tmp_path / "counters"))
-    monkeypatch.setattr(rclpy_hook, "HOOK", rclpy_hook._Hook())
-    monkeypatch.setattr(rclpy_hook, "CounterFile", partial(CounterFile, capacity=16))
+    monkeypatch.setattr(rclpy_hook, "HOOK", rclpy_state.Hook())
+    monkeypatch.setattr(rclpy_state, "CounterFile", partial(CounterFile, capacity=16))
     module = SimpleNamespace(Executor=Executor, Publisher=Publisher)
     rclpy_hook.hook_executor(module)
     rclpy_hook.hook_publisher(module)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from roslens.model.source import Language
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
-from roslens.source.syntax.macros import MacroPreset, load_macros
+from roslens.source.syntax.macro.macros import MacroPreset, load_macros
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -4,41 +4,41 @@ import os
 
 import pytest
 
-from roslens.live.inside.rclpy_hook import _CLAIM, _Hook
+from roslens.live.inside.rclpy_state import CLAIM, Hook
 
 
 @pytest.fixture
 def hook(monkeypatch, tmp_path):
     monkeypatch.setenv("ROSLENS_COUNTERS", str(tmp_path))
-    monkeypatch.delenv(_CLAIM, raising=False)
-    hook = _Hook()
+    monkeypatch.delenv(CLAIM, raising=False)
+    hook = Hook()
     yield hook
     hook.close()
-    os.environ.pop(_CLAIM, None)
+    os.environ.pop(CLAIM, None)
 
 
 def test_each_direction_is_claimed_for_this_process(hook):
     hook.claim("published")
-    assert os.environ[_CLAIM] == f"{os.getpid()} published"
+    assert os.environ[CLAIM] == f"{os.getpid()} published"
     hook.claim("taken")
-    assert os.environ[_CLAIM] == f"{os.getpid()} published taken"
+    assert os.environ[CLAIM] == f"{os.getpid()} published taken"
 
 
 def test_after_an_error_nothing_is_claimed(hook):
     hook.claim("taken")
     hook.stop(ValueError("broken"))
-    assert _CLAIM not in os.environ
+    assert CLAIM not in os.environ
 
 
 def test_a_child_that_counts_on_claims_for_itself(hook, monkeypatch):
     hook.claim("taken")
     monkeypatch.setattr(os, "getpid", lambda: 4711)
     hook.after_fork()
-    assert os.environ[_CLAIM] == "4711 taken"
+    assert os.environ[CLAIM] == "4711 taken"
 
 
 def test_a_child_of_one_that_counted_claims_nothing(hook):
     hook.claim("taken")
     hook.slot(1, b"", "/t", "/n")
     hook.after_fork()
-    assert _CLAIM not in os.environ
+    assert CLAIM not in os.environ

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.inside import slots
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.counters import CounterReader, joined
 from roslens.live.inside.sequence import SETTLE_NS, Sequence
 from roslens.live.inside.snapshot import difference, snapshot
@@ -197,7 +198,7 @@ def test_a_file_is_read_while_its_process_lives_and_once_after(tmp_path):
     folder = tmp_path / "counters"
     reader = CounterReader(str(folder))
     assert reader.read(1.0) == []
-    file = slots.CounterFile(str(folder))
+    file = CounterFile(str(folder))
     assert folder.stat().st_mode & 0o077 == 0
     slot = file.slot(slots.TAKEN, GID, "/scan", "/listener")
     take(slot, SECOND)
@@ -212,7 +213,7 @@ def test_a_file_is_read_while_its_process_lives_and_once_after(tmp_path):
 
 
 def test_what_was_counted_before_the_first_read_is_not_told(tmp_path):
-    file = slots.CounterFile(str(tmp_path))
+    file = CounterFile(str(tmp_path))
     slot = file.slot(slots.PUBLISHED, b"", "/scan", "/lidar")
     slot.published(SECOND, -1)
     reader = CounterReader(str(tmp_path))
@@ -225,8 +226,8 @@ def test_what_was_counted_before_the_first_read_is_not_told(tmp_path):
 
 def test_a_killed_process_leaves_a_file_that_is_read_and_removed(tmp_path):
     code = (
-        "import os, sys; from roslens.live.inside import slots; "
-        "f = slots.CounterFile(sys.argv[1]); f.slot(slots.PUBLISHED, b'', '/t', '/n').published(5, 3); "
+        "import sys; from roslens.live.inside import counter_file, slots; "
+        "f = counter_file.CounterFile(sys.argv[1]); f.slot(slots.PUBLISHED, b'', '/t', '/n').published(5, 3); "
         "print('ready', flush=True); sys.stdin.read()"
     )
     reader = CounterReader(str(tmp_path))
@@ -255,7 +256,7 @@ def test_foreign_files_are_failures_told_once(tmp_path):
 
 
 def test_a_hook_that_does_not_count_is_a_failure(tmp_path):
-    file = slots.CounterFile(str(tmp_path))
+    file = CounterFile(str(tmp_path))
     file.say("rclpy: not counting: Executor._take_subscription is not there")
     reader = CounterReader(str(tmp_path))
     reader.read(1.0)
@@ -266,7 +267,7 @@ def test_a_hook_that_does_not_count_is_a_failure(tmp_path):
 
 
 def test_a_full_file_gives_the_slot_of_who_has_long_been_silent(tmp_path):
-    file = slots.CounterFile(str(tmp_path), capacity=2)
+    file = CounterFile(str(tmp_path), capacity=2)
     old = file.slot(slots.PUBLISHED, b"", "/old", "/n")
     young = file.slot(slots.PUBLISHED, b"", "/young", "/n")
     old.published(SECOND, -1)
@@ -287,7 +288,7 @@ def test_a_full_file_gives_the_slot_of_who_has_long_been_silent(tmp_path):
 def test_publishers_get_their_names_and_outputs_their_processing(tmp_path):
     reader = CounterReader(str(tmp_path))
     reader.read(0.5)
-    file = slots.CounterFile(str(tmp_path))
+    file = CounterFile(str(tmp_path))
     take(file.slot(slots.TAKEN, GID, "/in", "/relay"), SECOND, 1000)
     take(file.slot(slots.TAKEN, b"gone" * 4, "/in", "/relay"), SECOND)
     file.slot(slots.PUBLISHED, b"", "/out", "/relay").published(SECOND, 9)
@@ -321,7 +322,7 @@ def test_a_folder_of_somebody_else_is_refused(tmp_path):
     target.mkdir()
     (tmp_path / "link").symlink_to(target)
     with pytest.raises(PermissionError, match="is not a folder"):
-        slots.CounterFile(str(tmp_path / "link"))
+        CounterFile(str(tmp_path / "link"))
     assert list(target.iterdir()) == []
     assert slots.folder_of({}, 7) == str(Path("/dev/shm") / "roslens-7")
     assert slots.folder_of({slots.VARIABLE: "/x"}) == "/x"

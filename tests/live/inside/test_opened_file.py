@@ -7,9 +7,9 @@ import time
 import pytest
 
 from roslens.live.inside import slots
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.opened_file import CutOffError, ForeignFile, OpenedFile, open_file
-from roslens.live.inside.slots import CounterFile
 
 GID = bytes(range(16))
 

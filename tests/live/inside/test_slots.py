@@ -2,8 +2,9 @@
 
 import pytest
 
+from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.counters import CounterReader
-from roslens.live.inside.slots import HEADER, PUBLISHED, REST_NS, CounterFile
+from roslens.live.inside.slots import HEADER, PUBLISHED, REST_NS
 
 START = 1_700_000_000_000_000_000
 S = 1_000_000_000

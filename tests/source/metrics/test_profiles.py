@@ -21,7 +21,7 @@ from roslens.source.metrics.complexity.cyclomatic_complexity import DECISIONS
 from roslens.source.metrics.complexity.profiles import PROFILES, ROSLENS, cyclomatic
 from roslens.source.syntax.cpp import parse_cpp
 from roslens.source.syntax.facts import FileFacts, FunctionFacts
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 from roslens.source.syntax.python import parse_python
 
 ROOT = Path(__file__).parents[3]

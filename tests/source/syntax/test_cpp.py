@@ -8,7 +8,7 @@ from pace import soon
 
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.cpp import parse_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from roslens.source.syntax.cpp import parse_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 lizard = pytest.importorskip("lizard")
 

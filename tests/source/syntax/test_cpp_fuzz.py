@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from roslens.source.syntax.cpp import parse_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 FIXTURES = Path(__file__).parents[2] / "fixtures" / "syntax" / "cpp"
 CASES = int(os.environ.get("ROSLENS_FUZZ_CASES", "5000"))

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from roslens.source.syntax.cpp_query import parse_tree
 from roslens.source.syntax.cpp_repair import first_arms, repaired, with_parameter_types
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.source.syntax.cpp import parse_cpp, tree_of_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 FORMS = {

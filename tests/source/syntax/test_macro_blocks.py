@@ -3,8 +3,8 @@
 import pytest
 
 from roslens.source.syntax.cpp import parse_cpp
-from roslens.source.syntax.macro_blocks import name_blocks
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macro_blocks import name_blocks
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.syntax.macro_statements import blank_statements
+from roslens.source.syntax.macro.macro_statements import blank_statements
 
 
 @pytest.mark.parametrize(

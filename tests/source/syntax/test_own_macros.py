@@ -7,8 +7,8 @@ import pytest
 from roslens.cli.workplace.configuration import find_configuration
 from roslens.model.errors import DocumentError
 from roslens.source.settings import MacroSettings
-from roslens.source.syntax.macros import load_macros
-from roslens.source.syntax.own_macros import OwnMacros
+from roslens.source.syntax.macro.macros import load_macros
+from roslens.source.syntax.macro.own_macros import OwnMacros
 
 
 def test_whole_words_of_the_first_kind_that_fits():

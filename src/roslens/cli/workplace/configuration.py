@@ -231,7 +231,7 @@ class _Reader:
 
     def _check_macros(self, macros: MacroSettings) -> None:
         """Tell of a name of a macro that is no expression, rather than of each file that it cannot be looked for in."""
-        from roslens.source.syntax.own_macros import OwnMacros
+        from roslens.source.syntax.macro.own_macros import OwnMacros
 
         for key in ("blank", "statement"):
             try:

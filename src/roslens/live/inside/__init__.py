@@ -2,6 +2,7 @@
 
 In come calls of rclpy and rospy; out come counters in shared memory. Begin with ``slots.py``, their layout.
 
-``slots``, ``sequence``, ``when_imported`` and ``rclpy_hook`` are loaded in the node's own Python, where neither
-roslens nor msgspec may be installed: they import the standard library and each other only, and run from Python 3.8 on.
+``slots``, ``counter_file``, ``sequence``, ``when_imported``, ``rclpy_hook`` and ``rclpy_state`` are loaded in the
+node's own Python, where neither roslens nor msgspec may be installed: they import the standard library and each other
+only, and run from Python 3.8 on.
 """

@@ -19,19 +19,17 @@ import functools
 import os
 import threading
 import time
-import weakref
 from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
 from .beside_library import UNSEEN, forgets, forgetting
+from .rclpy_state import Hook
 from .sequence import Sequence
-from .slots import ANSWERED, CAPACITY, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
+from .slots import ANSWERED, CAPACITY, PUBLISHED, TAKEN, Slot
 
 _OTHER_WORK = ("_take_timer", "_take_client", "_take_service", "_take_guard_condition", "_take_waitable")
 _NO_NUMBER = 0xFFFFFFFFFFFFFFFF
-_CLAIM = "ROSLENS_RCLPY_HOOK"
-"""Tells the preloaded library, where there is one, which messages of which process are counted here and not by it."""
 
 
 class _Current(threading.local):
@@ -43,83 +41,7 @@ class _Current(threading.local):
 _CURRENT = _Current()
 
 
-class _Hook:
-    """The state of the hook in this process."""
-
-    def __init__(self) -> None:
-        self.counters: CounterFile | None = None
-        self.begun = False
-        self.below = False
-        self.claimed = ""
-        self.undo: list[tuple[Any, str, Any]] = []
-
-    def open(self) -> CounterFile:
-        """Return the counter file, made when it is first asked for."""
-        if self.counters is None:
-            self.counters = CounterFile(folder_of(os.environ))
-        return self.counters
-
-    def slot(self, kind: int, gid: bytes, topic: str, node: str, other: str = "", now: int = 0) -> Slot | None:
-        """Return a slot of the counter file."""
-        self.begun = True
-        return self.open().slot(kind, gid, topic, node, other, now)
-
-    def ends_with(self, endpoint: Any, slots: list[Slot]) -> Callable[[], object]:
-        """Give the slots of an endpoint back when it is collected, or when what is returned is called before."""
-        counters = self.open()
-        of = weakref.finalize(endpoint, lambda: counters.end(slots, time.time_ns()))
-        of.atexit = False
-        return of
-
-    def replace(self, owner: Any, name: str, function: Any) -> None:
-        """Put a function in the place of one that ``stop`` puts back."""
-        self.undo.append((owner, name, getattr(owner, name)))
-        setattr(owner, name, function)
-
-    def claim(self, direction: str) -> None:
-        """Tell the preloaded library to leave messages of a direction, "taken" or "published", to this hook."""
-        self.claimed += f" {direction}" if direction else ""
-        os.environ[_CLAIM] = f"{os.getpid()}{self.claimed}"
-
-    def leave(self) -> None:
-        """Tell the preloaded library that nothing is counted here."""
-        self.claimed = ""
-        os.environ.pop(_CLAIM, None)
-
-    def say(self, state: str) -> None:
-        """Write the state of the hook where readers see it."""
-        self.open().say(state)
-
-    def stop(self, error: Exception) -> None:
-        """Take the hook out after an error in it."""
-        for owner, name, function in self.undo:
-            setattr(owner, name, function)
-        self.undo = []
-        self.leave()
-        if self.counters is not None:
-            self.counters.fault()
-            self.counters.say(f"rclpy: stopped after {type(error).__name__}: {error}")
-
-    def close(self) -> None:
-        """Take the counter file away at the end of the process."""
-        if self.counters is not None:
-            self.counters.close()
-
-    def after_fork(self) -> None:
-        """Leave the file to the parent. A child that had counted before would count into it: it counts no more."""
-        if self.counters is not None:
-            self.counters.release()
-            self.counters = None
-        if self.begun:
-            for owner, name, function in self.undo:
-                setattr(owner, name, function)
-            self.undo = []
-            self.leave()
-        elif self.claimed:
-            self.claim("")
-
-
-HOOK = _Hook()
+HOOK = Hook()
 atexit.register(HOOK.close)
 os.register_at_fork(after_in_child=HOOK.after_fork)
 

@@ -20,7 +20,7 @@ from roslens.source.syntax.cpp_repair import repaired
 from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import FileFacts, SyntaxFault
 from roslens.source.syntax.lines import BYTE_ORDER_MARKS, count_lines
-from roslens.source.syntax.macros import MacroPreset
+from roslens.source.syntax.macro.macros import MacroPreset
 from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 
 _LONGEST_QUOTE = 60

@@ -9,7 +9,8 @@ from typing import Generic, TypeVar
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import callee_name, text_of
 from roslens.source.syntax.cpp_query import Captures, Span
-from roslens.source.syntax.cpp_walk import ClassScope, FunctionScope, Member, Walk
+from roslens.source.syntax.cpp_scopes import ClassScope, FunctionScope, Member
+from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import (
     ClassFacts,
     FieldFacts,

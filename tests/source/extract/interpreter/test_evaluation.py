@@ -11,7 +11,7 @@ from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.lowering.python.python_program import program_of_python
 from roslens.source.extract.units.workspace_units import facts_of_workspace
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 CPP = """

@@ -8,7 +8,7 @@ from pace import turned_s
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.units.workspace_units import facts_of_workspace
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 
 def facts_of(text):

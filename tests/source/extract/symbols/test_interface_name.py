@@ -8,7 +8,7 @@ from roslens.source.extract.symbols.interface_name import (
     of_generation,
     used_interface,
 )
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ import pytest
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.units.node_units import facts_of_main
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 NODE = """
 #include <rclcpp/rclcpp.hpp>

@@ -4,7 +4,7 @@ import pytest
 
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.symbolic.condition import as_written
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 STRING = "std_msgs::msg::String"
 QUALITY = "rclcpp::QoS & quality() { static rclcpp::QoS q(10); return q; }"

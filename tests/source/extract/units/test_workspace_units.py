@@ -7,7 +7,7 @@ from roslens.source.extract.lowering.python.python_program import program_of_pyt
 from roslens.source.extract.symbols.call_sites import without_endpoint
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.units.workspace_units import facts_of_workspace, unreached
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 

@@ -3,7 +3,7 @@ import pytest
 from roslens.source.extract.ir.program import Assign, Call
 from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 

@@ -8,7 +8,7 @@ from roslens.source.extract.ir.program import Assign, Literal, Opaque
 from roslens.source.extract.lowering.cpp.cpp_flags import _SET
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.symbolic.condition import as_written
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 COMPUTES = (
     "  double sum = 0; for (int i = 0; i < 10; ++i) { sum += i * i; } double mean = sum / 10; double last = mean * 2;\n"

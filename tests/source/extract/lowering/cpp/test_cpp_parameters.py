@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.ir.program import Field, Literal, Parameter
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 

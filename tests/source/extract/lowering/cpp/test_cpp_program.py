@@ -9,7 +9,7 @@ from roslens.source.extract.ir.program import Call, Lambda, Member, Name, Progra
 from roslens.source.extract.ir.program_text import program_text
 from roslens.source.extract.lowering.cpp.cpp_program import lower_cpp, program_of_cpp
 from roslens.source.syntax.cpp_query import parse_tree
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 FIXTURES = Path(__file__).parents[4] / "fixtures" / "extract" / "cpp"
 EXPECTED = sorted(FIXTURES.glob("*.txt"))

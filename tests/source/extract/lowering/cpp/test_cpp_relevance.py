@@ -5,7 +5,7 @@ from roslens.source.extract.ir.program import Call, Member
 from roslens.source.extract.ir.program_text import program_text
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
 from roslens.source.extract.lowering.cpp.cpp_relevance import Level, Relevance, is_filling, is_logging
-from roslens.source.syntax.macros import load_macros
+from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()
 FILLING = b"  total = total + weight * 2.0;\n" * 5

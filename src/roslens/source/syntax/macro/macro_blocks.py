@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 
 from roslens.source.syntax.comments import blank_comments
-from roslens.source.syntax.macro_edits import arguments_of, fill
+from roslens.source.syntax.macro.macro_edits import arguments_of, fill
 
 _CANDIDATE = re.compile(
     rb"(?<![\w.:>&!=(,])\b([A-Z][A-Z0-9_]{2,}(?=[ \t]*\([^()]*\")|[A-Z0-9_]*TEST_CASE[A-Z_]*(?=[ \t]*\([^()]*\())"

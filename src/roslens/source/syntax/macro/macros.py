@@ -19,10 +19,10 @@ from importlib.resources import files
 from typing import Any
 
 from roslens.source.settings import MacroSettings
-from roslens.source.syntax.macro_blocks import name_blocks
-from roslens.source.syntax.macro_edits import EDITS, blank_linkage, fill
-from roslens.source.syntax.macro_statements import blank_statements
-from roslens.source.syntax.own_macros import OwnMacros
+from roslens.source.syntax.macro.macro_blocks import name_blocks
+from roslens.source.syntax.macro.macro_edits import EDITS, blank_linkage, fill
+from roslens.source.syntax.macro.macro_statements import blank_statements
+from roslens.source.syntax.macro.own_macros import OwnMacros
 
 if sys.version_info >= (3, 11):
     import tomllib

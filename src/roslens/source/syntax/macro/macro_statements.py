@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from roslens.source.syntax.comments import blank_comments
-from roslens.source.syntax.macro_edits import behind_arguments, fill
+from roslens.source.syntax.macro.macro_edits import behind_arguments, fill
 
 _CANDIDATE = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]{2,}\w*)(?=[ \t]*\()", re.MULTILINE)
 _CONTINUED = re.compile(rb"\\\r?\n[ \t]*\Z")

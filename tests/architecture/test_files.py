@@ -11,6 +11,7 @@ LONG = {
     "source/extract/builds/cmake_commands.py",
     "source/extract/builds/cmake_evaluation.py",
     "source/extract/builds/cmake_targets.py",
+    "source/extract/configuration/assemble_node.py",
     "source/extract/interpreter/evaluated_expressions.py",
     "source/extract/interpreter/evaluation.py",
     "source/extract/launch/launch_ros1.py",

@@ -27,7 +27,7 @@ OWN = {
     "live/agent/processes.py": "of the kernel",
     "live/inside/host_counters.py": "of the kernel",
     "live/inside/path/sitecustomize.py": "the module of that name that the user has",
-    "live/inside/slots.py": "maps a file that roslens made",
+    "live/inside/counter_file.py": "maps a file that roslens made",
     "plugins/haros/declared.py": "comes with roslens, or is a plug-in that the user trusts",
     "plugins/haros/notes.py": "what roslens' own worker wrote, line by line",
     "plugins/installed.py": "of packages that the user installed",

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from roslens.judge.reading.read_reference import GivenText, read_references
+from roslens.judge.reference.constraint_words import expected_words
 from roslens.judge.reference.explain_entity import combined, explain_entity
 from roslens.judge.reference.merge_references import merge_references
-from roslens.judge.reference.sentence_words import expected_words
 from roslens.judge.reference.unmatched import Subject
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind

@@ -6,9 +6,9 @@ import pytest
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reading.read_reference import GivenText, load_reference, read_references
+from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.expectation import StateOf
 from roslens.judge.reference.merge_references import merge_references
-from roslens.judge.reference.sentence_words import expected_words, subject_words
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

@@ -12,9 +12,10 @@ from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.quality_model import QualityModel, rules_of
 from roslens.judge.quality.thresholds import Rated, judge_entities, rate_values
 from roslens.judge.ranges.range import Range
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, Severity, fingerprint
+from roslens.model.verdict import State
 
 CC = "cyclomatic_complexity"
 
@@ -108,14 +109,14 @@ def test_fingerprints_survive_a_move_and_tell_twins_apart():
 
 def test_ratings_for_the_report():
     assert rate_values([ROS, HIS], EntityKind.FUNCTION, {CC: 12.0, "nesting": 9.0}) == (
-        Rated(CC, 12.0, Range(maximum=15), Rating.OK, "ros"),
-        Rated(CC, 12.0, Range(maximum=10), Rating.HIGH, "his"),
+        Rated(CC, 12.0, Range(maximum=15), State.OK, "ros"),
+        Rated(CC, 12.0, Range(maximum=10), State.HIGH, "his"),
     )
     named = rate_values([HIS], EntityKind.FUNCTION, {"nesting": 9.0}, name="n::f")
-    assert named == (Rated("nesting", 9.0, Range(maximum=4), Rating.HIGH, "his"),)
+    assert named == (Rated("nesting", 9.0, Range(maximum=4), State.HIGH, "his"),)
     assert rate_values([HIS], EntityKind.FUNCTION, {"nesting": 9.0}, name="m::f") == ()
     (unknown,) = rate_values([ROS], EntityKind.FUNCTION, {CC: math.nan})
-    assert unknown.rating is Rating.UNKNOWN
+    assert unknown.rating is State.UNKNOWN
 
 
 bounds = st.one_of(st.none(), st.integers(-20, 20).map(float))
@@ -151,7 +152,7 @@ def test_the_compiled_way_finds_what_the_plain_way_finds(some: list[QualityModel
         for model in some
         for one in model.constraints
         if one.kind is thing.kind and one.quantity in thing.values and (one.name == "*" or thing.name.startswith("x"))
-        if (rating := rate(thing.values[one.quantity], one.range)) in {Rating.LOW, Rating.HIGH}
+        if (rating := rate(thing.values[one.quantity], one.range)) in {State.LOW, State.HIGH}
     )
     word = {"max": "high", "min": "low"}
     found = judge_entities(some, things)

@@ -12,7 +12,7 @@ from live.time_line import moments, reference, tallies
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.rate.monitor import Monitor
-from roslens.live.system.worth_a_row import badge, not_judged
+from roslens.live.system.shown_rows import badge, not_judged
 from roslens.live.window.signals import BY_KEY
 from roslens.live.window.window import MAX_BUCKETS
 from roslens.model.entity import EntityId, EntityKind

@@ -11,7 +11,7 @@ import pytest
 
 from roslens.live.adapters.child import clean_environment
 from roslens.live.adapters.ros1.definition import known_definitions
-from roslens.live.adapters.ros1.saying import Saying
+from roslens.live.adapters.ros1.publishing import MonitorPublisher
 from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, encode_outgoing
 
 PACKAGE = Path(__file__).parents[2] / "ros" / "roslens_msgs"
@@ -59,7 +59,7 @@ def test_genpy_reads_what_we_serialise_and_has_our_sums(messages1):
         def close(self):
             pass
 
-    saying = Saying("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=False, rated="/rated")
+    saying = MonitorPublisher("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=False, rated="/rated")
     saying.close()
     saying._server = server = Server()
     saying.publish(Outgoing(VERSION, 5.5, rated=FRAME))
@@ -101,7 +101,7 @@ def test_catkin_builds_it(tmp_path, variables):
 def test_rosidl_makes_messages_that_go_there_and_back(ros2_python, messages2):
     code = (
         "import json, sys\nfrom rclpy.serialization import deserialize_message, serialize_message\n"
-        "from roslens.live.adapters.ros2.saying import rated_signals\n"
+        "from roslens.live.adapters.ros2.publishing import rated_signals\n"
         "from roslens.model.outgoing import OutgoingReader\n"
         "from roslens_msgs.msg import RatedSignal, RatedSignals\n"
         "(frame,) = OutgoingReader().feed(sys.stdin.buffer.read())\n"

@@ -12,8 +12,9 @@ from roslens.dashboard.table import Cell, Column, Table
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.field import Field, distributions_of, load_field
 from roslens.judge.quality.select import matcher, name_of
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.model.entity import Entity, EntityKind
+from roslens.model.verdict import State
 
 _ORDER = (EntityKind.PACKAGE, EntityKind.FILE, EntityKind.CLASS, EntityKind.FUNCTION)
 _MANY = {
@@ -97,8 +98,8 @@ def _broken(constraint: Constraint, key: str, entities: Sequence[Entity]) -> Cel
         for entity in entities
         if key in entity.values and (meant is None or meant(name_of(entity)))
     ]
-    high, low = ratings.count(Rating.HIGH), ratings.count(Rating.LOW)
-    rating = Rating.HIGH if high else Rating.LOW if low else Rating.OK
+    high, low = ratings.count(State.HIGH), ratings.count(State.LOW)
+    rating = State.HIGH if high else State.LOW if low else State.OK
     return Cell(
         high + low,
         rating=str(rating.value),

@@ -16,7 +16,7 @@ from roslens.dashboard.source_text import ReadSource, Sources
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.select import EVERY
 from roslens.judge.ranges.range import Range
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -24,6 +24,7 @@ from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.source import SourceFile, number_of_packages
 from roslens.model.tags import TagFilter
+from roslens.model.verdict import State
 
 if TYPE_CHECKING:
     from roslens.compare.conformance.disparity import Conformance
@@ -376,7 +377,7 @@ class Site:
     def rating(self, kind: EntityKind, quantity: str, value: float | None) -> str:
         """Return how the value stands to the run's own models: ``high``, ``low``, ``ok`` or nothing without a bound."""
         ratings = [rate(value, own) for own in self._own_ranges.get((kind, quantity), ())]
-        for rating in (Rating.HIGH, Rating.LOW, Rating.OK):
+        for rating in (State.HIGH, State.LOW, State.OK):
             if rating in ratings:
                 return str(rating.value)
         return ""

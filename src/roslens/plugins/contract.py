@@ -21,7 +21,7 @@ from tempfile import TemporaryDirectory
 
 from roslens.model.errors import PluginError
 from roslens.model.failure import Failure
-from roslens.plugins.breach import BREACH
+from roslens.plugins.contract_failures import BREACH
 from roslens.plugins.discovery import load_reference
 from roslens.plugins.isolation import run_package, run_plugins
 from roslens.plugins.member import Member

@@ -14,7 +14,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.plugins.breach import TOOL, breaks_contract, would_not_load
+from roslens.plugins.contract_failures import TOOL, breaks_contract, would_not_load
 from roslens.plugins.installed import HAROS_PREFIX, Installed, find_installed
 from roslens.plugins.manifest import check_manifest, hooks_of, read_manifest
 from roslens.plugins.member import LoadSpec, Member, Source, load_plugin

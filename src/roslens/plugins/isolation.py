@@ -17,7 +17,7 @@ from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.quantity import Measurement
-from roslens.plugins.breach import TOOL
+from roslens.plugins.contract_failures import TOOL
 from roslens.plugins.frames import FilesTask, PackageTask, ResultsTask, Task, WorkspaceTask
 from roslens.plugins.member import Member
 from roslens.plugins.order import generations

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 import msgspec
 
 from roslens.model.source import Language
-from roslens.plugins.breach import Breach
+from roslens.plugins.contract_failures import Violation
 from roslens.plugins.nearest import did_you_mean
 from roslens.plugins.options import TYPES, check_option
 from roslens.plugins.points import HOOKS, INTERFACE_VERSION, Manifest
@@ -18,18 +18,18 @@ _VERSION = re.compile(r"(\d+)\.(\d+)\Z")
 _LANGUAGES = tuple(language.value for language in Language)
 
 
-def read_manifest(plugin: object) -> Manifest | Breach:
+def read_manifest(plugin: object) -> Manifest | Violation:
     """Return the manifest of a loaded plug-in with the types of all its values checked."""
     if isinstance(plugin, type):
-        return Breach(f"it is the class {plugin.__name__}", "a module or an instance", "Name an instance instead")
+        return Violation(f"it is the class {plugin.__name__}", "a module or an instance", "Name an instance instead")
     manifest = getattr(plugin, "manifest", None)
     if not isinstance(manifest, Manifest):
         found = "no `manifest`" if manifest is None else f"a `manifest` that is a {type(manifest).__name__}"
-        return Breach(f"it has {found}", "a roslens.plugins.points.Manifest", "See docs/reference/plugins.md")
+        return Violation(f"it has {found}", "a roslens.plugins.points.Manifest", "See docs/reference/plugins.md")
     try:
         return msgspec.convert(msgspec.to_builtins(manifest), Manifest)
     except (msgspec.ValidationError, TypeError, ValueError) as error:
-        return Breach(f"its manifest does not fit: {error}", "the types of roslens.plugins.points.Manifest")
+        return Violation(f"its manifest does not fit: {error}", "the types of roslens.plugins.points.Manifest")
 
 
 def hooks_of(plugin: object) -> tuple[str, ...]:
@@ -37,7 +37,7 @@ def hooks_of(plugin: object) -> tuple[str, ...]:
     return tuple(hook for hook in HOOKS.values() if callable(getattr(plugin, hook, None)))
 
 
-def check_manifest(manifest: Manifest, hooks: Collection[str], *, builtin: bool = False) -> tuple[Breach, ...]:
+def check_manifest(manifest: Manifest, hooks: Collection[str], *, builtin: bool = False) -> tuple[Violation, ...]:
     """Return what is wrong with a manifest; empty when the plug-in may run.
 
     Args:
@@ -54,65 +54,65 @@ def check_manifest(manifest: Manifest, hooks: Collection[str], *, builtin: bool 
     )
 
 
-def _check_identity(manifest: Manifest) -> Iterator[Breach]:
+def _check_identity(manifest: Manifest) -> Iterator[Violation]:
     if not _NAME.match(manifest.name):
-        yield Breach(f"name is {manifest.name!r}", "lower case letters, digits and _, a letter first")
+        yield Violation(f"name is {manifest.name!r}", "lower case letters, digits and _, a letter first")
     if not manifest.version.strip():
-        yield Breach("version is empty", "the version of the plug-in", "Results are kept by version")
+        yield Violation("version is empty", "the version of the plug-in", "Results are kept by version")
     ours, theirs = _VERSION.match(INTERFACE_VERSION), _VERSION.match(manifest.interface)
     if ours is None or theirs is None:
-        yield Breach(f"interface is {manifest.interface!r}", f"a version as {INTERFACE_VERSION!r}")
+        yield Violation(f"interface is {manifest.interface!r}", f"a version as {INTERFACE_VERSION!r}")
     elif theirs[1] != ours[1] or int(theirs[2]) > int(ours[2]):
         newer = (int(theirs[1]), int(theirs[2])) > (int(ours[1]), int(ours[2]))
-        yield Breach(
+        yield Violation(
             f"it is written for interface {manifest.interface}",
             f"{ours[1]}.0 to {INTERFACE_VERSION}",
             "Upgrade roslens" if newer else "Ask its author for a newer plug-in",
         )
 
 
-def _check_scopes(manifest: Manifest, hooks: Collection[str]) -> Iterator[Breach]:
+def _check_scopes(manifest: Manifest, hooks: Collection[str]) -> Iterator[Violation]:
     if not manifest.scopes:
-        yield Breach("scopes is empty", f"any of {', '.join(HOOKS)}")
+        yield Violation("scopes is empty", f"any of {', '.join(HOOKS)}")
     for scope in manifest.scopes:
         if scope not in HOOKS:
-            yield Breach(f"scope {scope!r} is unknown", f"one of {', '.join(HOOKS)}", did_you_mean(scope, HOOKS))
+            yield Violation(f"scope {scope!r} is unknown", f"one of {', '.join(HOOKS)}", did_you_mean(scope, HOOKS))
         elif HOOKS[scope] not in hooks:
-            yield Breach(f"it declares scope {scope!r} and has no {HOOKS[scope]}", "a hook for each scope")
+            yield Violation(f"it declares scope {scope!r} and has no {HOOKS[scope]}", "a hook for each scope")
     for scope, hook in HOOKS.items():
         if hook in hooks and scope not in manifest.scopes:
-            yield Breach(f"it has {hook} and does not declare scope {scope!r}", "a scope for each hook")
+            yield Violation(f"it has {hook} and does not declare scope {scope!r}", "a scope for each hook")
 
 
-def _check_languages(manifest: Manifest) -> Iterator[Breach]:
+def _check_languages(manifest: Manifest) -> Iterator[Violation]:
     for language in manifest.languages:
         if language not in _LANGUAGES:
             expected = f"one of {', '.join(_LANGUAGES)}"
-            yield Breach(f"language {language!r} is unknown", expected, did_you_mean(language, _LANGUAGES))
+            yield Violation(f"language {language!r} is unknown", expected, did_you_mean(language, _LANGUAGES))
 
 
-def _check_keys(manifest: Manifest, *, builtin: bool) -> Iterator[Breach]:
+def _check_keys(manifest: Manifest, *, builtin: bool) -> Iterator[Violation]:
     prefix = f"{manifest.name}."
     for kind, keys in (
         ("rule", [rule.id for rule in manifest.rules]),
         ("quantity", [quantity.key for quantity in manifest.quantities]),
     ):
         for key in sorted({key for key in keys if keys.count(key) > 1}):
-            yield Breach(f"{kind} {key!r} is declared {keys.count(key)} times", "once")
+            yield Violation(f"{kind} {key!r} is declared {keys.count(key)} times", "once")
         for key in keys:
             if not builtin and (not key.startswith(prefix) or key == prefix):
-                yield Breach(f"{kind} {key!r} is not the plug-in's own", f"{prefix}…")
+                yield Violation(f"{kind} {key!r} is not the plug-in's own", f"{prefix}…")
     for quantity in manifest.quantities:
         if not quantity.kinds:
-            yield Breach(f"quantity {quantity.key!r} has no kinds", "the kinds of entity it is measured on")
+            yield Violation(f"quantity {quantity.key!r} has no kinds", "the kinds of entity it is measured on")
 
 
-def _check_options(manifest: Manifest) -> Iterator[Breach]:
+def _check_options(manifest: Manifest) -> Iterator[Violation]:
     names = [option.name for option in manifest.options]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Breach(f"option {name!r} is declared {names.count(name)} times", "once")
+        yield Violation(f"option {name!r} is declared {names.count(name)} times", "once")
     for option in manifest.options:
         if option.type not in TYPES:
-            yield Breach(f"option {option.name!r} has type {option.type!r}", f"one of {', '.join(TYPES)}")
+            yield Violation(f"option {option.name!r} has type {option.type!r}", f"one of {', '.join(TYPES)}")
         elif option.default is not None and (wrong := check_option(option, option.default)):
-            yield Breach(f"option {option.name!r} has a default that is {wrong}", f"a default of type {option.type}")
+            yield Violation(f"option {option.name!r} has a default that is {wrong}", f"a default of type {option.type}")

@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.plugins.breach import TOOL
+from roslens.plugins.contract_failures import TOOL
 from roslens.plugins.member import Member
 from roslens.plugins.nearest import did_you_mean
 

@@ -11,7 +11,7 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, fingerprint
 from roslens.model.quantity import Measurement
-from roslens.plugins.breach import BREACH, Breach, breaks_contract
+from roslens.plugins.contract_failures import BREACH, Violation, breaks_contract
 
 
 class RawFinding(msgspec.Struct, frozen=True, array_like=True, gc=False, order=True):
@@ -71,7 +71,7 @@ def _single(tool: str, measurements: Iterable[Measurement]) -> tuple[tuple[Measu
     for measurement in sorted(measurements, key=lambda one: (*_measurement_order(one), one.value)):
         first = values.setdefault(_measurement_order(measurement), measurement)
         if first.value != measurement.value:
-            breach = Breach(
+            breach = Violation(
                 f"{first.value:g} and {measurement.value:g} for {measurement.quantity!r} of one entity", "one value"
             )
             doubled.append(breaks_contract(tool, breach, tool=tool, entity=measurement.entity))

@@ -13,7 +13,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import PluginError
 from roslens.model.failure import Failure
 from roslens.model.source import Location
-from roslens.plugins.breach import breaks_contract, failed_running, would_not_load
+from roslens.plugins.contract_failures import breaks_contract, failed_running, would_not_load
 from roslens.plugins.frames import (
     LOADING,
     Answer,

@@ -12,7 +12,7 @@ from roslens.model.entity import EntityId
 from roslens.model.failure import Failure
 from roslens.model.quantity import Measurement, Quantity
 from roslens.model.source import Location
-from roslens.plugins.breach import Breach, breaks_contract
+from roslens.plugins.contract_failures import Violation, breaks_contract
 from roslens.plugins.frames import Began, Step
 from roslens.plugins.grounds import Grounds
 from roslens.plugins.nearest import did_you_mean
@@ -140,7 +140,7 @@ class Recorder:
             raise _BreachError(f"line {line} is behind the end of {path}", "a line of the file")
         return _text(context) or text
 
-    def _breach(self, breach: Breach, path: object, line: object, entity: object, more: str = "") -> None:
+    def _breach(self, breach: Violation, path: object, line: object, entity: object, more: str = "") -> None:
         place = (self.grounds.resolve(str(path)) if path else None) or self.grounds.default_path
         caller = traceback.extract_stack(limit=3)[0]
         self.failures.append(
@@ -158,7 +158,7 @@ class Recorder:
 
 class _BreachError(Exception):
     def __init__(self, what: str, expected: str, advice: str = "") -> None:
-        self.breach = Breach(what, expected, advice)
+        self.breach = Violation(what, expected, advice)
         super().__init__(what)
 
 

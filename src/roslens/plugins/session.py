@@ -13,7 +13,7 @@ from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.quantity import Measurement
 from roslens.model.source import Location
-from roslens.plugins.breach import TOOL, failed_running
+from roslens.plugins.contract_failures import TOOL, failed_running
 from roslens.plugins.frames import (
     LOADING,
     Engaged,

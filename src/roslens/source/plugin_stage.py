@@ -15,7 +15,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
 from roslens.model.quantity import Measurement, Quantity
 from roslens.model.source import SourceFile
-from roslens.plugins.breach import not_trusted
+from roslens.plugins.contract_failures import not_trusted
 from roslens.plugins.discovery import Discovered, discover
 from roslens.plugins.member import Member
 from roslens.plugins.outcome import Outcome

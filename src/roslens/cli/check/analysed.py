@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.graph.check_graph import graph_look
+from roslens.cli.graph.graph_stage import graph_look
 from roslens.cli.workplace.process_option import process_look, with_process
 from roslens.cli.workplace.tools_option import with_tools
 from roslens.cli.workplace.workplace import ANSWERS, CACHE, FOLDER, own_folder

@@ -16,7 +16,7 @@ from roslens.cli.check.fetch_first import fetch_first
 from roslens.cli.check.fetch_options import add_fetch_arguments, refuse_without_fetch
 from roslens.cli.check.fix_option import add_fix_arguments, refuse_contradictions
 from roslens.cli.check.kept_new import keep_new
-from roslens.cli.graph.check_graph import add_graph_argument
+from roslens.cli.graph.graph_stage import add_graph_argument
 from roslens.cli.terminal.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.terminal.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace.process_option import add_process_arguments

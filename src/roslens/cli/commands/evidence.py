@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--workspace",
         metavar="PATH",
         default=".",
-        help="the workspace the workspace that was checked (default: this folder)",
+        help="the workspace that was checked (default: this folder)",
     )
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     parser.add_argument("--format", choices=FORMATS, default="text")

@@ -170,7 +170,7 @@ def _explain(options: argparse.Namespace) -> int:
 def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[dict[str, object]] | None) -> None:
     import json
 
-    from roslens.judge.reference.sentence_words import expected_words, subject_words
+    from roslens.judge.reference.constraint_words import expected_words, subject_words
 
     sentences = [
         {
@@ -219,8 +219,8 @@ def _merged(files: Sequence[str]) -> Merged:
 
 
 def _table(merged: Merged) -> str:
+    from roslens.judge.reference.constraint_words import expected_words, subject_words
     from roslens.judge.reference.merge_references import sentences_of
-    from roslens.judge.reference.sentence_words import expected_words, subject_words
 
     def clipped(text: str) -> str:
         return text if len(text) <= _WIDEST else f"{text[: _WIDEST - 1]}…"
@@ -264,7 +264,7 @@ def _subject(options: argparse.Namespace) -> Subject:
 
 def _explanation(number: int, applied: Applied) -> list[str]:
     from roslens.judge.ranges.amount import amount_text
-    from roslens.judge.reference.sentence_words import expected_words, subject_words
+    from roslens.judge.reference.constraint_words import expected_words, subject_words
 
     sentence = applied.declared.sentence
     told = sentence.told

@@ -15,7 +15,7 @@ from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.page.watch_screen import urgency
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Snapshot
 from roslens.live.publish.diagnostics import sentence
-from roslens.live.system.worth_a_row import not_judged
+from roslens.live.system.shown_rows import not_judged
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity

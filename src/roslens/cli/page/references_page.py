@@ -12,11 +12,11 @@ from roslens.cli.page.half_lines import encodable
 from roslens.cli.page.watch_graph import PLUMBING
 from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
 from roslens.judge.ranges.amount import amount_text
+from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.merge_references import sentences_of
-from roslens.judge.reference.sentence_words import expected_words, subject_words
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.live.drafting.draft_lines import LESS, MORE, rounded
-from roslens.live.system.worth_a_row import worth_a_row
+from roslens.live.system.shown_rows import is_shown
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Verdict
 
@@ -112,7 +112,7 @@ def _proposals(view: SystemView, recall: Recall, now: float) -> Iterable[Proposa
     while waiting:
         part = waiting.pop(0)
         waiting += part.children
-        if part.id in seen or part.state is not None or not worth_a_row(part):
+        if part.id in seen or part.state is not None or not is_shown(part):
             continue
         seen.add(part.id)
         if part.kind != "topic" or part.name in PLUMBING:

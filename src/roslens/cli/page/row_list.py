@@ -9,8 +9,8 @@ from hashlib import blake2b
 from roslens.cli.page.half_lines import encodable, ends_of
 from roslens.cli.page.watch_screen import nameless, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, Row
+from roslens.live.system.shown_rows import badge, is_shown
 from roslens.live.system.tree import SystemView
-from roslens.live.system.worth_a_row import badge, worth_a_row
 
 COLUMNS = (
     ("rate", "Rate"),
@@ -49,7 +49,7 @@ class RowList:
             return kept[2]
         found: list[Row] = []
         row = None
-        if worth_a_row(part):
+        if is_shown(part):
             row = _row(part, depth, key)
             if kept is not None and kept[1] == row:
                 row = kept[1]

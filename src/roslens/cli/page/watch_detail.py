@@ -10,8 +10,8 @@ from roslens.cli.page.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
 from roslens.judge.ranges.amount import parse_limits
 from roslens.live.explain.links import links_text
+from roslens.live.system.shown_rows import badge
 from roslens.live.system.tree import SystemView
-from roslens.live.system.worth_a_row import badge
 from roslens.live.window.signals import BY_KEY
 from roslens.model.verdict import State, Verdict
 

@@ -9,8 +9,8 @@ from roslens.judge.ranges.amount import amount_text
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.reported.reported_levels import is_reported
 from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.shown_rows import badge, is_shown, not_judged
 from roslens.live.system.tree import SystemView
-from roslens.live.system.worth_a_row import badge, not_judged, worth_a_row
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId
 from roslens.model.graph import Event
@@ -112,7 +112,7 @@ def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
 
 def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, SystemView]]:
     for part in parts:
-        if not worth_a_row(part):
+        if not is_shown(part):
             continue
         yield depth, part
         yield from _rows(part.children, depth + 1)

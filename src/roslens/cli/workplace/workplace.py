@@ -29,7 +29,7 @@ def add_workspace_argument(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         default=".",
         metavar="PATH",
-        help="the workspace the workspace that was checked (default: this folder)",
+        help="the workspace that was checked (default: this folder)",
     )
 
 

@@ -11,8 +11,9 @@ from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Dispar
 from roslens.compare.conformance.plumbing import plumbing
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.judge.patterns.pattern import Pattern
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.judge.reference.alternatives import each
+from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.expectation import (
     CONDITIONAL,
     Presence,
@@ -26,10 +27,10 @@ from roslens.judge.reference.expectation import (
 from roslens.judge.reference.merge_references import sentences_of
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.judge.reference.same_value import number_of, same_value
-from roslens.judge.reference.sentence_words import expected_words, subject_words
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
+from roslens.model.verdict import State
 
 _OF_GRAPHS = (EntityKind.NODE, EntityKind.TOPIC, EntityKind.CONNECTION, EntityKind.SERVICE)
 _OF_TOPICS = (EntityKind.TOPIC,)
@@ -192,7 +193,7 @@ def _told_values(side: Side) -> Iterator[tuple[EntityKind, str, str]]:
 def _fits(check: StateCheck, is_: str) -> bool:
     if check.range is not None:
         number = number_of(is_)
-        return number is not None and rate(number, check.range) is Rating.OK
+        return number is not None and rate(number, check.range) is State.OK
     return any(same_value(is_, one) for one in check.allowed)
 
 

@@ -13,10 +13,11 @@ from roslens.dashboard.histogram import figures_of, histogram_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.model.verdict import State
 
 WORST = 20
 Values = Sequence[tuple[str, str, float]]
@@ -87,7 +88,7 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
     rows = []
     for model, constraint in site.constraints_on(kind, key):
         ratings = [rate(value, constraint.range) for value in values]
-        high, low = ratings.count(Rating.HIGH), ratings.count(Rating.LOW)
+        high, low = ratings.count(State.HIGH), ratings.count(State.LOW)
         rating = "high" if high else "low" if low else "ok" if values else "unknown"
         rows.append(
             (

@@ -11,9 +11,10 @@ from roslens.judge.quality.constraint import MAX, Constraint
 from roslens.judge.quality.quality_model import TOOL, QualityModel, rule_id, tags_of
 from roslens.judge.quality.select import matcher, name_of
 from roslens.judge.ranges.range import Range
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, Severity, fingerprint
+from roslens.model.verdict import State
 
 
 class Rated(msgspec.Struct, frozen=True):
@@ -22,7 +23,7 @@ class Rated(msgspec.Struct, frozen=True):
     quantity: str
     value: float
     range: Range
-    rating: Rating
+    rating: State
     model: str
 
 

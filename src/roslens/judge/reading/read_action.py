@@ -9,8 +9,8 @@ from roslens.judge.documents.document import Section
 from roslens.judge.documents.plain_value import Value
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.amount import parse_amount
+from roslens.judge.reading.read_common_keys import reading, visible
 from roslens.judge.reading.read_condition_tree import seconds
-from roslens.judge.reading.read_told import reading, visible
 from roslens.judge.reference.name_scope import put_under
 from roslens.judge.reference.reaction_keys import STEP_KEYS
 from roslens.judge.reference.reference_document import Scope

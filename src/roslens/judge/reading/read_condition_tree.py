@@ -10,13 +10,13 @@ from roslens.judge.documents.document import Section
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.amount import parse_amount
 from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_common_keys import reading, visible
 from roslens.judge.reading.read_selector import read_selector
 from roslens.judge.reading.read_state_check import LIFECYCLE, number_range
-from roslens.judge.reading.read_told import reading, visible
+from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, STATEMENT_KEYS, TREE_KEYS
 from roslens.judge.reference.reference_document import Scope
 from roslens.judge.reference.reference_keys import KINDS
-from roslens.judge.reference.sentence_words import selector_words
 from roslens.model.condition import (
     NO_TIME,
     About,

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_common_keys import declared, plain_range, prefixed, slug, squeezed, told_of
 from roslens.judge.reading.read_selector import read_name, read_pattern
-from roslens.judge.reading.read_told import declared, plain_range, prefixed, slug, squeezed, told_of
 from roslens.judge.reference.expectation import FieldCheck, FieldCondition, FieldMeasure, OtherField
 from roslens.judge.reference.reference_document import Declared, Scope
 from roslens.judge.reference.reference_keys import TO_KEYS, WHEN_KEYS

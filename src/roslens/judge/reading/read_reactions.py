@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from roslens.judge.documents.document import Section
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reading.read_action import DO_KEYS, amount_per, read_step
+from roslens.judge.reading.read_common_keys import name_of, overrides, reading, visible
 from roslens.judge.reading.read_condition_tree import read_condition_tree, seconds
-from roslens.judge.reading.read_told import name_of, overrides, reading, visible
 from roslens.judge.reference.condition_contradiction import always, excluding, statements
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, NAMED_CONDITION_KEYS, REACTION_KEYS
 from roslens.judge.reference.reference_document import DeclaredReaction, Scope

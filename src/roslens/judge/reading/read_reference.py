@@ -12,9 +12,9 @@ import msgspec
 from roslens.intake.is_there import is_file
 from roslens.judge.documents.document import Section, parse_document, read_document
 from roslens.judge.patterns.pattern import REGULAR_EXPRESSION, Pattern
+from roslens.judge.reading.read_common_keys import read_defaults, reading, sentence_id, slug, visible
 from roslens.judge.reading.read_reactions import read_reactions
 from roslens.judge.reading.read_sentences import read_sentences
-from roslens.judge.reading.read_told import read_defaults, reading, sentence_id, slug, visible
 from roslens.judge.reference.expectation import Reference
 from roslens.judge.reference.merge_references import merge_references
 from roslens.judge.reference.name_scope import join, put_under

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.judge.documents.document import Section
 from roslens.judge.patterns.pattern import Pattern
-from roslens.judge.reading.read_told import reading, visible
+from roslens.judge.reading.read_common_keys import reading, visible
 from roslens.judge.reference.expectation import Selector
 from roslens.judge.reference.name_scope import put_under
 from roslens.judge.reference.reference_document import Scope

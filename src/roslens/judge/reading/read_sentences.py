@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import Limits, parse_limits
 from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_common_keys import declared, plain_range, prefixed, reading, slug, squeezed, told_of
 from roslens.judge.reading.read_field_check import read_field_checks
 from roslens.judge.reading.read_selector import read_condition, read_name, read_selector
 from roslens.judge.reading.read_state_check import has_states, read_state_checks
-from roslens.judge.reading.read_told import declared, plain_range, prefixed, reading, slug, squeezed, told_of
 from roslens.judge.reference.alternatives import alternatives
 from roslens.judge.reference.expectation import (
     CONDITIONAL,

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import parse_limits
 from roslens.judge.ranges.range import Range
-from roslens.judge.reading.read_told import declared, told_of, visible
+from roslens.judge.reading.read_common_keys import declared, told_of, visible
 from roslens.judge.reference.expectation import Selector, StateCheck, StateOf
 from roslens.judge.reference.reference_document import Declared, Scope
 from roslens.judge.reference.reference_keys import STATE_KEYS

@@ -9,9 +9,9 @@ import msgspec
 
 from roslens.judge.documents.document import Section, parse_document, read_document
 from roslens.judge.ranges.amount import parse_amount
+from roslens.judge.reading.read_common_keys import reading
 from roslens.judge.reading.read_condition_tree import BEING_WORDS, seconds
 from roslens.judge.reading.read_state_check import LIFECYCLE
-from roslens.judge.reading.read_told import reading
 from roslens.judge.reference.reference_keys import KINDS
 from roslens.model.action_kind import ACTION_KINDS
 from roslens.model.condition import Being

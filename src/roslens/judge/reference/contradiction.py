@@ -12,6 +12,7 @@ import msgspec
 from roslens.judge.patterns.common_name import common_name
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.alternatives import each
+from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.expectation import (
     AgeChain,
     Expectation,
@@ -23,7 +24,6 @@ from roslens.judge.reference.expectation import (
 )
 from roslens.judge.reference.reference_document import Declared, Sentence
 from roslens.judge.reference.same_value import number_of, same_value
-from roslens.judge.reference.sentence_words import expected_words, subject_words
 from roslens.model.errors import DocumentError
 
 _ADVICE = "Replace one (`override: true` with its `id`), or leave names out of it with `without`"

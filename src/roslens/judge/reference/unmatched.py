@@ -8,11 +8,11 @@ from collections.abc import Collection, Iterable, Sequence
 import msgspec
 
 from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.expectation import AgeChain, FieldCheck, Presence, Reference, Selector
 from roslens.judge.reference.merge_references import sentences_of
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.judge.reference.reference_document import Sentence
-from roslens.judge.reference.sentence_words import selector_words
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.plugins.nearest import nearest_few

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from roslens.judge.reference.condition_contradiction import statements
+from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.pattern_index import CompiledSelector
-from roslens.judge.reference.sentence_words import selector_words
 from roslens.judge.reference.unmatched import Subject
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslens.live.standing.measured import Group, Judged
-from roslens.live.standing.sentence import Sentence
+from roslens.live.standing.ready_constraint import ReadyConstraint
 from roslens.live.standing.unheard import blame
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection import Connection
@@ -179,7 +179,7 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
     return state.step(now, raw, value, began=began, grace=grace)
 
 
-def _early(sentence: Sentence, window: Window, raw: State) -> bool:
+def _early(sentence: ReadyConstraint, window: Window, raw: State) -> bool:
     """Whether what may still come before the window is filled could make a bad rate fine."""
     if sentence.key == "rate" and raw is State.HIGH:
         return window.count <= sentence.bounds.high * window.length

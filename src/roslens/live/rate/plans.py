@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslens.live.standing.measured import Judged, Measured
+from roslens.live.standing.ready_constraint import ReadyConstraint, window_length
 from roslens.live.standing.rulebook import Rulebook
-from roslens.live.standing.sentence import Sentence, window_length
 from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
@@ -92,13 +92,13 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
     entity.gather()
 
 
-def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[Sentence, ...]:
+def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[ReadyConstraint, ...]:
     return rules.about(EntityKind.CONNECTION, connection.topic, world.facts(connection))
 
 
-def _lengths(sentences: Iterable[Sentence]) -> set[float]:
+def _lengths(sentences: Iterable[ReadyConstraint]) -> set[float]:
     return {one.window for one in sentences if one.window}
 
 
-def _with(sentences: tuple[Sentence, ...], more: Iterable[Sentence]) -> tuple[Sentence, ...]:
+def _with(sentences: tuple[ReadyConstraint, ...], more: Iterable[ReadyConstraint]) -> tuple[ReadyConstraint, ...]:
     return tuple(sorted({*sentences, *more}, key=lambda one: one.told.id))

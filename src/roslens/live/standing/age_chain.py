@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
 from roslens.judge.reference.expectation import AgeChain, essence
-from roslens.live.standing.sentence import Bounds
+from roslens.live.standing.ready_constraint import Bounds
 from roslens.live.standing.standing import Standing
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslens.live.standing.sentence import Sentence
+from roslens.live.standing.ready_constraint import ReadyConstraint
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.window.traffic import MEASURES
@@ -24,7 +24,7 @@ class Judged(Standing):
 
     __slots__ = ("at", "group", "sentence")
 
-    def __init__(self, entity: EntityId, sentence: Sentence, now: float) -> None:
+    def __init__(self, entity: EntityId, sentence: ReadyConstraint, now: float) -> None:
         super().__init__(entity, sentence.told, sentence.key, sentence.written, now)
         self.sentence = sentence
         self.at = 0
@@ -127,7 +127,7 @@ class Measured:
         self.waiting = False
         self.calm = False
 
-    def adopt(self, sentences: Iterable[Sentence], now: float) -> list[Judged]:
+    def adopt(self, sentences: Iterable[ReadyConstraint], now: float) -> list[Judged]:
         """Be judged by these sentences from now on; return those judged no more. Unchanged ones keep their state."""
         self.planless = False
         old = {id(judged.sentence): judged for judged in self.judged}

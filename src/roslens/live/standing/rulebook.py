@@ -10,7 +10,7 @@ from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.alternatives import each
 from roslens.judge.reference.expectation import Expectation, Presence, Reference, Selector, essence
 from roslens.judge.reference.pattern_index import PatternIndex
-from roslens.live.standing.sentence import Sentence
+from roslens.live.standing.ready_constraint import ReadyConstraint
 from roslens.model.entity import EntityKind
 
 T = TypeVar("T")
@@ -61,10 +61,12 @@ class Rulebook:
             ValueError: a pattern of a selector is none.
         """
         self.reference = reference
-        known: dict[Expectation, Sentence] = {essence(one.source): one for one in old.sentences} if old else {}
-        self.sentences: list[Sentence] = [known.get(essence(one)) or _sentence(one) for one in reference.expectations]
-        self._index: PatternIndex[Sentence] = PatternIndex((one.source.selector, one) for one in self.sentences)
-        self.required: dict[tuple[EntityKind, str], list[Sentence]] = {}
+        known: dict[Expectation, ReadyConstraint] = {essence(one.source): one for one in old.sentences} if old else {}
+        self.sentences: list[ReadyConstraint] = [
+            known.get(essence(one)) or _sentence(one) for one in reference.expectations
+        ]
+        self._index: PatternIndex[ReadyConstraint] = PatternIndex((one.source.selector, one) for one in self.sentences)
+        self.required: dict[tuple[EntityKind, str], list[ReadyConstraint]] = {}
         for one in self.sentences:
             if one.literal is not None:
                 self.required.setdefault((one.kind, one.literal), []).append(one)
@@ -74,14 +76,14 @@ class Rulebook:
         for kept, source in zip(self.sentences, reference.expectations, strict=True):
             kept.source, kept.told = source, source.told
 
-    def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[Sentence, ...]:
+    def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[ReadyConstraint, ...]:
         """Return the sentences about an entity, in the order of their ids."""
         found = {one.told.id: one for one in find_all(self._index, kind, name, facts)}
         return tuple(found[key] for key in sorted(found))
 
 
-def _sentence(expectation: Expectation) -> Sentence:
-    return Sentence(expectation, Pattern.parse(expectation.selector.name).literal)
+def _sentence(expectation: Expectation) -> ReadyConstraint:
+    return ReadyConstraint(expectation, Pattern.parse(expectation.selector.name).literal)
 
 
 def _presence_selectors(presences: Iterable[Presence]) -> list[tuple[Selector, tuple[Presence, bool]]]:

@@ -8,7 +8,7 @@ from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import StateCheck, StateOf, essence
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.judge.reference.same_value import number_of, same_value
-from roslens.live.standing.sentence import Bounds
+from roslens.live.standing.ready_constraint import Bounds
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.unheard import blame
 from roslens.live.standing.verdict_state import NEVER

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 import msgspec
 
 from roslens.judge.reference.expectation import FieldCheck, FieldMeasure
-from roslens.live.standing.sentence import Bounds
+from roslens.live.standing.ready_constraint import Bounds
 from roslens.live.standing.standing import Standing
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State

@@ -9,7 +9,8 @@ from math import log, sin, sqrt
 import msgspec
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.ranges.rate import rate
+from roslens.model.verdict import State
 from roslens.source.tools.cccc_quantities import (
     CBO,
     CCCC_QUANTITIES,
@@ -112,7 +113,7 @@ def maintainability_index(volume: float, complexity: float, loc: float, comments
 def _violations(report: CcccFile) -> int:
     ranges = _ranges()
     return sum(
-        1 for key, value in _judged(report) if key in ranges and rate(value, ranges[key]) in {Rating.LOW, Rating.HIGH}
+        1 for key, value in _judged(report) if key in ranges and rate(value, ranges[key]) in {State.LOW, State.HIGH}
     )
 
 

@@ -241,7 +241,7 @@ def test_traffic_of_an_observer_is_not_told():
     node.add("listener", "s", "/diagnostics", 8)
     node.ends.append(("_roslens_9", "/", "p", "/diagnostics", "a/msg/B", gid(9, 3)))
 
-    class Heard:
+    class ReportedTopics:
         def read(self, now):
             tally = Tally("/diagnostics", "", "/ns/listener", 0.0, 1.0, count=5)
             return [CountedSlot(8, gid(pid, number).hex(), tally, "") for pid, number in ((9, 3), (7, 1))]
@@ -252,7 +252,7 @@ def test_traffic_of_an_observer_is_not_told():
         def called(self):
             return []
 
-    observation = Observation("robot", reader(node), Heard())
+    observation = Observation("robot", reader(node), ReportedTopics())
     observation.changed(1.0)
     frame, _ = observation.period(2.0, 1.0)
     assert [tally.publisher for tally in frame.tallies] == ["/ns/talker"]
@@ -263,7 +263,7 @@ def test_what_nodes_of_the_same_name_count_in_another_domain_is_not_told():
     node.add("talker", "p", "/t", 7)
     node.add("listener", "s", "/t", 8)
 
-    class Heard:
+    class ReportedTopics:
         def read(self, now):
             sent = Tally("/t", "/ns/talker", "", 0.0, 1.0, count=5)
             taken = Tally("/t", "", "/ns/listener", 0.0, 1.0, count=5)
@@ -278,7 +278,7 @@ def test_what_nodes_of_the_same_name_count_in_another_domain_is_not_told():
         def called(self):
             return []
 
-    observation = Observation("robot", reader(node), Heard())
+    observation = Observation("robot", reader(node), ReportedTopics())
     observation.changed(1.0)
     frame, _ = observation.period(2.0, 1.0)
     assert [(tally.publisher, tally.subscriber, tally.count) for tally in frame.tallies] == [

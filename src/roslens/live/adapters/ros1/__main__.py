@@ -14,7 +14,6 @@ from contextlib import suppress
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.budget import Limits
-from roslens.live.adapters.ros1.ear import Ear
 from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.listening import Listening
@@ -23,10 +22,11 @@ from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.place import is_local, own_address
+from roslens.live.adapters.ros1.publisher_updates import UpdateServer
+from roslens.live.adapters.ros1.publishing import MonitorPublisher
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
-from roslens.live.adapters.ros1.saying import Saying
 from roslens.live.adapters.ros1.speak import Speaker
-from roslens.live.adapters.ros1.told import ToldServer
+from roslens.live.adapters.ros1.subscribed_topics import SubscribedTopics
 from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
 from roslens.live.publish.asked import when_asked
 
@@ -116,7 +116,7 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
         at = resolver.address(own)
     listened = at if is_local(at) else ""
     saying = _saying(options, listened, own, caller)
-    told = ToldServer(
+    told = UpdateServer(
         listened, own, options.master, lambda topic, uris: wakes.put(("told", topic, uris)),
         saying.answers if saying else None,
     )  # fmt: skip
@@ -131,7 +131,9 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     listening = Listening(
         caller, resolver, time.time, socket.gethostname(), limits, told=lambda: wakes.put(("told of", "", ()))
     )
-    ear = Ear(observation, listening, tuple(options.tap), options.statistics, caller, reports=options.reports)
+    ear = SubscribedTopics(
+        observation, listening, tuple(options.tap), options.statistics, caller, reports=options.reports
+    )
     try:
         _turn(options.period, observation, ear, speaker, wakes)
     finally:
@@ -146,16 +148,16 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
             saying.close()
 
 
-def _saying(options: argparse.Namespace, address: str, own: str, caller: str) -> Saying | None:
+def _saying(options: argparse.Namespace, address: str, own: str, caller: str) -> MonitorPublisher | None:
     """Publish what comes on standard input, where that was asked for."""
     if not (options.diagnostics or options.rated):
         return None
-    saying = Saying(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
+    saying = MonitorPublisher(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
     when_asked(0, saying.publish, _complain)
     return saying
 
 
-def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, told: ToldServer) -> Parameters:
+def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, told: UpdateServer) -> Parameters:
     """Return what reads the parameter server, over a line and in a thread of its own."""
     pool = ThreadPoolExecutor(1, "parameters")
     parameters = Parameters(
@@ -165,7 +167,9 @@ def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, to
     return parameters
 
 
-def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, wakes: queue.SimpleQueue[Wake]) -> None:
+def _turn(
+    period: float, observation: Observation, ear: SubscribedTopics, speaker: Speaker, wakes: queue.SimpleQueue[Wake]
+) -> None:
     moved: frozenset[str] = frozenset()
     due = time.monotonic()
     hear = due + HEARD_S

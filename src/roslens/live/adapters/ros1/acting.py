@@ -16,8 +16,8 @@ from roslens.live.adapters.ros1.hand import Ros1Hand
 from roslens.live.adapters.ros1.message_form import MessageForms, share_folders
 from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.place import is_local, own_address
+from roslens.live.adapters.ros1.publisher_updates import UpdateServer
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
-from roslens.live.adapters.ros1.told import ToldServer
 from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
 
 
@@ -42,7 +42,7 @@ def main(words: list[str]) -> int:
     caller = observer_name(f"hand_{socket.gethostname()}", os.getpid())
     forms = MessageForms(share_folders(os.environ))
     hand = Ros1Hand(options.master, caller, resolver, forms, address=listened, own=own)
-    told = ToldServer(listened, own, options.master, lambda _topic, _uris: None, hand.answers)
+    told = UpdateServer(listened, own, options.master, lambda _topic, _uris: None, hand.answers)
     hand.api = told.uri
     threading.Thread(target=hand.follow, name="follow", daemon=True).start()
     try:

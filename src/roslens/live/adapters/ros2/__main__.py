@@ -18,12 +18,12 @@ from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.far_peers import far_peers
 from roslens.live.adapters.ros2.graph import OWN, GraphReader
 from roslens.live.adapters.ros2.graph_event import GraphEvent
-from roslens.live.adapters.ros2.heard import Heard
 from roslens.live.adapters.ros2.lifecycle import Lifecycles, StateClient
 from roslens.live.adapters.ros2.observation import Observation
 from roslens.live.adapters.ros2.parameters import NodeQuestions, Parameters
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
-from roslens.live.adapters.ros2.saying import Saying
+from roslens.live.adapters.ros2.publishing import MonitorPublisher
+from roslens.live.adapters.ros2.reported_topics import ReportedTopics
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.slots import folder_of
@@ -131,7 +131,7 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     counters.read(time.time())
     tap = Tap(node, options.tap, options.tap_budget, host) if options.tap else None
     lifecycles = Lifecycles(lambda service: StateClient(node, service))
-    heard = Heard(node, host, Parameters(lambda name: NodeQuestions(node, name)))
+    heard = ReportedTopics(node, host, Parameters(lambda name: NodeQuestions(node, name)))
     observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap, heard)
     try:
         _Turns(observation, speaker, ends, wakes, tap, options.period, polled=event is None).run()
@@ -147,11 +147,11 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
         rclpy.try_shutdown()
 
 
-def _saying(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str) -> Saying | None:
+def _saying(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str) -> MonitorPublisher | None:
     """Publish what comes on standard input, where that was asked for."""
     if not (options.diagnostics or options.rated):
         return None
-    saying = Saying(node, diagnostics=options.diagnostics, rated=options.rated)
+    saying = MonitorPublisher(node, diagnostics=options.diagnostics, rated=options.rated)
     if saying.failures:
         speaker.say(Frame(VERSION, f"{host}/{TOOL}", 0, time.time(), failures=saying.failures))
     when_asked(0, saying.publish, _complain)

@@ -9,8 +9,8 @@ import msgspec
 
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.changes import Changes
-from roslens.live.adapters.ros2.heard import Told
 from roslens.live.adapters.ros2.parameters import Parameters
+from roslens.live.adapters.ros2.reported_topics import Told
 from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import Called, Counted, joined

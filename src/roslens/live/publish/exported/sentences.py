@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.merge_references import sentences_of
-from roslens.judge.reference.sentence_words import expected_words, subject_words
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference

@@ -41,7 +41,7 @@ class Bounds:
         return value <= self._firm_high if was is State.HIGH else value >= self._firm_low
 
 
-class Sentence:
+class ReadyConstraint:
     """What is judged of an entity, and how.
 
     Attributes:

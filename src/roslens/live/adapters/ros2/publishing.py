@@ -16,7 +16,7 @@ DIAGNOSTICS = "/diagnostics"
 _DEPTH = 10
 
 
-class Saying:
+class MonitorPublisher:
     """The publishers of one node.
 
     Attributes:

@@ -5,9 +5,9 @@ import msgspec
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
-from roslens.live.adapters.ros2.heard import DEPTH, Heard
 from roslens.live.adapters.ros2.observation import PARAMETERS_S, Observation
 from roslens.live.adapters.ros2.parameters import Parameters
+from roslens.live.adapters.ros2.reported_topics import DEPTH, ReportedTopics
 from roslens.model.graph import Change, Endpoint, Graph, Node, Role
 from roslens.model.qos import Qos as QosOf
 
@@ -40,7 +40,9 @@ class Subscription:
 
 @pytest.fixture
 def heard(monkeypatch):
-    made = Heard(SimpleNamespace(destroy_subscription=lambda one: closed.append(one.topic)), "vm", Parameters(Asking))
+    made = ReportedTopics(
+        SimpleNamespace(destroy_subscription=lambda one: closed.append(one.topic)), "vm", Parameters(Asking)
+    )
     closed = made.closed = []
 
     def subscribe(topic, _):
@@ -98,7 +100,7 @@ class Qos:
 def test_messages_that_cannot_be_imported_are_told_once(monkeypatch):
     monkeypatch.setitem(sys.modules, "rclpy", SimpleNamespace())
     monkeypatch.setitem(sys.modules, "rclpy.qos", SimpleNamespace(QoSProfile=Qos, QoSReliabilityPolicy=Qos))
-    made = Heard(SimpleNamespace(), "vm", Parameters(Asking))
+    made = ReportedTopics(SimpleNamespace(), "vm", Parameters(Asking))
     for _ in range(3):
         made.choose(graph("/statistics"))
     (failure,) = made.take(1.0, lambda gid: None).failures
@@ -116,7 +118,7 @@ def test_no_more_is_asked_for_than_is_offered(monkeypatch, offered, asked):
     monkeypatch.setitem(sys.modules, "diagnostic_msgs.msg", SimpleNamespace(DiagnosticArray="array"))
     node = SimpleNamespace(create_subscription=lambda *words, raw: opened.append((*words, raw)))
     ends = [msgspec.structs.replace(end, qos=QosOf(offered)) for end in graph("/diagnostics").endpoints]
-    Heard(node, "vm", Parameters(Asking)).choose(Graph("ros2", endpoints=tuple(ends)))
+    ReportedTopics(node, "vm", Parameters(Asking)).choose(Graph("ros2", endpoints=tuple(ends)))
     ((kind, topic, _, qos, raw),) = opened
     assert (kind, topic, qos.reliability, raw) == ("array", "/diagnostics", asked, True)
 

@@ -3,7 +3,7 @@ import types
 
 import pytest
 
-from roslens.live.adapters.ros2.saying import Saying
+from roslens.live.adapters.ros2.publishing import MonitorPublisher
 from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
 
 SIGNAL = RatedSignal("topic", "/scan", "r.rate", "rate", "Hz", 1.0, 25.0, 35.0, 3, 9.0, 2, "", "5 s", "look")
@@ -52,7 +52,7 @@ def packages(monkeypatch):
 
 def test_diagnostics_are_filled_and_texts_are_such_as_ros_takes(packages):
     node = Node()
-    saying = Saying(node, diagnostics=True, rated="")
+    saying = MonitorPublisher(node, diagnostics=True, rated="")
     saying.publish(FRAME)
     (array,) = node.said["/diagnostics"]
     assert (array.header.stamp.sec, array.header.stamp.nanosec) == (5, 250_000_000)
@@ -66,7 +66,7 @@ def test_diagnostics_are_filled_and_texts_are_such_as_ros_takes(packages):
 def test_rated_signals_are_filled(packages):
     packages("roslens_msgs", "RatedSignals", "RatedSignal", "ConnectionStatistics")
     node = Node()
-    saying = Saying(node, diagnostics=False, rated="/rated")
+    saying = MonitorPublisher(node, diagnostics=False, rated="/rated")
     saying.publish(FRAME)
     (rated,) = node.said["/rated"]
     assert (rated.monitor, rated.complete, rated.part, rated.parts, rated.header.stamp.sec) == ("m", True, 0, 1, 5)
@@ -77,7 +77,7 @@ def test_rated_signals_are_filled(packages):
 
 def test_a_package_that_is_not_there_is_told_and_the_rest_is_published(packages):
     node = Node()
-    saying = Saying(node, diagnostics=True, rated="/rated")
+    saying = MonitorPublisher(node, diagnostics=True, rated="/rated")
     (failure,) = saying.failures
     assert "nothing is published on /rated: ModuleNotFoundError: No module named 'roslens_msgs'" in failure.what
     assert "Build roslens_msgs" in failure.advice
@@ -86,14 +86,14 @@ def test_a_package_that_is_not_there_is_told_and_the_rest_is_published(packages)
 
 
 def test_a_topic_that_is_refused_is_told(packages):
-    saying = Saying(Node(refused="/diagnostics"), diagnostics=True, rated="")
+    saying = MonitorPublisher(Node(refused="/diagnostics"), diagnostics=True, rated="")
     assert "RuntimeError: another type is there" in saying.failures[0].what
     saying.publish(FRAME)
 
 
 def test_after_the_end_nothing_is_published(packages):
     node = Node()
-    saying = Saying(node, diagnostics=True, rated="")
+    saying = MonitorPublisher(node, diagnostics=True, rated="")
     saying.close()
     saying.publish(FRAME)
     assert node.said["/diagnostics"] == []

@@ -29,7 +29,7 @@ _UNTOLD = (
 )
 
 
-class Ear:
+class SubscribedTopics:
     """Adds what is heard to the rounds of an observation."""
 
     def __init__(

@@ -1,9 +1,9 @@
 import pytest
 
 from roslens.judge.patterns.pattern import Pattern
-from roslens.live.adapters.ros1.ear import SILENT_ROUNDS, Ear
 from roslens.live.adapters.ros1.listening import Taken
 from roslens.live.adapters.ros1.stream import Source, Use
+from roslens.live.adapters.ros1.subscribed_topics import SILENT_ROUNDS, SubscribedTopics
 from roslens.model.tally import Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
@@ -33,7 +33,7 @@ class Listening:
 @pytest.fixture
 def make():
     def build(taps=(), statistics=False):
-        ear = Ear(Observation(), Listening(), [Pattern.parse(text) for text in taps], statistics)
+        ear = SubscribedTopics(Observation(), Listening(), [Pattern.parse(text) for text in taps], statistics)
         return ear, ear._observation, ear._listening
 
     return build
@@ -61,7 +61,7 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
             )
 
     listening = Hearing()
-    frame = Ear(Observing(), listening, [], False, "/me", reports=True).round()
+    frame = SubscribedTopics(Observing(), listening, [], False, "/me", reports=True).round()
     assert listening.wanted == [Source(Use.REPORTS, "/diagnostics", "/monitor", "http://m:1/")]
     (event,) = frame.events
     assert (event.time, event.entity) == (5.0, "node:/monitor")
@@ -104,5 +104,5 @@ def test_what_subscribers_tell_of_what_we_publish_ourselves_is_left_out():
             own = Tally("/diagnostics", "/me", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
             return Taken([TOLD, own])
 
-    ear = Ear(Observation(), Hearing(), [], True, "/me")
+    ear = SubscribedTopics(Observation(), Hearing(), [], True, "/me")
     assert [(tally.topic, tally.publisher) for tally in ear.round().tallies] == [("/t", "/a")]

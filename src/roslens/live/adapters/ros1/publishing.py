@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.live.adapters.ros1.definition import known_definitions
-from roslens.live.adapters.ros1.told import Answer
+from roslens.live.adapters.ros1.publisher_updates import Answer
 from roslens.live.adapters.ros1.topic_server import Published, TopicServer
 from roslens.model.outgoing import Outgoing
 
@@ -16,7 +16,7 @@ _ARRAY = "diagnostic_msgs/DiagnosticArray"
 _RATED = "roslens_msgs/RatedSignals"
 
 
-class Saying:
+class MonitorPublisher:
     """The publishers of one node.
 
     Attributes:

@@ -15,7 +15,7 @@ BREACH = "breaks the contract"
 """What failures say of a plug-in that declares or reports what it may not."""
 
 
-class Breach(msgspec.Struct, frozen=True, omit_defaults=True):
+class Violation(msgspec.Struct, frozen=True, omit_defaults=True):
     """One thing that is against the contract, in the parts of a message."""
 
     what: str
@@ -42,7 +42,7 @@ def not_trusted(plugin: str) -> Failure:
 
 def breaks_contract(
     plugin: str,
-    breach: Breach,
+    breach: Violation,
     *,
     tool: str = "",
     location: Location | None = None,

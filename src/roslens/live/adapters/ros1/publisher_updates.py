@@ -19,7 +19,7 @@ Update = Callable[[str, tuple[str, ...]], None]
 Answer = Callable[[list[Any]], list[Any]]
 
 
-class ToldServer:
+class UpdateServer:
     """Answers as a node would and passes ``publisherUpdate`` on, and ``paramUpdate`` to ``parameter_told``.
 
     Args:

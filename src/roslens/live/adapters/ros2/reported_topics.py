@@ -41,7 +41,7 @@ class Told(msgspec.Struct):
     failures: list[Failure] = []
 
 
-class Heard:
+class ReportedTopics:
     """Listens.
 
     Args:

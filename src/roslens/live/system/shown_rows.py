@@ -21,7 +21,7 @@ def not_judged(whole: SystemView) -> int:
     waiting = list(whole.children)
     while waiting:
         part = waiting.pop()
-        if worth_a_row(part):
+        if is_shown(part):
             if part.state is None and part.name:
                 found.add(part.id)
             waiting += part.children
@@ -35,7 +35,7 @@ def badge(part: SystemView) -> str:
     return f"{', '.join(counts)} below" if counts else ""
 
 
-def worth_a_row(part: SystemView) -> bool:
+def is_shown(part: SystemView) -> bool:
     """Return whether to show a part: something is expected of it, or it is not like what all others have too.
 
     What a process uses is told of its nodes; alone it is worth a row where a sentence is about it. Likewise with the

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.place import is_local
+from roslens.live.adapters.ros1.publisher_updates import UpdateServer, answer_to
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.told import ToldServer, answer_to
 from roslens.live.adapters.ros1.xml_rpc import Caller
 
 pytestmark = pytest.mark.timed
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.timed
 @pytest.fixture
 def told():
     heard = queue.SimpleQueue()
-    server = ToldServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *update: heard.put(update))
+    server = UpdateServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *update: heard.put(update))
     server.heard = heard
     yield server
     server.close()
@@ -53,7 +53,7 @@ def test_who_asks_is_answered_as_by_a_node(told):
 
 def test_more_can_be_answered():
     more = {"requestTopic": lambda arguments: [1, "", [arguments[1]]]}
-    server = ToldServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *_: None, more)
+    server = UpdateServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *_: None, more)
     caller = Caller(server.uri, Resolver())
     assert caller.call("requestTopic", "/x", "/t", [["TCPROS"]]) == [1, "", ["/t"]]
     caller.close()
@@ -80,7 +80,7 @@ def test_no_bytes_make_it_fall_over(body):
 
 @pytest.mark.skipif(not is_local("::1"), reason="no IPv6 on this host")
 def test_it_listens_on_ipv6():
-    server = ToldServer("::1", "::1", "http://m:1", lambda *update: None)
+    server = UpdateServer("::1", "::1", "http://m:1", lambda *update: None)
     assert server.uri.startswith("http://[::1]:")
     caller = Caller(server.uri, Resolver())
     assert caller.call("getPid", "/x")[0] == 1

@@ -3,7 +3,7 @@ import struct
 import pytest
 
 from roslens.live.adapters.ros1.definition import known_definitions
-from roslens.live.adapters.ros1.saying import Saying
+from roslens.live.adapters.ros1.publishing import MonitorPublisher
 from roslens.live.adapters.ros1.tcpros import connect
 from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
 
@@ -20,7 +20,7 @@ FRAME = Outgoing(
 
 @pytest.fixture
 def saying():
-    one = Saying("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=True, rated="/rated")
+    one = MonitorPublisher("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=True, rated="/rated")
     yield one
     one.close()
 
@@ -63,7 +63,7 @@ def test_what_it_publishes_is_told_to_who_asks(saying):
 
 
 def test_only_what_was_asked_for():
-    one = Saying("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=False, rated="/rated")
+    one = MonitorPublisher("127.0.0.1", "127.0.0.1", "/roslens", diagnostics=False, rated="/rated")
     one.publish(FRAME)
     one.close()
     assert one.publications == (("/rated", "roslens_msgs/RatedSignals"),)

@@ -1,7 +1,7 @@
 import pytest
 
+from roslens.live.system.shown_rows import is_shown
 from roslens.live.system.tree import SystemView
-from roslens.live.system.worth_a_row import worth_a_row
 
 
 @pytest.mark.parametrize(
@@ -25,5 +25,5 @@ from roslens.live.system.worth_a_row import worth_a_row
     ],
 )
 def test_what_all_nodes_have_is_left_out_unless_it_is_judged(kind, name, worth):
-    assert worth_a_row(SystemView(f"{kind}:{name}", name, kind)) is worth
-    assert worth_a_row(SystemView(f"{kind}:{name}", name, kind, counts={"ok": 1}))
+    assert is_shown(SystemView(f"{kind}:{name}", name, kind)) is worth
+    assert is_shown(SystemView(f"{kind}:{name}", name, kind, counts={"ok": 1}))

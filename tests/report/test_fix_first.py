@@ -78,3 +78,16 @@ def test_a_row_tells_of_a_mistake_or_of_a_limit_that_is_far_exceeded():
     assert is_listed(count("function_limits", excess=16.0, tags=("metrics",)))
     assert not is_listed(count("cbo.max", excess=15.9, tags=("metrics",)))
     assert not is_listed(count("comment_ratio.min", excess=99.0, tags=("metrics",)))
+
+
+def test_what_changes_often_comes_before_what_nobody_touches():
+    busy = RuleCount("cmake.a", Severity.WARNING, 1, 1, "b.cpp:1: b", path="b.cpp")
+    rules = [package(count("cmake.0"), busy)]
+    assert [one.rule for one in first_to_fix(rules, [], {}, ALL)] == ["cmake.0", "cmake.a"]
+    assert [one.rule for one in first_to_fix(rules, [], {}, ALL, {"b.cpp": 3})] == ["cmake.a", "cmake.0"]
+
+
+def test_no_number_of_commits_makes_a_warning_more_urgent_than_an_error():
+    busy = RuleCount("node.a", Severity.WARNING, 1, 1, "b.cpp:1: b", path="b.cpp", excess=16.0)
+    first, _ = first_to_fix([package(busy, count("cmake.e", Severity.ERROR))], [], {}, ALL, {"b.cpp": 9999})
+    assert first.rule == "cmake.e"

@@ -24,8 +24,17 @@ def test_the_small_run(sample):
             "cyclomatic complexity 17, at most 15 allowed, src/drive/src/drive.cpp:12",
             ("complexity", "metrics", "ros"),
             1.133333,
+            path="src/drive/src/drive.cpp",
         ),
-        RuleCount("style.tabs", Severity.NOTE, 1, 0, 'src/drive/test/test_drive.cpp:3: a tab, "quoted"', ("style",)),
+        RuleCount(
+            "style.tabs",
+            Severity.NOTE,
+            1,
+            0,
+            'src/drive/test/test_drive.cpp:3: a tab, "quoted"',
+            ("style",),
+            path="src/drive/test/test_drive.cpp",
+        ),
     )
 
 

@@ -103,8 +103,11 @@ class Site:
         self._unstarted = tuple(unstarted)
         self._marks: tuple[Book, CodeMarks] | None = None
         self.past: Past | None = None
-        self.new_first: tuple[RuleCount, ...] = ()
         """Past revisions; None where none were analysed."""
+        self.new_first: tuple[RuleCount, ...] = ()
+        """What to mend first of what is new since the baseline of the last check."""
+        self.changes: Mapping[str, int] = {}
+        """In how many commits of the last year files of findings changed, as far as the last check knew."""
         self.last_change: Callable[[str], LastChange | None] = unknown_change
         """Tells of a file, by its path below the workspace root, who changed it last; None where nobody knows."""
         self.runs: Sequence[StoredRun] = ()

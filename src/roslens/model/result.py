@@ -34,7 +34,7 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
 
     A rule has one count for each severity and set of tags that its findings have; ``gated`` is how
     many of them count for gates, ``fixable`` how many of these have a fix; ``excess`` is how far the example is beyond
-    its bound.
+    its bound; ``path`` is the file of the example, below the workspace.
     """
 
     rule: str
@@ -45,6 +45,7 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     tags: tuple[str, ...] = ()
     excess: float = 0.0
     fixable: int = 0
+    path: str = ""
 
 
 class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -101,6 +101,7 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
             tags,
             round(group.example.excess, 6) if group.example else 0.0,
             group.fixable,
+            group.example.path if group.example else "",
         )
         for (rule, severity, tags), group in groups.items()
     ]

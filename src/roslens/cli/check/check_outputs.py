@@ -156,6 +156,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             since=tuple(_since(view, wanted)),
             new=new_first(view, wanted),
             tags=wanted.tags,
+            changes=wanted.changes,
             width=width_of(stream),
             color=wants_color(options, stream),
             unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",
@@ -171,7 +172,8 @@ def new_first(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
     if wanted.new is None:
         return ()
     new = NarrowedView(view, wanted.is_new)
-    return first_to_fix(new.packages(), new.workspace.findings, {one.id: one for one in view.rules()}, wanted.tags)
+    rules = {one.id: one for one in view.rules()}
+    return first_to_fix(new.packages(), new.workspace.findings, rules, wanted.tags, wanted.changes)
 
 
 def _since(view: RunView, wanted: Wanted) -> Iterator[str]:

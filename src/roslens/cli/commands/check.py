@@ -25,6 +25,8 @@ from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
 from roslens.cli.workplace.workplace import STORE, own_folder
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from roslens.cli.check.check_scope import Scope
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
@@ -164,7 +166,7 @@ def run(options: argparse.Namespace) -> int:
             return show_diff(options, root, configuration, scope)
         if options.fix:
             scope = fixed_scope(options, root, configuration, scope, lambda: look()[1])
-        scope = gated(scope, configuration.gate)
+        scope = _with_changes(gated(scope, configuration.gate), kept.parent if kept is not None else None, options)
         write_outputs(chosen, options, scope.shown, scope.wanted)
         if kept is not None:
             new = None if scope.wanted.new is None else new_first(scope.shown, scope.wanted)
@@ -184,6 +186,18 @@ def run(options: argparse.Namespace) -> int:
     if options.watch:
         watch_files(options, root, configuration)
     return code
+
+
+def _with_changes(scope: Scope, folder: Path | None, options: argparse.Namespace) -> Scope:
+    """Return a scope that knows what changed lately, where text shows it; ``--changed`` costs what the files cost."""
+    import msgspec
+
+    from roslens.cli.check.kept_changes import changes_of
+
+    if options.changed is not None:
+        return scope
+    changes = changes_of(scope.whole, folder)
+    return msgspec.structs.replace(scope, wanted=msgspec.structs.replace(scope.wanted, changes=changes))
 
 
 def _exit_code(view: RunView, wanted: Wanted) -> int:

@@ -37,6 +37,7 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, the number of processes is none, or the folder holds something else.
         StoreError: the store cannot be read.
     """
+    from roslens.cli.check.kept_changes import shown_changes
     from roslens.cli.check.kept_new import shown_new
     from roslens.cli.check.shown_run import shown_run
     from roslens.cli.graph.shown_graphs import site_with_graphs
@@ -49,6 +50,7 @@ def run(options: argparse.Namespace) -> int:
         site = site_with_graphs(view, options, progress)
         site.past = past
         site.new_first = shown_new(options, view)
+        site.changes = shown_changes(options, view)
         try:
             if options.single_file:
                 from roslens.dashboard.single_file import single_file

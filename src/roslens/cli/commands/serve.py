@@ -87,6 +87,7 @@ def run(options: argparse.Namespace) -> int:
             advice="A reference is compared with a running system: add --live",
         )
     checked(options)
+    from roslens.cli.check.kept_changes import shown_changes
     from roslens.cli.check.kept_new import shown_new
     from roslens.cli.check.shown_run import shown_run
     from roslens.cli.conformance.shown_sides import against, shown_sides
@@ -112,6 +113,7 @@ def run(options: argparse.Namespace) -> int:
         site, read_graphs = site_at_once(view, options, progress)
         site.past = past
         site.new_first = shown_new(options, view)
+        site.changes = shown_changes(options, view)
         site.runs, site.since = kept.runs, kept.since
         site.gate = gate_of(site)
         site.review = reviewing_of(Path(view.header.root), view.findings)

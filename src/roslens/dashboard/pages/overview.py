@@ -54,7 +54,13 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
             "gate": msgspec.to_builtins(site.gate) if site.gate else None,
             "since_run": _since_run(site),
             "first": [
-                {"severity": one.severity.value, "rule": one.rule, "text": one.example, "new": one in site.new_first}
+                {
+                    "severity": one.severity.value,
+                    "rule": one.rule,
+                    "text": one.example,
+                    "new": one in site.new_first,
+                    "commits": site.changes.get(one.path, 0),
+                }
                 for one in _first(site)
             ],
             "severities": {severity.value: count for severity, count in severities.items()},
@@ -98,7 +104,7 @@ def since_release(site: Site) -> dict[str, object] | None:
 
 
 def _first(site: Site) -> tuple[RuleCount, ...]:
-    others = first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter())
+    others = first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter(), site.changes)
     return new_before_others(site.new_first, others)
 
 

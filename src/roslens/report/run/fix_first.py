@@ -19,6 +19,9 @@ LIMIT = 0.4
 FURTHEST = 16.0
 """How far beyond a limit still counts: what is a thousand times beyond is no more urgent than that. A limit of which
 nothing is that far beyond is for whoever looks at the metrics, not for whoever mends."""
+BUSIEST = 31
+"""Commits of a year beyond which a file is no busier. A file that changes often is read and broken often: at most 1.6
+times as urgent as one that nobody touches, so that severity decides before it."""
 _REACH = {"node": 1.2, "graph": 1.2, "cpp": 1.1, "python": 1.1, "launch": 1.1}
 """What happens on the robot goes before what happens where it is built, by the family of the rule."""
 _WEIGHTS = {Severity.ERROR: 100.0, Severity.WARNING: 10.0, Severity.NOTE: 1.0}
@@ -29,18 +32,19 @@ def first_to_fix(
     findings: Iterable[Finding],
     rules: Mapping[str, RuleInfo],
     tags: TagFilter,
+    changes: Mapping[str, int] | None = None,
 ) -> tuple[RuleCount, ...]:
     """Return at most :data:`MOST` findings, each as the count of its rule with the worst as its example.
 
     Ordered by severity times the measured precision of the rule times where it shows times how far the limit is
-    exceeded; notes are left out, and of each rule only the worst is named. What changed lately is not weighed: a
-    run does not know it.
+    exceeded times how often the file changed lately; notes are left out, and of each rule only the worst is named.
 
     Args:
         packages: summaries, whose examples are the worst of each rule.
         findings: those of no package.
         rules: what rules are about, by id.
         tags: which findings are meant.
+        changes: number of commits of the last year by file; nothing is known of others.
     """
     counts = [one for package in packages for one in package.rules if one.gated and tags.matches(one.tags)]
     counts += [_counted(finding) for finding in findings if finding.gated and tags.matches(finding.tags)]
@@ -48,7 +52,7 @@ def first_to_fix(
     for one in counts:
         if one.severity is Severity.NOTE or not one.example:
             continue
-        score = urgency(one, rules.get(one.rule))
+        score = urgency(one, rules.get(one.rule), (changes or {}).get(one.path, 0))
         if one.rule not in best or score > best[one.rule][0]:
             best[one.rule] = (score, one)
     ordered = [one for _, one in sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))]
@@ -72,18 +76,19 @@ def is_listed(one: RuleCount) -> bool:
     return METRICS not in one.tags or (one.excess >= FURTHEST and not one.rule.endswith(".min"))
 
 
-def urgency(one: RuleCount, rule: RuleInfo | None) -> float:
-    """Return how soon a finding is to be mended: severity times precision times where it shows times excess."""
+def urgency(one: RuleCount, rule: RuleInfo | None, commits: int = 0) -> float:
+    """Return how soon a finding is to be mended: severity x precision x where it shows x excess x recent commits."""
     precision = LIMIT if METRICS in one.tags else UNMEASURED
     if rule is not None and rule.precision:
         precision = rule.precision
     # What is too little cannot be less than nothing: how many times says little.
     excess = 1.0 if one.rule.endswith(".min") else min(max(one.excess, 1.0), FURTHEST)
     reach = _REACH.get(one.rule.partition(".")[0], 1.0)
-    return _WEIGHTS[one.severity] * precision * reach * (1 + log2(excess) / 4)
+    churn = 1 + log2(1 + min(commits, BUSIEST)) / 8
+    return _WEIGHTS[one.severity] * precision * reach * (1 + log2(excess) / 4) * churn
 
 
 def _counted(finding: Finding) -> RuleCount:
     place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
     example = f"{place}: {finding.message}" if place else finding.message
-    return RuleCount(finding.rule, finding.severity, 1, 1, example, finding.tags, finding.excess)
+    return RuleCount(finding.rule, finding.severity, 1, 1, example, finding.tags, finding.excess, path=finding.path)

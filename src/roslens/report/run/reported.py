@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 import msgspec
@@ -27,6 +28,7 @@ class Wanted(msgspec.Struct, frozen=True):
         new: findings that the baseline does not have; None where there is none.
         gone: how many findings of the baseline are gone.
         gate: conditions of the configuration, and whether they hold.
+        changes: in how many commits of the last year files of findings changed, as far as known.
     """
 
     tags: TagFilter = TagFilter()
@@ -37,6 +39,7 @@ class Wanted(msgspec.Struct, frozen=True):
     new: frozenset[Key] | None = None
     gone: int = 0
     gate: tuple[GateResult, ...] = ()
+    changes: Mapping[str, int] = {}
 
     def is_new(self, finding: Finding) -> bool:
         """Return whether a finding is new since the baseline; without one none is."""

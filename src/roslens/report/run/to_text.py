@@ -39,10 +39,13 @@ class _Group(msgspec.Struct):
     example: str = ""
     excess: float = 0.0
     tags: tuple[str, ...] = ()
+    path: str = ""
 
     def counted(self) -> RuleCount:
         """Return the group as the count of a rule."""
-        return RuleCount(self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess)
+        return RuleCount(
+            self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess, path=self.path
+        )
 
 
 def to_text(
@@ -56,6 +59,7 @@ def to_text(
     since: Sequence[str] = (),
     new: Sequence[RuleCount] = (),
     tags: TagFilter | None = None,
+    changes: Mapping[str, int] | None = None,
     width: int = 100,
     color: bool = False,
     unicode: bool = True,
@@ -72,6 +76,7 @@ def to_text(
         since: what is new since a baseline and whether the gate is passed, a line each.
         new: what to mend first of what is new since a baseline; it goes before everything else.
         tags: which findings are meant; all for None.
+        changes: in how many commits of the last year files of findings changed, as far as known.
         width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
         color: whether the terminal shows colours.
         unicode: whether its encoding has more than ASCII; without, only ASCII is used.
@@ -81,12 +86,12 @@ def to_text(
     counted = count_packages(packages, wanted)
     of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
     about = {rule.id: rule for rule in rules}
-    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about)
+    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about, changes or {})
     aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
-        list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted))),
+        list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted, changes), changes or {})),
         list(_packages(terminal, counted)),
         [
             *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
@@ -218,7 +223,9 @@ def _notes_text(notes: Sequence[_Group]) -> str:
     return f"{_plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
 
 
-def _fix_first(terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount]) -> Iterator[str]:
+def _fix_first(
+    terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount], changes: Mapping[str, int]
+) -> Iterator[str]:
     chosen = new_before_others(new, others)
     if not chosen:
         return
@@ -229,6 +236,8 @@ def _fix_first(terminal: Terminal, new: Sequence[RuleCount], others: Sequence[Ru
         yield f"  {number}. {mark} {lines[0].lstrip()}"
         yield from lines[1:]
         rule = f"new: {terminal.clean(one.rule)}" if number <= len(new) else terminal.clean(one.rule)
+        if commits := changes.get(one.path):
+            rule += f" {terminal.glyph('dot')} {_plural(commits, 'commit')} to the file in a year"
         yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
 
 
@@ -312,7 +321,11 @@ def _next(
 
 
 def _groups(
-    packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter, rules: Mapping[str, RuleInfo]
+    packages: Iterable[PackageSummary],
+    findings: Iterable[Finding],
+    tags: TagFilter,
+    rules: Mapping[str, RuleInfo],
+    changes: Mapping[str, int],
 ) -> list[_Group]:
     """Return the findings that count, by rule and severity: most severe first, mistakes before limits, most urgent."""
     groups: dict[tuple[str, Severity], _Group] = {}
@@ -327,17 +340,18 @@ def _groups(
             group.tags = rule.tags
             group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
             if not group.example or rule.excess > group.excess:
-                group.example, group.excess = rule.example, rule.excess
+                group.example, group.excess, group.path = rule.example, rule.excess, rule.path
             seen.add(key)
     for finding in findings:
         key = (finding.rule, finding.severity)
         group = groups.setdefault(key, _Group(*key))
         group.count += 1
         place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
-        group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
+        if not group.example:
+            group.example, group.path = (f"{place}: {finding.message}" if place else finding.message), finding.path
 
     def order(group: _Group) -> tuple[int, bool, float, int, str]:
-        soon = urgency(group.counted(), rules.get(group.rule))
+        soon = urgency(group.counted(), rules.get(group.rule), changes.get(group.path, 0))
         return -group.severity.rank, METRICS in group.tags, -soon, -group.count, group.rule
 
     return sorted(groups.values(), key=order)

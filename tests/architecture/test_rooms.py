@@ -12,7 +12,7 @@ CROWDED = {
     "source/tools": 39,
     "source/rules/graph": 38,
     "dashboard": 38,
-    "source/rules": 31,
+    "source/rules": 30,
     "model": 34,
     "store": 30,
     "live/adapters/ros1": 31,

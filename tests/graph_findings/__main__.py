@@ -8,9 +8,10 @@ from collections import Counter
 from pathlib import Path
 
 from graph_findings.again import left_of, write_again
-from graph_findings.collecting import GRAPH, NATIVE, NotReadError, findings_of
+from graph_findings.collecting import GRAPH, NATIVE, NotReadError, findings_of, report_of
 from graph_findings.judgements import NATIVE_TABLES, Sample, drawn, read, samples, taken_over, write
 from graph_findings.page import MEASURED, PAGE, RULES_PAGE, measured, page, rules_page
+from graph_findings.rates import RATES, rates_text
 from graph_findings.repositories import repositories
 
 _SEVERITIES = ("note", "warning", "error")
@@ -38,6 +39,9 @@ def main() -> int:
     again.add_argument("folder", type=Path, help="with the clones that the table was drawn of")
     again.add_argument("table", help="name of the table: held_out_one")
     again.set_defaults(run=_again)
+    rates = verbs.add_parser("rates", help=f"write {RATES.name}: how often coding rules report in clones")
+    rates.add_argument("folder", type=Path, help="with clones, as of sample")
+    rates.set_defaults(run=_rates)
     options = parser.parse_args()
     code: int = options.run(options)
     return code
@@ -89,6 +93,11 @@ def _again(options: argparse.Namespace) -> int:
         sys.stderr.write(f"not in {options.folder}: {', '.join(missing)}\n")
         return 2
     write_again(options.table, left_of(sample, found))
+    return 0
+
+
+def _rates(options: argparse.Namespace) -> int:
+    RATES.write_text(rates_text(map(report_of, repositories(options.folder))), "utf-8")
     return 0
 
 

@@ -46,7 +46,7 @@ def findings_of(repository: Repository, tool: str = GRAPH) -> list[dict[str, Any
         except subprocess.CalledProcessError as error:
             raise NotReadError(f"the clone has no commit {repository.commit}") from error
         if tool != GRAPH:
-            report = _said("check", str(root), "--no-graph", "--no-store")
+            report = _report_of(root)
             return [one for one in report["findings"] if one.get("tool") == tool and one.get("gated", True)]
         # Every launch file that no other includes, and the nodes of which no launch file says that they run together.
         report = _said("check", str(root), "--graph", "--no-store")
@@ -58,6 +58,26 @@ def findings_of(repository: Repository, tool: str = GRAPH) -> list[dict[str, Any
         if known is None or _RANK.index(one["severity"]) > _RANK.index(known["severity"]):
             found[one["fingerprint"]] = one
     return [found[key] for key in sorted(found)]
+
+
+def report_of(repository: Repository) -> Any:
+    """Return what ``roslens check`` says of the commit of a repository, as JSON.
+
+    Raises:
+        NotReadError: the command failed, or took too long.
+    """
+    with TemporaryDirectory() as folder:
+        root = Path(folder, "ws")
+        root.mkdir()
+        try:
+            check_out(repository.clone, repository.commit, root)
+        except subprocess.CalledProcessError as error:
+            raise NotReadError(f"the clone has no commit {repository.commit}") from error
+        return _report_of(root)
+
+
+def _report_of(root: Path) -> Any:
+    return _said("check", str(root), "--no-graph", "--no-store")
 
 
 def _said(*words: str) -> Any:

@@ -26,6 +26,10 @@ PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); ROS_WARN(a); } catch (...) { } }\n", Severity.NOTE),
         ("cpp.swallowed", Language.CPP, "void f() { try { ROS_WARN(a); } catch (...) { } }\n", None),
+        ("node.credential", Language.CPP, 'const char * key = "AKIAABCDEFGHIJKLMNOP";\n', None),
+        ("python.python2_name", Language.PYTHON, "known = {}\nknown.has_key(1)\n", None),
+        ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Severity.NOTE),
+        ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Severity.NOTE),
     ],
 )
 def test_it_is_a_note(rule, language, text, severity):

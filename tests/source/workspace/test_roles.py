@@ -17,6 +17,8 @@ SETTINGS = WorkspaceSettings()
         "p/third_party/lib/a.cpp",
         "p/src/3rdparty/a.cpp",
         "p/thirdparty/a.h",
+        "arm_thirdparty/include/a.h",
+        "arm_3rd_party/a.h",
         "external/lib_ros/src/a.cpp",
         "p/vendor/a.py",
         "p/Third-Party/a.cpp",

@@ -18,6 +18,7 @@ OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp"
         (["p/include/p/Eigen/Eigen/src/Core/Map.h"], ("p/include/p/Eigen/",)),
         (["p/include/p/Eigen/unsupported/a.h", "p/include/p/Eigen/src/Core/Map.h"], ("p/include/p/Eigen/",)),
         (["p/include/p/eigen/conversions.h"], ()),
+        (["p/src/LICENSE", "p/include/p/a.h", "p/include/p/b.h", "p/include/p/c.h", "p/test/t.cpp"], ()),
         (["p/glm/third/LICENSE", "p/glm/third/a.h"], ("p/glm/",)),
         ([], ()),
     ],

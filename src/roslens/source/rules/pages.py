@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from roslens.source.rules.precision import read_samples
+from roslens.source.rules.field.precision import read_samples
+from roslens.source.rules.field.rates import read_rates, spoken_rate
 from roslens.source.rules.profiles import PROFILES
 from roslens.source.rules.rule import FileRule, Rule
 
@@ -79,6 +80,8 @@ def _page(rule: Rule) -> str:
     true, read = read_samples().get(rule.id, (0, 0))
     if read:
         parts.append(f"[Measured](../../accuracy_of_rules.md): {true} of {read} findings that were read were true.")
+    if rate := spoken_rate(rule.id, read_rates()):
+        parts.append(f"In the field: {rate}")
     comment = "#" if rule.languages == ("python",) or rule.family == "cmake" else "<!--" if not rule.languages else "//"
     end = " -->" if comment == "<!--" else ""
     parts.append(f"To leave one finding out: `{comment} roslens: ignore[{rule.id}] reason{end}`")

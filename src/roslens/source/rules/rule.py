@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.finding import RuleInfo, Severity
-from roslens.source.rules.precision import precision_of
+from roslens.source.rules.field.precision import precision_of
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -96,7 +96,7 @@ _FOLDERS = (
     (
         Role.VENDORED,
         re.compile(
-            r"3rd[-_]?part(?:y|ies)|third[-_]?part(?:y|ies)|externals?|extern|vendor|vendored|vendors|googletest"
+            r"(?:\w+[-_])?(?:3rd|third)[-_]?part(?:y|ies)|externals?|extern|vendor|vendored|vendors|googletest"
             r"|googlemock|ros_lib|node_modules|bower_components"
         ),
     ),

@@ -1,8 +1,8 @@
 """Folders of a package that hold the work of others, told by what comes with it.
 
 A folder with a licence of its own, a version in its name, or the name of a library that is often copied. The folder of
-the package itself is none, whatever it is named; nor is one with most of the package's sources in it, where a licence
-is all that tells.
+the package itself is none, whatever it is named. Where a licence is all that tells, neither are its ``src`` and
+``include``, nor one with most of the package's sources in it.
 """
 
 from __future__ import annotations
@@ -24,6 +24,8 @@ _UPSTREAM = re.compile(
 _LAID_OUT = re.compile(r"(?:.*?/)?eigen(?=/(?:eigen/)?src/core/)", re.IGNORECASE)
 """A folder whose name says little and whose inside says whose it is."""
 _SOURCES = re.compile(r".+\.(?:c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|tpp|cu|cuh|py)")
+_OWN = frozenset(("", "src", "include", "scripts", "launch", "msg", "srv", "action", "test", "nodes"))
+"""Folders that packages have, and the package itself: they are its own whatever licence lies there."""
 _MOST = 0.5
 
 
@@ -48,7 +50,7 @@ def vendored_folders(package: str, paths: Sequence[str]) -> tuple[str, ...]:
         for depth, part in enumerate(parts, 1):
             if _UPSTREAM.fullmatch(part) or _VERSIONED.fullmatch(part):
                 found.add(f"{start}{'/'.join(parts[:depth])}/")
-        if parts and _LICENCE.fullmatch(name) and not name.endswith(_NO_LICENCE):
+        if folders not in _OWN and _LICENCE.fullmatch(name) and not name.endswith(_NO_LICENCE):
             licensed.add(f"{start}{folders}/")
     for folder in licensed:
         inside = sum(path.startswith(folder) for path in sources)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -42,6 +43,7 @@ RULE = PackageRule(
     "`<build_export_depend>`, `<exec_depend>` nor `<run_depend>`.",
     why="Whoever depends on this package gets its name from CMake and not from rosdep: their build fails on a "
     "machine that does not happen to have it.",
+    severity=Severity.NOTE,
     profiles=("ros1",),
     tags=("build", "dependency"),
     clauses=("catkin_lint missing_catkin_depend",),

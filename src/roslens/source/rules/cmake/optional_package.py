@@ -10,6 +10,8 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
 
+_QUICKER = frozenset({"openmp", "mpi", "cuda", "tbb"})
+"""What makes a program quicker where it is there: without it the variables are empty, and the build is in order."""
 _CHECKS = frozenset({"find_package_handle_standard_args", "ament_auto_find_build_dependencies"})
 
 
@@ -21,7 +23,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         if _is_required(one) or one.defined or not one.command.arguments or one.for_tests:
             continue
         name = one.command.arguments[0].literal
-        if name is None or _is_asked(name, text) or cmake.first(*_CHECKS):
+        if name is None or name.lower() in _QUICKER or _is_asked(name, text) or cmake.first(*_CHECKS):
             continue
         if any(_required_too(other, name) for other in cmake.named("find_package")):
             continue
@@ -62,7 +64,7 @@ RULE = PackageRule(
     id="cmake.optional_package",
     title="Needed package looked for as if it were optional",
     finds="A `find_package()` without `REQUIRED` of what is then linked or included in any case, and whose "
-    "`…_FOUND` is never asked. Add `REQUIRED`.",
+    "`…_FOUND` is never asked. Add `REQUIRED`. OpenMP, MPI, CUDA and TBB may be missing.",
     why="Where it is missing, configuring goes on and the build ends with a header or symbol that cannot be found, "
     "far from the cause, or links without it.",
     profiles=("ros2", "ros1"),

@@ -53,6 +53,7 @@ RULE = PackageRule(
     finds="An executable, built outside of conditions, tests and examples, that no `install(TARGETS …)` names. In "
     "ROS 1 it is a note: the devel space finds it.",
     why='`ros2 run` and launch files look into the installation: "executable not found" on the robot.',
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="add_executable(driver src/driver.cpp)\nament_package()",

@@ -64,6 +64,7 @@ RULE = PackageRule(
     "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`. "
     "Homes of the usual users of containers (`/home/user`, `/root`) are notes.",
     why="The robot has another user: the map, model or calibration is not found there.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<arg name="map" default="/home/ada/maps/office.yaml"/>',

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -41,7 +42,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if re.search(rb"\b%b\b" % word, view.code[: node.start_byte]) is None:
         message = f"{name!r} exists in Python 2 only; expected {_INSTEAD[name]!r}"
-        yield view.hit("python.python2_name", node, message)
+        is_sure = name != "has_key" or _is_dictionary(call.child_by_field_name("object"), view)
+        yield view.hit("python.python2_name", node, message, severity=None if is_sure else Severity.NOTE)
+
+
+def _is_dictionary(owner: Node | None, view: FileView) -> bool:
+    """Tell whether the file makes a dictionary of that name: other classes may have such a method."""
+    name = re.escape(view.text(owner).encode())
+    return re.search(rb"(?<![\w.])%s\s*(?::[^=\n]+)?=\s*(?:\{|dict\()" % name, view.code) is not None
 
 
 def _is_keyword(node: Node) -> bool:
@@ -53,7 +61,7 @@ RULE = FileRule(
     title="Name of Python 2",
     finds="`xrange`, `raw_input`, `unicode`, `basestring`, `unichr`, `execfile`, `.has_key()`, `.iteritems()` and "
     "their kind, in a file that has nothing for Python 3 (no `six`, `version_info`, `NameError`). The first use of "
-    "each is reported.",
+    "each is reported; `.has_key()` of what the file does not make as a dictionary is a note.",
     why="It raises a NameError or AttributeError when the line is reached, which may be in a callback after an "
     "hour of driving.",
     profiles=("ros2", "ros1"),

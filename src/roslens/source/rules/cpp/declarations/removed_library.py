@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -14,10 +15,17 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each name that is written with ``std::``."""
+    if _is_asked_for(view, view.text(node)):
+        return
     if view.code[: node.start_byte].rstrip()[-5:] == b"std::" and node.type in ("identifier", "type_identifier"):
         yield view.hit(
             "cpp.removed_library", node, f"`std::{view.text(node)}` was removed in C++17; expected what replaces it"
         )
+
+
+def _is_asked_for(view: FileView, name: str) -> bool:
+    """Tell whether a condition of the preprocessor names it: it is there only where the library has it."""
+    return re.search(rb"#[ \t]*(?:el)?if[^\n]*%s" % name.upper().encode(), view.code) is not None
 
 
 RULE = FileRule(

@@ -60,6 +60,7 @@ RULE = FileRule(
     finds="`catch (...)` with an empty body and no comment that says why. Log it, handle it or let it pass.",
     why="A driver that failed to start goes on as if nothing had happened; even a thread that is being "
     "cancelled is held up.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -61,7 +61,8 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         yield hit if b"#include" in view.code else msgspec.structs.replace(hit, severity=Severity.NOTE)
         return
     tested = guard[1] or guard[2]
-    if tested != guard[3]:
+    # A guard around the whole file may be defined in a branch of another condition.
+    if tested != guard[3] and not re.search(rb"#[ \t]*ifndef[ \t]+%s\b" % re.escape(guard[3]), view.code):
         line = view.place(guard.start(3))[0]
         wanted, got = tested.decode("utf-8", "replace"), guard[3].decode("utf-8", "replace")
         once = len(re.findall(rb"\b%s\b" % re.escape(guard[3]), view.content)) == 1

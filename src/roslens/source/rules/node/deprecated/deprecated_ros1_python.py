@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.calls import arguments, call_at
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.deprecated.table import PYTHON_ROS1, find
 from roslens.source.rules.rule import FileRule
@@ -17,8 +17,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a name of the table that is called with a literal."""
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if given and given[0].type == "string":
+    if given and given[0].type == "string" and not _falls_back(node):
         yield from find(node, view, "node.deprecated_ros1_python", _ROWS)
+
+
+def _falls_back(node: Node) -> bool:
+    """Tell whether a node is what is done where an import failed: it is for old distributions."""
+    return above(node, "except_clause") is not None
 
 
 _ROWS = PYTHON_ROS1

@@ -51,7 +51,7 @@ RULE = FileRule(
     title="Endpoint made in a callback or a loop (Python)",
     finds="A publisher, subscription, service or client that is made each time a callback of a subscription or timer "
     "runs, "
-    "or in a loop that runs for ever. Make it once.",
+    "or in a loop that runs for ever. Make it once. A `rospy.ServiceProxy` connects only when it is called.",
     why="What is published on a publisher that was made just now is lost; subscriptions and clients add up, and each "
     "message is handled once more than before.",
     profiles=("ros2", "ros1"),
@@ -71,7 +71,7 @@ def on_goal(goal):
     syntax="python",
     anchors=(
         *("create_publisher", "create_subscription", "create_client", "create_service", "Publisher", "Subscriber"),
-        *("ServiceProxy", "SimpleActionClient"),
+        "SimpleActionClient",
     ),
     mentions=ROS_PYTHON,
     spares_tests=True,

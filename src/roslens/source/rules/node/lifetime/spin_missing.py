@@ -16,6 +16,7 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 _NEEDS_SPIN = re.compile(
     rb"\b(subscribe|create_subscription|advertiseService|create_service|createTimer|create_wall_timer)\b\s*[<(]"
 )
+_NODE = re.compile(rb"\bNodeHandle\s*&?\s+(\w+)|(?<![\w.])(\w+)\s*=[^;=]*\bmake_shared\b")
 _SPINS = re.compile(
     rb"[sS]pin|waitForShutdown|\bexec\s*\(|callAvailable|callOne|\bwait\b|WaitSet|exec_|[rR]un\s*\(|thread"
 )
@@ -28,14 +29,26 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or function is None or body is None or function.type != "function_definition":
         return
     registers = _NEEDS_SPIN.search(view.code, body.start_byte, body.end_byte)
-    if function_name(function, view) != "main" or registers is None or _SPINS.search(view.code):
+    if (
+        function_name(function, view) != "main"
+        or registers is None
+        or _SPINS.search(view.code)
+        or _is_given_away(view, body)
+    ):
         return
     yield view.hit(
         "node.spin_missing",
         call,
         f"`main` calls `{registers[1].decode()}` and nothing in this file spins: the callback never runs; expected "
-        + ("`ros::spin()`" if view.text(call).startswith("ros::") else "`rclcpp::spin(node)`"),
+        + ("`ros::spin()`" if view.text(call).removeprefix("::").startswith("ros::") else "`rclcpp::spin(node)`"),
     )
+
+
+def _is_given_away(view: FileView, body: Node) -> bool:
+    """Tell whether the node or its handle is handed to somebody, who may spin."""
+    code = view.code[body.start_byte : body.end_byte]
+    names = {one[1] or one[2] for one in _NODE.finditer(code)}
+    return any(re.search(rb"[(,]\s*(?:std::move\()?&?%s\s*[,)]" % re.escape(name), code) for name in names)
 
 
 RULE = FileRule(

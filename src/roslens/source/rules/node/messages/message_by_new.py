@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView
@@ -45,6 +46,7 @@ RULE = FileRule(
     why="A node publishes for months: a message that is not deleted on one path out of a callback takes the memory of "
     "the "
     "robot's computer. A unique pointer can also be published without a copy.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("messages", "memory"),
     bad="#include <ros/ros.h>\nvoid f() { sensor_msgs::Image * image = new sensor_msgs::Image(); fill(image); }\n",

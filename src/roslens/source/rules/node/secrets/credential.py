@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -47,15 +49,14 @@ def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
         line, column = view.place(match.start(1))
         name = match[1].decode("utf-8", "replace")
         message = f"`{name}` has a literal value of {len(match[2])} characters in the source; {_EXPECTED}"
-        yield _without_text(view.hit_at(rule, line, message, column=column), name)
+        hit = view.hit_at(rule, line, message, column=column)
+        yield _without_text(msgspec.structs.replace(hit, severity=Severity.NOTE), name)
 
 
 _EXPECTED = "expected it from the environment or a file outside of the repository, and this one changed"
 
 
 def _without_text(hit: Hit, context: str) -> Hit:
-    import msgspec
-
     return msgspec.structs.replace(hit, context=context)
 
 
@@ -64,7 +65,8 @@ RULE = FileRule(
     title="Password or key in the source",
     finds="A variable or argument named as a password, secret or key that is given a literal value, or the beginning "
     "of a known "
-    "kind of key. Read it from the environment, and change it: it is in the history.",
+    "kind of key. Read it from the environment, and change it: it is in the history. A literal value by itself is a "
+    "note: it may be what the vendor publishes for every device.",
     why="Every clone and every robot has it, and whoever reads the repository can log in to all of them.",
     profiles=("ros2", "ros1"),
     tags=("security",),

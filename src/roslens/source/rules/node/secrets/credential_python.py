@@ -22,7 +22,8 @@ RULE = FileRule(
     title="Password or key in the source (Python)",
     finds="A variable or argument named as a password, secret or key that is given a literal value, or the beginning "
     "of a known "
-    "kind of key; in launch files too. Read it from the environment, and change it: it is in the history.",
+    "kind of key; in launch files too. Read it from the environment, and change it: it is in the history. A literal "
+    "value by itself is a note: it may be what the vendor publishes for every device.",
     why="Every clone and every robot has it, and whoever reads the repository can log in to all of them.",
     profiles=("ros2", "ros1"),
     tags=("security",),

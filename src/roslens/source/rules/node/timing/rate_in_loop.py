@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import loop_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -48,6 +49,7 @@ RULE = FileRule(
     why="A rate subtracts what the round took from its sleep only if it lives longer than the round: made anew, the "
     "loop "
     "is slower than its number says, by as much as it has to do.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("time", "real-time"),
     bad="#include <ros/ros.h>\nvoid f() { while (ros::ok()) { ros::Rate rate(10); work(); rate.sleep(); } }\n",

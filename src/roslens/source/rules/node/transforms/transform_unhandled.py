@@ -14,6 +14,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _ASKS_FIRST = re.compile(rb"canTransform|waitForTransform|\btry\b")
+_ASKED = rb"!\s*%(n)s\b|\b%(n)s(?:\.|->)(?:has_value|value|error|is_initialized)\b|if\s*\(\s*%(n)s\s*[)&|]"
 _FEWEST = 3
 
 
@@ -21,7 +22,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a look-up outside of ``try``, in a callback that neither asks nor waits before."""
     call, function = call_at(node), function_around(node)
     body = body_of(function) if function is not None else None
-    if call is None or body is None or len(arguments(call)) < _FEWEST or is_handled(call):
+    if (
+        call is None
+        or body is None
+        or len(arguments(call)) < _FEWEST
+        or is_handled(call)
+        or _is_asked(call, body, view)
+    ):
         return
     callback = callback_around(call, view)
     if callback is not None and not _ASKS_FIRST.search(view.code[body.start_byte : call.start_byte]):
@@ -32,6 +39,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "survives; expected a handler of tf2::TransformException",
             callback=callback,
         )
+
+
+def _is_asked(call: Node, body: Node, view: FileView) -> bool:
+    """Tell whether it is asked of what the look-up returns if there is anything: such a look-up does not throw."""
+    kept = call.parent
+    name = kept.child_by_field_name("declarator") if kept is not None and kept.type == "init_declarator" else None
+    if name is None:
+        return False
+    asked = _ASKED % {b"n": re.escape(view.text(name).encode())}
+    return re.search(asked, view.code[call.end_byte : body.end_byte]) is not None
 
 
 RULE = FileRule(

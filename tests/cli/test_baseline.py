@@ -244,7 +244,7 @@ def first_on_the_page(root, folder):
 def first_in_the_terminal(text):
     rows = text.partition("Fix first")[2].partition("\n\n")[0].splitlines()
     rules = [
-        one.strip().partition(" \N{MIDDLE DOT} ")[0].partition(" - ")[0]
+        one.strip().partition(" \N{MIDDLE DOT} ")[0]
         for one in rows
         if one.strip().removeprefix("new: ").startswith("ros.")
     ]

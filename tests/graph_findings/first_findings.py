@@ -10,7 +10,7 @@ import yaml
 
 from graph_findings.judgements import ROOT
 
-TABLE = ROOT / "tests" / "fixtures" / "first_findings" / "six.yaml"
+TABLE = ROOT / "tests" / "fixtures" / "first_findings" / "shown.yaml"
 
 
 class First(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -50,10 +50,11 @@ def section(shown: dict[str, Shown]) -> Iterator[str]:
     yield from (
         "## The first findings that are shown",
         "",
-        "What `roslens check` shows of six repositories first, ten rows at most, read as their maintainer would. A row",
+        "What `roslens check` shows of some repositories first, ten rows at most, read as maintainers would. A row",
         "is a rule with its worst example; a limit of metrics has one only where it is exceeded sixteen times, all",
-        "others are counted in one line. The order was made with the first three; the last three were read once it was",
-        "settled, and nothing was changed for what they showed. What changed lately is not weighed.",
+        "others are counted in one line. The order was made with the first three; the next three were read once it was",
+        "settled. The last five are named nowhere else, and were read once what changed lately was weighed: what was",
+        "not worth acting on there was mended after.",
         "",
     )
     for name, one in shown.items():

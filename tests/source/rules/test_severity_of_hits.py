@@ -29,6 +29,8 @@ PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub
         ("node.credential", Language.CPP, 'const char * key = "AKIAABCDEFGHIJKLMNOP";\n', None),
         ("python.python2_name", Language.PYTHON, "known = {}\nknown.has_key(1)\n", None),
         ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Severity.NOTE),
+        ("cpp.using_namespace", Language.CPP, "using namespace std;\n", None),
+        ("cpp.using_namespace", Language.CPP, "using namespace std::placeholders;\n", Severity.NOTE),
         ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Severity.NOTE),
     ],
 )

@@ -23,6 +23,8 @@ SETTINGS = WorkspaceSettings()
         "p/vendor/a.py",
         "p/Third-Party/a.cpp",
         "p/include/catch.hpp",
+        "p/src/detail/ordered_map.hpp",
+        "p/include/robin_hash.h",
         "p/include/ikfast.h",
         "p/client/ros_lib/ros/node_handle.h",
         "p/src/tinyxml2.cpp",

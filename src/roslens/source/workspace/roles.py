@@ -109,6 +109,7 @@ _OF_TESTS = re.compile(r"tests?|testing|unit_?tests?|integration_?tests?|gtests?
 _VENDORED_NAME = re.compile(
     r"catch(?:_amalgamated)?\.hpp|doctest\.h|robin_hood\.h|magic_enum\w*\.hpp|nanoflann\.hpp|peglib\.h|httplib\.h"
     r"|cxxopts\.hpp|CLI11\.hpp|SimpleIni\.h|tiny_obj_loader\.h|rapidxml\w*\.hpp|rapidcsv\.h|zmq(?:_addon)?\.hpp"
+    r"|(?:ordered|robin|hopscotch|sparse|array)_(?:map|set|hash|growth_policy)\.h(?:pp)?"
     r"|lz4(?:hc|frame)?\.[ch]|concurrentqueue\.h|readerwriterqueue\.h|delaunator\.hpp|earcut\.hpp|stb_\w+\.h|tinyxml2?\.(?:h|cpp)|pugi(?:xml|config)\.[hc]pp|lodepng\.\w+"
     r"|ikfast\.h|miniz\.[ch]|sqlite3\.[ch]|xxhash\.[ch]|gnuplot-iostream\.h|cpplint\.py|ez_setup\.py|distribute_setup\.py|jquery[.\w-]*\.js"
 )

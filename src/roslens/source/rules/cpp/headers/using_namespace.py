@@ -22,7 +22,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     # Literals can be used in no other way.
     if "literals" in name:
         return
-    severity = None if name.split("::")[0] == "std" else Severity.NOTE
+    # Placeholders are made to be used so, and collide with nothing.
+    severity = None if name.split("::")[0] == "std" and name != "std::placeholders" else Severity.NOTE
     message = f"`using namespace {name}` in a header; expected qualified names"
     yield view.hit("cpp.using_namespace", node, message, only=HEADER, severity=severity)
 
@@ -31,7 +32,7 @@ RULE = FileRule(
     id="cpp.using_namespace",
     title="`using namespace` in a header",
     finds="A using directive outside of functions in a header. Write the names out, or use it inside of functions. "
-    "Other namespaces than `std` are notes.",
+    "Other namespaces than `std` are notes, and so is `std::placeholders`.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
     profiles=(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import msgspec
@@ -90,7 +91,7 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
     else:
         place = whole_name(node)
         name = view.text(place)
-    if _is_chosen(node, view):
+    if _is_chosen(node, view) or _is_defined(name, view):
         return
     for row in table:
         if (
@@ -109,11 +110,24 @@ def _renamed(place: Node, row: Deprecated, view: FileView) -> tuple[Edit, ...]:
     return view.edits((at, at + len(row.name), row.instead)) if at >= 0 else ()
 
 
+def _is_defined(name: str, view: FileView) -> bool:
+    """Tell whether the file defines a class or its constructor: who deprecates a name has to keep it for a while."""
+    word = re.escape(re.split(r"::|->|\.", name)[-1].encode())
+    defined = rb"\b(?:class|struct)\s+(?:\w+\s+)?%s\s*(?:final\s*)?[:{]|\b%s\s*::\s*~?%s\s*\("
+    return re.search(defined % (word, word, word), view.code) is not None
+
+
 def _is_chosen(node: Node, view: FileView) -> bool:
     """Tell whether the preprocessor chooses, by distribution or by what there is, whether a node is compiled."""
     for one in all_above(node):
         if one.type.startswith("preproc_if"):
             text = view.source[one.start_byte : one.end_byte]
-            if b"#else" in text or b"#elif" in text or b"DISTRO" in text or b"has_include" in text:
+            if (
+                b"#else" in text
+                or b"#elif" in text
+                or b"DISTRO" in text
+                or b"ROS_VERSION" in text
+                or b"has_include" in text
+            ):
                 return True
     return False

@@ -176,7 +176,7 @@ class Calls(Expressions):
         for written, value in zip(expression.arguments, arguments, strict=False):
             if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
                 continue
-            if engine.index.programs[engine.frame.path].language == "cpp":
+            if engine.dialect.calls_set_arguments:
                 engine.assign(written, unknown(f"a text that {name}() may set"))
 
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
@@ -293,7 +293,7 @@ class Calls(Expressions):
     def _class_of_module(self, function: Member) -> Class | None:
         engine: Context = self
         frame, name = engine.frame, _dotted(function)
-        if not name or engine.index.programs[frame.path].language != "python":
+        if not name or not engine.dialect.classes_in_modules:
             return None
         found = engine.index.class_of(name, frame.path, frame.scope)
         return None if found is None else Class(found)
@@ -334,7 +334,7 @@ class Calls(Expressions):
             return None
         if found and isinstance(found[0].what, Function):
             what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
-            if arguments and _takes_object(what) and engine.index.programs[path].language == "python":
+            if arguments and _takes_object(what) and engine.index.programs[path].dialect.methods_take_objects:
                 # What the class is asked for gets the object as its first argument, which parameters leave out.
                 thing, arguments, given = arguments[0], arguments[1:], given[1:]
             return engine.call(Callable(what, path, thing), arguments, keywords, given)

@@ -24,7 +24,6 @@ from roslens.source.extract.domain.plain_methods import SAME, formatted
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
 from roslens.source.extract.domain.word_list import AtLeast, Words
-from roslens.source.extract.interpreter.evaluation_bounds import SpentError
 from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
 from roslens.source.extract.ir.program import (
     Call,
@@ -74,9 +73,7 @@ class Expressions(Context):
     def value(self, expression: Expression) -> Value:
         """Return the value of an expression."""
         engine: Context = self
-        engine.steps += 1
-        if engine.steps > engine.most_steps:
-            raise SpentError
+        engine.budget.spend()
         if type(expression) is Name and expression.name in (names := engine.frame.names):
             return names[expression.name]
         return self.kinds[type(expression)](engine, expression)
@@ -146,12 +143,12 @@ class Expressions(Context):
         if (path, name) in engine.constants:
             return engine.constants[path, name]
         engine.constants[path, name] = Unknown(f"the constant {name}")
-        python = engine.index.programs[path].language == "python"
-        of_module = module_value(engine, path, name.rpartition(".")[2], expression) if python else None
+        runs = engine.index.programs[path].dialect.modules_run
+        of_module = module_value(engine, path, name.rpartition(".")[2], expression) if runs else None
         if of_module is not None:
             engine.constants[path, name] = of_module[0]
             return of_module[0]
-        of_class = python and "." in name
+        of_class = runs and "." in name
         outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
         try:
             value = self.value(expression)
@@ -282,7 +279,7 @@ class Expressions(Context):
     def _boolean(self, expression: Operation) -> Value:
         """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
         engine: Context = self
-        python = engine.index.programs[engine.frame.path].language == "python"
+        results = engine.dialect.operands_are_results
         operator, operands = expression.operator, expression.operands
         stops = operator == "or"
         open_: list[tuple[Value, Expression]] = []
@@ -295,13 +292,13 @@ class Expressions(Context):
                 break
             if holds is None:
                 open_.append((value, one))
-                if python and stops and number < len(operands) - 1 and isinstance(value, Text):
+                if results and stops and number < len(operands) - 1 and isinstance(value, Text):
                     return self._or_else(value, operands[number:])
         if not open_:
             holds = engine.truth(value)
-            return value if python or holds is None else holds
+            return value if results or holds is None else holds
         if engine.truth(value) is stops:
-            return stops if not python or isinstance(value, bool) else self._open(expression)
+            return stops if not results or isinstance(value, bool) else self._open(expression)
         tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
         test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
         return self._open(expression, test if len(tests) == len(open_) else None)
@@ -418,7 +415,7 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     if outside is not None:
         path, value, whole = outside
         # What a constant of C++ is made of means what it does where that is defined.
-        return "constant", whole if index.programs[path].language == "cpp" else name, (path, value)
+        return "constant", name if index.programs[path].dialect.modules_run else whole, (path, value)
     found = index.class_of(name, frame.path, frame.scope)
     if found is not None:
         return "class", found, None

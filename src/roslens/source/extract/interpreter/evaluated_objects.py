@@ -126,13 +126,13 @@ class Objects(Calls):
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Evaluate the constructor of one class of an object."""
         engine: Context = self
-        python = engine.index.programs[defined.path].language == "python"
-        name = "__init__" if python else defined.what.name
+        dialect = engine.index.programs[defined.path].dialect
+        name = dialect.constructor or defined.what.name
         found = engine.index.methods(defined, name)
         chosen = overload(engine.index, found, len(arguments) + len(keywords), arguments)
         if chosen is not None and isinstance(chosen.what, Function):
             whole = thing.defined
-            if not python:
+            if dialect.bases_are_constructed:
                 for base in bases_by_default(engine.index, defined, chosen.what):
                     engine.construct_as(thing, base, [], {})
                 # While a base is constructed, its own virtual methods are called.
@@ -140,7 +140,11 @@ class Objects(Calls):
             engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
             thing.defined = whole
             return
-        if python and (arguments or keywords) and set_fields(engine, thing, defined, arguments, keywords):
+        if (
+            dialect.fields_are_arguments
+            and (arguments or keywords)
+            and set_fields(engine, thing, defined, arguments, keywords)
+        ):
             return
         for base in engine.index.chain(defined)[1:2]:
             engine.construct_as(thing, base, arguments, keywords)
@@ -164,7 +168,7 @@ class Objects(Calls):
     def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         engine: Context = self
-        if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
+        if isinstance(value, _MADE_BY_TYPE) and not engine.dialect.types_convert:
             # Annotations make nothing.
             return value
         match value:

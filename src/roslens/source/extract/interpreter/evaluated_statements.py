@@ -29,7 +29,6 @@ from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.interpreter.evaluated_again import same
 from roslens.source.extract.interpreter.evaluated_loops import block_of_loop, left, looped, without_ways_out
 from roslens.source.extract.interpreter.evaluated_objects import is_list
-from roslens.source.extract.interpreter.evaluation_bounds import SpentError
 from roslens.source.extract.ir.program import (
     Assign,
     Branch,
@@ -131,9 +130,7 @@ def block(engine: Context, body: tuple[Statement, ...]) -> None:
     frame, before = engine.frame, len(engine.conditions)
     try:
         for statement in body:
-            engine.steps += 1
-            if engine.steps > engine.most_steps:
-                raise SpentError
+            engine.budget.spend()
             _STATEMENTS[type(statement)](engine, statement)
             if frame.returned or frame.stopped:
                 return
@@ -254,7 +251,7 @@ def _assign_name(engine: Context, name: str, value: Value) -> None:
 
 
 def _is_field(engine: Context, thing: Obj, name: str) -> bool:
-    if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
+    if engine.frame.path in engine.index.programs and not engine.dialect.members_without_object:
         return False
     return name in thing.fields or bool(declared_field(engine.index, thing.defined, name)) or name.endswith("_")
 

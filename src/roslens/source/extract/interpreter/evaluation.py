@@ -31,8 +31,8 @@ from roslens.source.extract.facts.node_facts import Evidence, led_to
 from roslens.source.extract.interpreter.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.interpreter.evaluated_objects import Objects
 from roslens.source.extract.interpreter.evaluated_statements import assign, block, initialise
-from roslens.source.extract.interpreter.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
 from roslens.source.extract.ir.controller_handles import is_of_controller
+from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.ir.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.symbolic.reason import OfController
@@ -41,6 +41,7 @@ from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.node_bases import NODE_BASES
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+from roslens.source.extract.transfer.budget import MOST_DEPTH, Budget, SpentError
 from roslens.source.extract.transfer.captured import Around, names_now, set_around
 from roslens.source.extract.transfer.decorated import decorated
 from roslens.source.extract.transfer.overload_choice import overload, taking
@@ -79,8 +80,7 @@ class Evaluation(Objects):
         gave: where the value stands to which the last call returned a reference, in its frame.
         bare: functions without their decorators, by the identity of those with them, which they keep alive.
         words: of the command line, where they are known.
-        steps: that were made so far.
-        most_steps: that may be made.
+        budget: of steps.
         running: whether the node runs already: what is evaluated is called back, or comes when it has spun.
     """
 
@@ -112,7 +112,7 @@ class Evaluation(Objects):
         self.once: dict[tuple[object, ...], Value] = {}
         self.gave: tuple[Frame, Expression] | None = None
         self.bare: dict[int, tuple[Function, Function]] = {}
-        self.steps, self.most_steps = 0, MOST_STEPS
+        self.budget = Budget()
         self._again = Again()
         self.preparing: list[str] = []
         self._stack: list[tuple[str, int]] = []
@@ -122,6 +122,11 @@ class Evaluation(Objects):
         self.calls: list[tuple[Evidence, Function, tuple[Expression, ...]]] = []
 
     # What others ask of it
+
+    @property
+    def dialect(self) -> Dialect:
+        """The rules of the language of the function that is evaluated."""
+        return self.index.programs[self.frame.path].dialect
 
     def place(self, line: int, column: int = 0, how: str = "written") -> Evidence:
         """Return evidence of a place in the file that is evaluated."""
@@ -145,10 +150,6 @@ class Evaluation(Objects):
     def touches(self) -> int:
         """How often a word of the vocabulary was said, or a callback given away."""
         return self._again.touched
-
-    def more_steps(self) -> None:
-        """Let a plug-in that is followed take steps of its own."""
-        self.most_steps += MOST_OF_PLUGIN
 
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""
@@ -228,7 +229,7 @@ class Evaluation(Objects):
                 self._again.cuts.add(key)
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
-        if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
+        if not what.body and not what.initialisers and self.index.programs[function.path].dialect.declared_apart:
             lose_unseen(self, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
         if what.decorators and (made := decorated(self, function)) is not function:
@@ -283,7 +284,7 @@ class Evaluation(Objects):
         site = self.site
         self._bind(what, arguments, keywords, frame)
         around, again.cuts = again.cuts, set()
-        steps, touched = self.steps, again.touched
+        steps, touched = self.budget.steps, again.touched
         before = dict(thing.fields) if isinstance(thing, Obj) else {}
         self._stack.append(key)
         self.calls.append((site, what, written))
@@ -304,7 +305,7 @@ class Evaluation(Objects):
             for fields, condition in frame.left:
                 join(thing.fields, fields, condition)
         again.cuts.discard(key)
-        if self.steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
+        if self.budget.steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
             given = (arguments, templates)
             again.keep(key, Done(what, thing, given, len(self._stack), frame, before, again.cuts, self.site))
         around |= again.cuts
@@ -364,7 +365,7 @@ class Evaluation(Objects):
             chosen = overload(self.index, found, count, arguments, self._stack[-1] if self._stack else ("", 0))
             if chosen is None or not isinstance(chosen.what, Function):
                 continue
-            if taking(self.index, [chosen], count) or self.index.programs[chosen.path].language == "python":
+            if taking(self.index, [chosen], count) or not self.index.programs[chosen.path].dialect.overloads:
                 if len(found) < 2:
                     self.index.lookups.alone.add((id(defined.what), name, count))
                 return chosen.what, chosen.path

@@ -186,8 +186,7 @@ def guessed_method(engine: Context, receiver: Value, called: Called) -> Word | N
     if isinstance(receiver, Obj):
         outside = receiver.defined is not None and receiver.node is None and engine.index.outer_bases(receiver.defined)
         return _said(engine, word) if outside else None
-    program = engine.index.programs[engine.frame.path]
-    return _said(engine, word) if isinstance(receiver, Named) and program.language == "cpp" else None
+    return _said(engine, word) if isinstance(receiver, Named) and engine.dialect.declared_apart else None
 
 
 def kinds_of(engine: Context, receiver: Value) -> tuple[str, ...]:

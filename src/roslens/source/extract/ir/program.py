@@ -12,6 +12,8 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.source.extract.ir.dialect import DIALECTS, Dialect
+
 
 class Literal(msgspec.Struct, frozen=True, array_like=True, tag="lit", gc=False):
     """A text, number or truth value as written; None is ``None``, ``nullptr`` and ``NULL``."""
@@ -284,3 +286,8 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
     incomplete: tuple[tuple[int, str], ...] = ()
     declarations: tuple[Function, ...] = ()
     variants: dict[str, Program] = {}
+
+    @property
+    def dialect(self) -> Dialect:
+        """The rules of its language."""
+        return DIALECTS[self.language]

@@ -69,7 +69,7 @@ def set_around(engine: Context, function: Callable, frame: Frame) -> None:
     so nobody knows what the one around is, rather than that it has a value that it may not have.
     """
     around, what = function.names, function.function
-    if around is None or engine.index.programs[function.path].language != "cpp":
+    if around is None or not engine.index.programs[function.path].dialect.copies_are_captured:
         return
     own = {parameter.name for parameter in what.parameters}
     holds, names = (around, around.frame.names) if isinstance(around, Around) else ({}, around)

@@ -42,8 +42,8 @@ def changed_by(
     """
     match of:
         case Text():
-            cpp = engine.index.programs[engine.frame.path].language == "cpp"
-            return _text(engine, _root(written), of, name, arguments) if cpp and name in _OF_TEXTS else None
+            changes = engine.dialect.texts_change and name in _OF_TEXTS
+            return _text(engine, _root(written), of, name, arguments) if changes else None
         case list() if name in _OF_LISTS and not isinstance(of, Words):
             return _list(engine, of, name, [*arguments, *keywords.values()])
         case dict() if name in _OF_TABLES:

@@ -83,7 +83,7 @@ def _all_set(engine: Context) -> set[Place]:
     if lookups.set_on_classes is None:
         lookups.set_on_classes = set()
         for program in engine.index.programs.values():
-            if program.language == "python":
+            if program.dialect.modules_run:
                 lookups.set_on_classes |= _set_in(program)
     return lookups.set_on_classes
 

@@ -15,11 +15,13 @@ from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.program import Call, Expression, Function, Statement
 from roslens.source.extract.symbolic.text import Condition, Text
 from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.transfer.budget import Budget
 
 
 class Context(Protocol):
@@ -48,13 +50,16 @@ class Context(Protocol):
     bare: dict[int, tuple[Function, Function]]
     words: Words | None
     running: bool
-    steps: int
-    most_steps: int
+    budget: Budget
     later: list[tuple[Callable, Condition | None]]
     reached: Reached
     site: Evidence
     written: tuple[Expression, ...]
     calls: list[tuple[Evidence, Function, tuple[Expression, ...]]]
+
+    @property
+    def dialect(self) -> Dialect:
+        """The rules of the language of the function that is evaluated."""
 
     def value(self, expression: Expression) -> Value:
         """Return the value of an expression."""
@@ -124,9 +129,6 @@ class Context(Protocol):
     @property
     def touches(self) -> int:
         """How often a word of the vocabulary was said, or a callback given away."""
-
-    def more_steps(self) -> None:
-        """Let a plug-in that is followed take steps of its own."""
 
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""

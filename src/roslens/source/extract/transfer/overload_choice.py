@@ -62,7 +62,7 @@ def _near(index: Index, found: list[Defined], at: tuple[str, str]) -> dict[tuple
     """Return how the file that calls knows functions, those that it does not know left out."""
     path, unit = at
     program = index.programs.get(path)
-    known = index.linkage.near if program is not None and program.language == "cpp" else None
+    known = index.linkage.near if program is not None and program.dialect.linkage else None
     near: dict[tuple[str, int], Near] = {}
     for one in found:
         what = one.what

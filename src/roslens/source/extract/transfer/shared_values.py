@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 def changed_for_all(engine: Context, holder: Name | Member, before: Value, after: QosValue) -> None:
     """Let a quality of service be what it was changed to under its other names too."""
-    python = engine.index.programs[engine.frame.path].language == "python"
-    if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
+    shared = engine.dialect.names_share_objects
+    if isinstance(before, QosValue) and before is not after and (shared or _is_reference(engine, holder)):
         engine.forget_calls()
         engine.changes.refine(before, after)
-        if python:
+        if shared:
             _in_constants(engine, before, after)
             changed_by_call(engine)
 
@@ -32,7 +32,7 @@ def newest(engine: Context, value: Value) -> Value:
 
 def changed_by_call(engine: Context) -> None:
     """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
-    if engine.index.programs[engine.frame.path].language != "python":
+    if not engine.dialect.names_share_objects:
         return
     thing = engine.frame.self
     for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):

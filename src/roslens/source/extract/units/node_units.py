@@ -315,7 +315,7 @@ def _forget(engine: Evaluation, thing: Obj) -> None:
             continue
         seen.add(id(one))
         # Small programs of C++ leave out functions that only compute: they may set any member.
-        any_member = engine.index.programs[one.defined.path].language == "cpp"
+        any_member = engine.index.programs[one.defined.path].dialect.sliced
         changed = engine.index.changed(one.defined)
         for name, value in one.fields.items():
             match value:

@@ -233,7 +233,7 @@ def _in_scope(engine: Context, written: str, kind: str) -> str:
     program = engine.index.programs[engine.frame.path]
     if not written.isidentifier():
         return ""
-    if program.language == "python":
+    if program.dialect.classes_in_modules:
         modules = [one for one in program.using if one.endswith(f".{kind}")]
         module = engine.index.interfaces.of_modules(written, modules)
         return f"{module.replace('.', '/')}/{written}" if module else ""

@@ -49,7 +49,7 @@ def instance(engine: Context, thing: Obj, called: Called) -> Value:
     if defined is None:
         return Unknown(f"a plug-in of {base or 'some class'}")
     engine.touched()
-    engine.more_steps()
+    engine.budget.extend()
     made = engine.construct(defined, [], {})
     if isinstance(made, Obj):
         engine.plugged.append((made, node))

@@ -57,3 +57,11 @@ def test_what_doubles_again_and_again_ends():
     for _ in range(100):
         text, open_ = Text.of(text, text), Text.of(open_, open_)
     assert [str(one)[:28] for one in (text, open_)] == ["{a text that is too long to "] * 2
+
+
+def test_what_a_text_begins_and_ends_with():
+    hole = Hole("a")
+    text = Text.of("/x/", hole, "/y")
+    assert (text.head, text.tail, text.is_global, text.only) == ("/x/", "/y", True, None)
+    assert (Text((hole,)).head, Text((hole,)).tail, Text((hole,)).only) == ("", "", hole)
+    assert (Text().head, Text().tail, Text().is_global, Text().only) == ("", "", False, None)

@@ -49,7 +49,7 @@ def _ros1(words: Sequence[Text], evidence: Evidence) -> CommandLine:
             rest.append(word)
             continue
         source, target = pair
-        first = source.parts[0] if source.parts else ""
+        first = source.head
         match first:
             case str() if first.startswith("_") and not first.startswith("__"):
                 settings.append(_setting(Text.of("~" + first[1:], *source.parts[1:]), target, evidence))
@@ -88,8 +88,7 @@ def _ros2(words: Sequence[Text], evidence: Evidence) -> CommandLine:
 
 
 def _of_node(name: Text, value: Text, evidence: Evidence) -> Setting:
-    first = name.parts[0] if name.parts else ""
-    node, colon, own = first.partition(":") if isinstance(first, str) else ("", "", "")
+    node, colon, own = name.head.partition(":")
     if not colon:
         return _setting(name, value, evidence)
     pattern = node if node.startswith("/") else f"/**/{node}"

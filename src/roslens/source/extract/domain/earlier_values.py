@@ -9,7 +9,7 @@ import msgspec
 
 from roslens.source.extract.domain.abstract_value import Value, as_text
 from roslens.source.extract.domain.kinds import is_number
-from roslens.source.extract.symbolic.text import And, Condition, Hole, IsSet, Not, Or, Text
+from roslens.source.extract.symbolic.text import And, Condition, IsSet, Not, Or, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.evaluation_frame import Frame
@@ -22,8 +22,8 @@ def else_before(value: Value, before: Value) -> Value:
     """
     number = is_number(before)
     earlier = as_text(before).known if number or isinstance(before, Text) else None
-    hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
-    if not earlier or not isinstance(hole, Hole) or not hole.parameter or hole.default is not None:
+    hole = value.only if isinstance(value, Text) else None
+    if not earlier or hole is None or not hole.parameter or hole.default is not None:
         return value
     return Text((msgspec.structs.replace(hole, default=earlier),))
 

@@ -9,7 +9,7 @@ from types import MappingProxyType
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Made, Named, Names, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.kinds import all_of_kind
+from roslens.source.extract.domain.kinds import all_of_kind, has_kind
 from roslens.source.extract.domain.object_ways import one_object
 from roslens.source.extract.domain.perhaps import perhaps
 from roslens.source.extract.domain.plain_methods import is_namespace
@@ -263,7 +263,7 @@ def one_of(value: Value, other: Value, condition: Condition, test: Condition | N
             names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
             return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
     for one, two in ((value, other), (other, value)):
-        if isinstance(one, Unknown) and isinstance(two, list) and any(isinstance(item, Text) for item in two):
+        if isinstance(one, Unknown) and isinstance(two, list) and has_kind(two, Text):
             return one
     return None
 
@@ -276,7 +276,7 @@ def _one_list(value: list[Value], other: list[Value], condition: Condition, test
         opposite = None if test is None else negated(test)
         rest = perhaps(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
         return [*less, *rest]
-    if not any(isinstance(one, Text) for one in (*less, *more)):
+    if not has_kind((*less, *more), Text):
         return None
     first, second = all_of_kind(value, Text), all_of_kind(other, Text)
     if len(less) < len(more) or len(first) < len(value) or len(second) < len(other):

@@ -34,3 +34,18 @@ def items_of(value: Value) -> list[Value]:
 def all_of_kind(values: Iterable[Value], kind: type[_Kind]) -> list[_Kind]:
     """Return those of some values that are of a kind."""
     return [one for one in values if isinstance(one, kind)]
+
+
+def first_of_kind(values: Iterable[Value], kind: type[_Kind]) -> _Kind | None:
+    """Return the first of some values that is of a kind; None where none is."""
+    return next((one for one in values if isinstance(one, kind)), None)
+
+
+def are_of_kind(values: Iterable[Value], kind: type[_Kind]) -> bool:
+    """Return whether all of some values are of a kind."""
+    return all(isinstance(one, kind) for one in values)
+
+
+def has_kind(values: Iterable[Value], kind: type[_Kind]) -> bool:
+    """Return whether one of some values is of a kind."""
+    return any(isinstance(one, kind) for one in values)

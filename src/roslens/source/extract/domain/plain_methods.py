@@ -119,9 +119,8 @@ def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
     if of.known is None:
         if name in ("rfind", "find_last_of") and of.holes == of.parts and is_namespace(of.parts[0]) and text == "/":
             return LastSlash(of)
-        head = of.parts[0]
-        if name in ("startswith", "starts_with") and isinstance(head, str) and len(head) >= len(text):
-            return head.startswith(text)
+        if name in ("startswith", "starts_with") and of.head and len(of.head) >= len(text):
+            return of.head.startswith(text)
         return Unknown(f"{name} of {of}")
     if name in ("startswith", "starts_with", "endswith", "ends_with"):
         return of.known.startswith(text) if name.startswith("starts") else of.known.endswith(text)
@@ -139,9 +138,8 @@ def _cut(of: Text, arguments: list[Value]) -> Value:
         return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
     if of.known is not None:
         return Text.of(of.known[begin:] if count is None or count < 0 else of.known[begin : begin + count])
-    head = of.parts[0]
-    if isinstance(head, str) and count is None and begin <= len(head):
-        return Text.of(head[begin:], *of.parts[1:])
+    if of.head and count is None and begin <= len(of.head):
+        return Text.of(of.head[begin:], *of.parts[1:])
     return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
 
 

@@ -45,8 +45,8 @@ def item_of(value: Value, key: Value) -> Value:
     """Return the item at a place of an unknown list; None where it is none that is known to be a list."""
     if isinstance(value, Each):
         return value.item
-    hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
-    if not isinstance(hole, Hole) or not hole.parameter:
+    hole = value.only if isinstance(value, Text) else None
+    if hole is None or not hole.parameter:
         return None
     match key:
         case Unknown():

@@ -72,8 +72,7 @@ def absolute(namespace: Text, given: Text) -> Text:
     """Return a namespace given in another one: below it, or itself where it begins with ``/``."""
     if not given.parts:
         return namespace
-    first = given.parts[0]
-    return tidy(given if isinstance(first, str) and first.startswith("/") else below(namespace, given))
+    return tidy(given if given.is_global else below(namespace, given))
 
 
 def tidy(name: Text) -> Text:

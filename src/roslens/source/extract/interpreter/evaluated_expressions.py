@@ -214,8 +214,8 @@ class Expressions(Context):
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
-        if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):
-            return Text.of(first[:1])
+        if isinstance(of, Text) and key == 0 and of.head:
+            return Text.of(of.head[:1])
         return of if isinstance(of, Unknown) else self._open(expression)
 
     def operation(self, expression: Operation) -> Value:

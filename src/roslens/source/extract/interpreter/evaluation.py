@@ -24,6 +24,7 @@ from roslens.source.extract.domain.abstract_value import (
 )
 from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.evaluation_frame import Frame, bind_rest, join
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.domain.outside_options import options_from_outside
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
@@ -314,7 +315,7 @@ class Evaluation(Objects):
 
     def _computed_by(self, what: Function, arguments: list[Value]) -> Value:
         """Return the result of a function that only computes; what decides its arguments decides it."""
-        texts = [one for one in arguments if isinstance(one, Text)]
+        texts = all_of_kind(arguments, Text)
         if not texts:
             return Unknown(f"result of {what.name}()")
         parameter = next((hole.parameter for one in texts for hole in one.holes if hole.parameter), "")

@@ -230,7 +230,6 @@ def below(value: Value, name: Text) -> Text:
     """Return a name below what a handle puts in front of it."""
     if not isinstance(value, Handle) or not value.prefix.parts:
         return name
-    first = name.parts[0] if name.parts else ""
-    if isinstance(first, str) and first[:1] in ("/", "~"):
+    if name.head[:1] in ("/", "~"):
         return name
     return Text.of(value.prefix, "/", name) if name.parts else value.prefix

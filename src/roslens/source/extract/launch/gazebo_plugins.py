@@ -130,8 +130,7 @@ def _of_command(words: tuple[Text, ...]) -> _Spawned | None:
     """Return the description that a command line writes out: the first word that is such a file, with ``a:=b``."""
     found, given = "", {}
     for word in words[1:]:
-        first = word.parts[0] if word.parts else ""
-        name, sign, rest = first.partition(":=") if isinstance(first, str) else ("", "", "")
+        name, sign, rest = word.head.partition(":=")
         if sign:
             given[name.strip("'\"")] = Text.of(rest, *word.parts[1:])
         elif word.known is not None and not found and _FILES.search(word.known.strip("'\"")):
@@ -181,8 +180,7 @@ def _below(*pieces: Text) -> Text:
     given = [one for one in pieces if one.parts]
     whole = Text()
     for number, piece in enumerate(given, 1):
-        first = piece.parts[0]
-        if number == len(given) > 1 and isinstance(first, str) and first.startswith("/"):
+        if number == len(given) > 1 and piece.is_global:
             return piece
         whole = Text.of(whole, "/" if whole.parts else "", piece)
     return Text.of(*(_SLASHES.sub("/", part) if isinstance(part, str) else part for part in whole.parts))

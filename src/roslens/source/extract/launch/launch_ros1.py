@@ -346,8 +346,7 @@ class _File:
             if "ns" in element.attributes:
                 self._miss(element, element.written()[:80], "its namespace is empty; expected a name, or no ns=…")
             return space.namespace
-        first = given.parts[0]
-        absolute = isinstance(first, str) and first.startswith("/")
+        absolute = given.is_global
         top = space.namespace.parts == ("/",)
         before: Text | str = "" if absolute else "/" if top else Text.of(space.namespace, "/")
         return _without_end(Text.of(before, given))
@@ -363,12 +362,11 @@ class _File:
     def _set(self, found: list[Setting], space: _Space) -> tuple[Setting, ...]:
         private = list(space.private)
         for one in found:
-            first = one.name.parts[0] if one.name.parts else ""
-            if isinstance(first, str) and first.startswith("~"):
+            if one.name.head.startswith("~"):
                 private.append(setting_if(space.own, one))
                 continue
             sure = setting_if(space.around, one)
-            if not (isinstance(first, str) and first.startswith("/")):
+            if not one.name.is_global:
                 before = "/" if space.namespace.parts == ("/",) else Text.of(space.namespace, "/")
                 sure = msgspec.structs.replace(sure, name=Text.of(before, one.name))
             self._whole.settings.append(sure)
@@ -408,7 +406,6 @@ def _private(setting: Setting) -> Setting:
 
 
 def _without_end(text: Text) -> Text:
-    last = text.parts[-1]
-    if len(text.parts) == 1 and last == "/":
+    if text.parts == ("/",) or not text.tail:
         return text
-    return Text((*text.parts[:-1], last.rstrip("/"))) if isinstance(last, str) else text
+    return Text((*text.parts[:-1], text.tail.rstrip("/")))

@@ -347,12 +347,12 @@ def within(namespace: Text, name: Text) -> Text:
     """Return a namespace below another one, or itself where it begins with ``/``."""
     if not name.parts:
         return namespace
-    first, last = name.parts[0], name.parts[-1]
-    if len(name.parts) > 1 and isinstance(last, str) and last.endswith("/"):
-        name = Text((*name.parts[:-1], last.rstrip("/")))
-    elif isinstance(first, str) and len(name.parts) == 1 and len(first) > 1:
-        name = Text.of(first.rstrip("/"))
-    if isinstance(first, str) and first.startswith("/"):
+    is_global = name.is_global
+    if len(name.parts) > 1 and name.tail.endswith("/"):
+        name = Text((*name.parts[:-1], name.tail.rstrip("/")))
+    elif len(name.parts) == 1 and len(name.head) > 1:
+        name = Text.of(name.head.rstrip("/"))
+    if is_global:
         return name
     return Text.of("/", name) if namespace.parts == ("/",) else Text.of(namespace, "/", name)
 

@@ -177,10 +177,9 @@ def _join(namespace: str, name: str) -> str:
 
 
 def _below(prefix: Text, name: Text) -> Text:
-    first = name.parts[0] if name.parts else ""
     if not prefix.parts or not name.parts:
         return prefix if prefix.parts else name
-    return name if isinstance(first, str) and first[:1] in ("/", "~") else Text.of(prefix, "/", name)
+    return name if name.head[:1] in ("/", "~") else Text.of(prefix, "/", name)
 
 
 def _stripped(text: Text) -> Text:

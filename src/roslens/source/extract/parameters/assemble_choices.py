@@ -109,7 +109,7 @@ def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
 
 
 def _is_not_set(text: Text) -> bool:
-    return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and isinstance(hole.reason, NotSet)
+    return text.only is not None and isinstance(text.only.reason, NotSet)
 
 
 def _is_of_many(text: Text) -> bool:
@@ -131,17 +131,13 @@ def _expanded(text: Text, values: Values) -> Iterator[Alternative]:
             continue
         piece = choice.then if holds else choice.otherwise
         before = text.parts[:place]
-        if _is_global(piece) and len(before) == 1 and str(before[0]).startswith("~"):
+        if piece.is_global and len(before) == 1 and str(before[0]).startswith("~"):
             # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
             before = ()
         own = () if decided.holds is not None else (choice.condition if holds else negated(choice.condition),)
         for rest in _expanded(Text.of(*before, piece, *text.parts[place + 1 :]), values):
             conditions = tuple(dict.fromkeys((*own, *rest.conditions)))
             yield Alternative(rest.text, conditions, doubt(decided.sure, rest.sure), (*decided.how, *rest.how))
-
-
-def _is_global(text: Text) -> bool:
-    return bool(text.parts) and isinstance(first := text.parts[0], str) and first.startswith("/")
 
 
 def decided_by(choice: Choice, values: Values) -> Decided:

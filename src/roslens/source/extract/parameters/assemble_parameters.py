@@ -110,7 +110,7 @@ class Values:
                 parts.append(Text((part,)))
                 continue
             found, less, note = self._of_hole(part)
-            if _is_global(found) and len(parts) == 1 and _is_private_space(parts[0]):
+            if found.is_global and len(parts) == 1 and _is_private_space(parts[0]):
                 # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
                 parts.clear()
             parts.append(found)
@@ -152,15 +152,13 @@ class Values:
         space = self._place.namespace
         if reason == _NAMESPACE_OF_NODE:
             return space
-        last = space.parts[-1] if space.parts else ""
-        if not isinstance(last, str) or "/" not in last:
+        if "/" not in space.tail:
             return Text((Hole(f"namespace above {space}"),))
-        return Text.of(*space.parts[:-1], last.rpartition("/")[0])
+        return Text.of(*space.parts[:-1], space.tail.rpartition("/")[0])
 
     def _placed(self, value: Text, hole: Hole) -> Text:
         """Return a value below the namespace that it is relative to, where it is another one than the node's own."""
-        first = value.parts[0] if value.parts else ""
-        if not hole.below or not isinstance(first, str) or first.startswith("/"):
+        if not hole.below or value.is_global or (value.parts and not value.head):
             return value
         return Text.of(self._namespace(hole.below), "/", value)
 
@@ -184,11 +182,6 @@ class Values:
         found = self.value(Text.of(name))
         value = found.value.known if found is not None else default
         return (value or "").lower() in ("true", "1", "yes", "on")
-
-
-def _is_global(text: Text) -> bool:
-    first = text.parts[0] if text.parts else ""
-    return isinstance(first, str) and first.startswith("/")
 
 
 def _is_private_space(text: Text) -> bool:

@@ -79,6 +79,29 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
         return tuple(part for part in self.parts if isinstance(part, Hole))
 
     @property
+    def only(self) -> Hole | None:
+        """What is unknown where that is all of it; None else."""
+        hole = self.parts[0] if len(self.parts) == 1 else None
+        return hole if isinstance(hole, Hole) else None
+
+    @property
+    def head(self) -> str:
+        """The known text that it begins with; empty where it begins with what is unknown."""
+        first = self.parts[0] if self.parts else ""
+        return first if isinstance(first, str) else ""
+
+    @property
+    def tail(self) -> str:
+        """The known text that it ends with; empty where it ends with what is unknown."""
+        last = self.parts[-1] if self.parts else ""
+        return last if isinstance(last, str) else ""
+
+    @property
+    def is_global(self) -> bool:
+        """Whether it is a name that begins with ``/``."""
+        return self.head.startswith("/")
+
+    @property
     def pattern(self) -> str:
         """The text with ``*`` for each hole."""
         return "".join(part if isinstance(part, str) else "*" for part in self.parts)

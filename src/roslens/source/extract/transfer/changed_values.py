@@ -112,8 +112,8 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
         return Text.of(added, of) if name == "prepend" else Text.of(of, added)
     if name == "assign" and len(texts) == 1 and texts[0] is not None:
         return texts[0]
-    if name == "pop_back" and of.parts and isinstance(last := of.parts[-1], str):
-        return Text.of(*of.parts[:-1], last[:-1])
+    if name == "pop_back" and of.tail:
+        return Text.of(*of.parts[:-1], of.tail[:-1])
     known = of.known
     if known is None or any(one is None and other is None for one, other in zip(texts, numbers, strict=True)):
         return None

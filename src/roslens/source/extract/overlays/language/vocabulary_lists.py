@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
-from roslens.source.extract.domain.kinds import is_whole, known_text
+from roslens.source.extract.domain.kinds import are_of_kind, is_whole, known_text
 from roslens.source.extract.domain.parameter_types import ITEM, VECTOR, array_of_cpp
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.typed_list import TypedList
@@ -76,7 +76,7 @@ def collected(engine: Context, _thing: Value, called: Called) -> Value:
         known = [one for one in texts if one is not None]
         plain = len(known) == len(items) and not called.keywords
         return [Text.of(one) for one in sorted(known)] if plain else Unknown("result of sorted()")
-    if called.name.endswith("set") and all(isinstance(one, Text) for one in items):
+    if called.name.endswith("set") and are_of_kind(items, Text):
         return list(dict.fromkeys(items))
     return list(items)
 

@@ -10,7 +10,7 @@ from roslens.source.extract.domain.abstract_value import Value
 from roslens.source.extract.domain.parameter_types import type_of_cpp
 from roslens.source.extract.domain.plain_methods import plain_method
 from roslens.source.extract.interpreter.vocabulary import Called, method
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -33,8 +33,8 @@ def taken(engine: Context, thing: Text, called: Called) -> Value:
 
 def _note(engine: Context, value: Text, kind: str) -> None:
     """Give a parameter that was read, and of which no type is known, the type that it is taken for."""
-    hole = value.parts[0] if len(value.parts) == 1 else None
-    if not isinstance(hole, Hole) or not hole.parameter:
+    hole = value.only
+    if hole is None or not hole.parameter:
         return
     known = engine.node.parameters
     for place in range(len(known) - 1, -1, -1):

@@ -310,8 +310,8 @@ def parameter(
 def _type_by_default(node: Building, default: Value, *, python: bool) -> str:
     """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
     if isinstance(default, Text) and default.holes:
-        first = default.parts[0]
-        if len(default.parts) == 1 and isinstance(first, Hole):
+        first = default.only
+        if first is not None:
             # It may be a number, too.
             named = (
                 one for one in node.parameters if one.type and first.parameter in (one.name.known, one.name.pattern)
@@ -325,8 +325,8 @@ def is_set(value: Value) -> Condition | None:
     """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
     if not isinstance(value, Text):
         return None
-    hole = value.parts[0] if len(value.parts) == 1 else None
-    return IsSet(value) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
+    hole = value.only
+    return IsSet(value) if hole is not None and hole.parameter and "*" not in hole.parameter else None
 
 
 def value_text(value: Value) -> Text:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.symbolic.text import Text
@@ -28,7 +29,7 @@ _SERVICES = (
 def manager(engine: Context, _thing: Value, called: Called) -> Value:
     """A manager of controllers, in the namespace of the handle that it is given."""
     if engine.node.generation == "ros1":
-        given = [one for one in called.arguments if isinstance(one, Handle)]
+        given = all_of_kind(called.arguments, Handle)
         handle = given[0] if given else Handle(engine.node)
         for name, kind in _SERVICES:
             service = Text.of(f"controller_manager/{name}")

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown, Value
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_ros2 import free_function
@@ -61,7 +62,7 @@ def image_subscription(engine: Context, thing: Value, called: Called) -> Value:
 def camera(engine: Context, _thing: Value, called: Called) -> Value:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
-    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    callback = first_of_kind(called.arguments, Callable)
     made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
     endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
     return made
@@ -90,7 +91,7 @@ def camera_manager(engine: Context, _thing: Value, called: Called) -> Value:
     handle = handle_of(engine, called)
     name = Text.of("set_camera_info")
     if node_of(engine, handle).generation == "ros2":
-        texts = [one for one in called.arguments if isinstance(one, Text)]
+        texts = all_of_kind(called.arguments, Text)
         release = Hole("release of camera_info_manager", default="~")
         name = Text.of(texts[2] if len(texts) > 2 else release, "/", name)
     endpoint(engine, handle, called, Role.SERVICE_SERVER, name, "sensor_msgs::srv::SetCameraInfo")

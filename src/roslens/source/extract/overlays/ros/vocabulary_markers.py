@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Handle, Obj, QosValue, Value
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.interpreter.vocabulary import Called, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
@@ -45,7 +46,7 @@ def server(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 def _server_of_ros2(engine: Context, handle: Value, called: Called, name: Text) -> None:
-    given = [one for one in called.arguments if isinstance(one, QosValue)]
+    given = all_of_kind(called.arguments, QosValue)
     update = given[0] if given else _keeping(_QUEUE)
     feedback = given[1] if len(given) > 1 else _keeping(_QUEUE if called.evidence.path.endswith(".py") else 1)
     for end, kind, role, quality in (

@@ -6,10 +6,10 @@ node, a name and what executes a goal (simple_action_server.hpp); newer releases
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Callable, Unknown
+from roslens.source.extract.domain.abstract_value import Callable, Unknown, Value
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @outer("nav2_util.ServiceClient", "nav2_ros_common.ServiceClient")
-def service_client(engine: Context, _thing: Any, called: Called) -> Any:
+def service_client(engine: Context, _thing: Value, called: Called) -> Value:
     """A client of a service."""
     return endpoint(
         engine, called.argument(1, "provided_node"), called, Role.SERVICE_CLIENT, called.argument(0, "service_name"),
@@ -27,7 +27,7 @@ def service_client(engine: Context, _thing: Any, called: Called) -> Any:
 
 
 @outer("nav2_util.SimpleActionServer", "nav2_ros_common.SimpleActionServer")
-def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+def action_server(engine: Context, _thing: Value, called: Called) -> Value:
     """A server of an action, whose goals a function of the node executes."""
     execute = called.argument(2, "execute_callback")
     return endpoint(
@@ -36,5 +36,5 @@ def action_server(engine: Context, _thing: Any, called: Called) -> Any:
     )  # fmt: skip
 
 
-def _interface(called: Called) -> Any:
+def _interface(called: Called) -> Value:
     return called.templates[0] if called.templates else Unknown("its type")

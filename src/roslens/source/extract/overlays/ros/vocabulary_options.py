@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Building, Named, Names, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.kinds import items_of
+from roslens.source.extract.domain.kinds import all_of_kind, items_of
 from roslens.source.extract.domain.outside_options import OPTIONS, OUTSIDE
 from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.facts.node_facts import Inherits
@@ -146,7 +146,7 @@ def take_options(engine: Context, building: Building, given: Obj, called: Called
 
 def doubt_options(building: Building, called: Called) -> None:
     """Note where one of the arguments may be options, or a namespace, that nobody knows."""
-    unknown_ones = [one for one in called.arguments[1:3] if isinstance(one, Unknown)]
+    unknown_ones = all_of_kind(called.arguments[1:3], Unknown)
     if unknown_ones:
         _doubt(building, called, f"its options are {as_text(unknown_ones[-1])}")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.facts.node_facts import Overrides
 from roslens.source.extract.interpreter.vocabulary import Called, outer
 from roslens.source.extract.symbolic.text import Text
@@ -46,7 +47,7 @@ def chosen(engine: Context, _thing: Value, called: Called) -> Overrides:
             rest = [*called.arguments[1:]]
     if isinstance(kinds, Named):
         # ``QosOverridingOptions{Depth, History}``
-        kinds, rest = [one for one in called.arguments if isinstance(one, Named)], []
+        kinds, rest = all_of_kind(called.arguments, Named), []
     if isinstance(kinds, Overrides):
         return kinds
     return _overrides(engine, called, kinds if kinds is not None else [], rest)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Made, Obj, Unknown, Value
-from roslens.source.extract.domain.kinds import is_whole
+from roslens.source.extract.domain.kinds import first_of_kind, is_whole
 from roslens.source.extract.interpreter.vocabulary import Called, find_method, method, outer
 from roslens.source.extract.overlays.ros.record import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
@@ -25,7 +25,7 @@ _MADE, _TYPE = "-made", "-type"
 @outer(_NAME)
 def realtime_publisher(engine: Context, _thing: Value, called: Called) -> Value:
     """A publisher, the one that is given, or none before ``init`` makes it."""
-    given = next((one for one in called.arguments if isinstance(one, Made)), None)
+    given = first_of_kind(called.arguments, Made)
     if given is not None:
         return given
     found = Obj(_NAME, None, {_TYPE: called.templates[0] if called.templates else Unknown("its type")})

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Class, Handle, Named, Obj, Value, as_text
+from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, origin
@@ -51,7 +52,7 @@ def reconfigured(engine: Context, _thing: Value, called: Called) -> Value:
 
 def _handle(engine: Context, called: Called) -> Handle:
     """Return the namespace of a server in C++, ``~`` where none is given."""
-    given = [one for one in called.arguments if isinstance(one, Handle)]
+    given = all_of_kind(called.arguments, Handle)
     return given[0] if given else Handle(engine.node, Text.of("~"))
 
 
@@ -62,15 +63,13 @@ def _space(engine: Context, called: Called) -> Handle:
     if given is None or (isinstance(given, Text) and not given.parts):
         return Handle(engine.node, Text.of("~"))
     name = as_text(given)
-    first = name.parts[0]
-    if not isinstance(first, str) or first[:1] not in ("/", "~"):
+    if name.head[:1] not in ("/", "~"):
         name = Text.of("~", name)
     return Handle(engine.node, _without_end(name))
 
 
 def _without_end(name: Text) -> Text:
-    last = name.parts[-1]
-    return Text.of(*name.parts[:-1], last.rstrip("/") or "/") if isinstance(last, str) else name
+    return Text.of(*name.parts[:-1], name.tail.rstrip("/") or "/") if name.tail else name
 
 
 def _written(engine: Context, kind: Value) -> str:

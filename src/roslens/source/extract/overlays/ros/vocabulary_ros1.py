@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.earlier_values import else_before
-from roslens.source.extract.domain.kinds import is_whole
+from roslens.source.extract.domain.kinds import first_of_kind, is_whole
 from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.overlays.language.command_words import given_to_ros
 from roslens.source.extract.overlays.ros.record import endpoint, is_set, parameter, timer, type_of_callback
@@ -67,9 +67,8 @@ def _handle(engine: Context, called: Called) -> Handle:
 
 def _trimmed(name: Text) -> Text:
     """Return a namespace without ``/`` at its end."""
-    last = name.parts[-1] if name.parts else ""
-    if isinstance(last, str) and len(last) > 1 and last.endswith("/"):
-        return Text((*name.parts[:-1], last.rstrip("/")))
+    if len(name.tail) > 1 and name.tail.endswith("/"):
+        return Text((*name.parts[:-1], name.tail.rstrip("/")))
     return name
 
 
@@ -406,7 +405,7 @@ def fill_options(engine: Context, thing: Obj, called: Called) -> Value:
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))
     if not service:
         thing.fields["queue_size"] = called.argument(1)
-    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    callback = first_of_kind(called.arguments, Callable)
     thing.fields["-callback"] = callback
     thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
     # Callbacks of a publisher are told who connects; its type is a text: name, size, checksum, type, definition.

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Group, Handle, Named, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, has_kind
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
@@ -149,7 +150,7 @@ def free_function(engine: Context, _thing: Value, called: Called) -> Value:
     templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
     first = 1
     # Some take the interfaces of a node one by one; what is a text is the name then.
-    texts = any(isinstance(one, Text) for one in called.arguments)
+    texts = has_kind(called.arguments, Text)
     skipped = (Obj, Handle, Unknown) if texts else (Obj, Handle)
     while first < len(called.arguments) and isinstance(called.arguments[first], skipped):
         first += 1
@@ -183,11 +184,11 @@ def _action(engine: Context, called: Called, role: Role) -> Value:
     name: Value
     kind: Value
     if called.templates:
-        texts = [one for one in called.arguments if isinstance(one, Text)]
+        texts = all_of_kind(called.arguments, Text)
         name, kind = texts[0] if texts else called.argument(1), called.templates[0]
     else:
         name, kind = called.argument(2, "action_name"), called.argument(1, "action_type")
-    callbacks = [one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)]
+    callbacks = all_of_kind((*called.arguments, *called.keywords.values()), Callable)
     for one in callbacks[1:]:
         engine.called_outer(one)
     return endpoint(
@@ -200,7 +201,7 @@ def _action(engine: Context, called: Called, role: Role) -> Value:
 def wall_timer(engine: Context, thing: Value, called: Called) -> Value:
     """A timer."""
     given = called.arguments
-    callback = next((one for one in (*given, *called.keywords.values()) if isinstance(one, Callable)), None)
+    callback = first_of_kind((*given, *called.keywords.values()), Callable)
     period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
     timer(engine, thing, called, period, callback, _group(called, 2))
     return Obj("rclcpp.TimerBase")

@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown, Value
-from roslens.source.extract.domain.kinds import is_whole, items_of
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_whole, items_of
 from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
 from roslens.source.extract.symbolic.reason import RandomEnd
@@ -100,13 +100,13 @@ def _filtered(engine: Context, found: Obj, called: Called) -> None:
     kind: Value
     if python and not called.templates:
         # Subscriber(topic, type) of rospy, Subscriber(node, type, topic) of rclpy.
-        names = [one for one in called.arguments if isinstance(one, Text)]
+        names = all_of_kind(called.arguments, Text)
         kinds = [one for one in called.arguments if not isinstance(one, Text | Handle | Obj | int | None)]
         name, kind = names[0] if names else called.keywords.get("topic"), kinds[0] if kinds else Unknown("its type")
     else:
         name = called.arguments[texts[0]] if texts else called.argument(1, default=Unknown("its name"))
         kind = templates[0] if templates else Unknown("its type")
-    quality = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, QosValue)), None)
+    quality = first_of_kind((*called.arguments, *called.keywords.values()), QosValue)
     queue = next((one for one in called.arguments if is_whole(one)), -1)
     endpoint(engine, handle_of(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
 
@@ -134,10 +134,10 @@ def action_client(engine: Context, _thing: Value, called: Called) -> Value:
 
 def _action(engine: Context, called: Called, role: Role) -> Value:
     engine.node.generation = "ros1"
-    texts = [one for one in called.arguments if isinstance(one, Text)]
+    texts = all_of_kind(called.arguments, Text)
     name = texts[0] if texts else called.argument(0, "name", "ns")
     kind: Value = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
-    callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
+    callback = first_of_kind((*called.arguments, *called.keywords.values()), Callable)
     return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
 
 

@@ -1,5 +1,7 @@
 """What is remembered of what is gone stays small, however long a watch lasts."""
 
+import gc
+
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
@@ -85,3 +87,23 @@ def test_topics_whose_connections_are_remembered_count_among_what_is_gone():
         session.look(now)
     remembered = [name for name in session.monitor.world.topics if name.startswith("/tool_")]
     assert len(remembered) <= max(MOST_GONE, FORGET_GONE_S) + 2 * SWEEP_S + 1
+
+
+def test_a_tree_that_is_replaced_is_freed_at_once():
+    """Were it freed by the collector of cycles alone, a robot with tools that come and go would hold many of them."""
+    session = Session(load_reference([GivenText("r.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+    gc.collect()
+    gc.disable()
+    try:
+        for number in range(20):
+            names = ["/stays", f"/tool_{number}"]
+            ends = tuple(Endpoint(name, Role.PUBLISHER, name) for name in names)
+            graph = Graph("ros2", tuple(Node(name, "base", 7) for name in names), ends, ("base",))
+            session.take([Frame(VERSION, "base/ros2", number, float(number), [], [], [], graph)])
+            session.look(float(number))
+            session.tree(float(number))
+        parts = sum(type(one).__name__ == "_Part" for one in gc.get_objects())
+    finally:
+        gc.enable()
+    shown = len(session.monitor.world.topics) + len(names) + len(session.monitor.world.graph.nodes) + 1
+    assert 0 < parts <= 2 * shown

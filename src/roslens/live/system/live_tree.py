@@ -30,6 +30,8 @@ class LiveTree:
             states.setdefault(one.entity, []).append(one.state.state)
         read = self._readings.refresh(now)
         if self._plan is None or self._shape is None or not self._shape.fits(self._world, states):
+            if self._plan is not None:
+                self._plan.dissolve()
             self._plan = Plan(_Placed(self._world, self._readings), states)
             self._shape = _Shape(self._world, states)
         else:

@@ -84,7 +84,10 @@ def tree_of(parts: Parts, states: States) -> SystemView:
 
     An entity below several others counts once in what is above them all.
     """
-    return Plan(parts, states).view(parts.values_of, states)
+    plan = Plan(parts, states)
+    whole = plan.view(parts.values_of, states)
+    plan.dissolve()
+    return whole
 
 
 class _Sums(NamedTuple):
@@ -174,6 +177,12 @@ class Plan:
                 while part is not None and part.view is not None:
                     part.view = None
                     part = part.above
+
+    def dissolve(self) -> None:
+        """Let go of what is above each part: nothing but the collector of cycles would free them otherwise."""
+        for places in self._places.values():
+            for part in places:
+                part.above = None
 
     def view(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
         """Return the whole tree."""

@@ -35,7 +35,7 @@ def test_a_table_of_what_is_seen(bag, reference, capsys):
     out = capsys.readouterr().out
     assert out.splitlines()[0].split("  ")[0] == "topic"
     assert " faults are seen (" in out
-    assert "  /odom: wrong value (no sentence is about its fields)" in out
+    assert "  /odom: wrong value (no constraint is about its fields)" in out
 
 
 def test_for_programs_and_ci(bag, reference, capsys):

@@ -143,7 +143,7 @@ def test_what_is_about_nothing_is_told_at_the_end(bag, tmp_path, capsys):
     told = [f"{scam}:{line}: {text}" for line, text in zip((5, 4), ABOUT_NOTHING, strict=True)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--no-color"])
     out = capsys.readouterr().out.splitlines()
-    assert out[-5:-2] == ["2 sentences are about nothing that was seen:", *(f"  {one}" for one in told)]
+    assert out[-5:-2] == ["2 constraints are about nothing that was seen:", *(f"  {one}" for one in told)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--format", "json"])
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [line["text"] for line in lines if line["is"] == "note"] == told

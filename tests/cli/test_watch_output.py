@@ -19,7 +19,7 @@ from roslens.model.verdict import State, Verdict
 
 MAP = Verdict(EntityId(EntityKind.TOPIC, "/map"), "r.map.rate", "rate", State.LOW, 3.0, 9.0, 0.1, ">= 1 Hz")
 EXPLAINED = Verdict(MAP.entity, MAP.expectation, "rate", State.LOW, 3.0, 9.0, 0.1, ">= 1 Hz", cause="node:/slam")
-READ = Note(9.0, NoteKind.RELOADED, "read a.yaml again: 2 sentences")
+READ = Note(9.0, NoteKind.RELOADED, "read a.yaml again: 2 constraints")
 KEPT = Note(9.0, NoteKind.KEPT, "the reference as it was before holds on: a.yaml:3:1: no such key", "a.yaml:3:1")
 
 
@@ -65,7 +65,7 @@ def test_a_cause_that_changes_alone_is_a_line_of_json_of_its_own(tell):
 
 def test_a_reference_that_is_read_again_is_told(tell):
     out, err, code = tell(Step(9.0, notes=(READ,)))
-    assert (out, err, code) == ([], ["roslens: read a.yaml again: 2 sentences"], 0)
+    assert (out, err, code) == ([], ["roslens: read a.yaml again: 2 constraints"], 0)
     out, _, _ = tell(Step(9.0, notes=(READ,)), form="json")
     assert json.loads(out[0]) == {"schema": 1, "is": "note", "time": 9.0, "kind": "reloaded", "text": READ.text}
 

@@ -71,7 +71,7 @@ def test_a_change_is_read_and_what_stays_keeps_its_state(main, part):
     more = SCAN + "  - {topic: /scan, bandwidth: '<= 1 B/s'}\n"
     write(main, HEAD.format("main") + "include: part.yaml\n# a comment\n" + more)
     changes, (note,) = script.seconds(4)
-    assert (note.kind, note.text) == (NoteKind.RELOADED, f"read {main} again: 2 sentences")
+    assert (note.kind, note.text) == (NoteKind.RELOADED, f"read {main} again: 2 constraints")
     assert changes == [("main.topic.scan.bandwidth", State.HIGH)]
     after = script.session.monitor.standing()[1]
     assert (after.state, after.since, after.where) == (State.LOW, before.since, f"{main}:7")
@@ -82,7 +82,7 @@ def test_what_is_included_counts_too(main, part):
     script.seconds(3)
     write(part, HEAD.format("part") + MOST)
     changes, (note,) = script.seconds(4)
-    assert note.text == f"read {part} again: 2 sentences"
+    assert note.text == f"read {part} again: 2 constraints"
     assert ("part.topic.scan.rate", State.OK) in changes
 
 
@@ -113,7 +113,7 @@ def test_a_file_that_is_missing_is_waited_for(main, part):
     assert note.text.startswith(f"the reference as it was before holds on: {main}:4:10: no file 'part.yaml'")
     write(part, HEAD.format("part") + MOST)
     _, (note,) = script.seconds(3)
-    assert note.text == f"read {part} again: 2 sentences"
+    assert note.text == f"read {part} again: 2 constraints"
 
 
 def test_a_new_include_is_followed(main, part, tmp_path):

@@ -76,12 +76,12 @@ def test_an_id_in_two_documents_must_be_told_apart_to_override():
         "{topic: /b, id: x, rate: 1..2}",
         "{topic: /a, id: x, override: true, rate: any}",
     )
-    assert "c.yaml:3:50: id 'x' of several sentences to override; expected id `a.x` or `b.x`" in text
+    assert "c.yaml:3:50: id 'x' of several constraints to override; expected id `a.x` or `b.x`" in text
 
 
 def test_an_override_of_nothing_names_the_nearest():
     text = fault("{topic: /a, id: scan, rate: 1..2}", "{topic: /a, id: scam, override: true, rate: any}")
-    assert "nothing to override: no sentence 'scam.rate' in an earlier document" in text
+    assert "nothing to override: no constraint 'scam.rate' in an earlier document" in text
     assert "Did you mean 'scan'?" in text
 
 

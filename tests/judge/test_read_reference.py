@@ -141,7 +141,7 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
         ("topic: /n\nrate: 1..2\nid: a b", "id is 'a b'; expected up to 80 letters"),
         ("topic: /n\nrate: 1..2\noverride: yes", "override is 'yes'; expected true or false"),
         ("topic: /n\nrate: 1..2\noverride: true", "override without an id"),
-        ("topic: /n\nrate: 1..2\noverride: true\nid: x", "nothing to override: no sentence 'x.rate'"),
+        ("topic: /n\nrate: 1..2\noverride: true\nid: x", "nothing to override: no constraint 'x.rate'"),
         ("topic: /n\nrate: 1..2\nid: x\n\b", "character"),
         ('topic: "/a\\x1b[2J"\nrate: 1..2', "topic has the control character '\\x1b'; expected a text without any"),
         ('topic: /a\nrate: 1..2\ntext: "a\\n\\x07"', "text has the control character '\\x07'"),
@@ -193,7 +193,7 @@ def test_what_is_wrong_with_a_constraint(lines: str, message: str):
         (HEAD + "chains: [{topics: [/a, /b, a], age: 1..2 s}]", "'/a' twice in a chain"),
         (
             HEAD + "constraints:\n- {topic: /a, id: x, rate: 1..2}\n- {topic: /b, id: x, rate: 1..2}",
-            "r.yaml:5:22: a second sentence with id 'r.x.rate'; expected one (the first is at r.yaml:4:22)",
+            "r.yaml:5:22: a second constraint with id 'r.x.rate'; expected one (the first is at r.yaml:4:22)",
         ),
     ],
 )

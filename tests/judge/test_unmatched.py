@@ -1,4 +1,4 @@
-"""Sentences about nothing."""
+"""Constraints about nothing."""
 
 from __future__ import annotations
 

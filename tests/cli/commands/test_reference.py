@@ -30,7 +30,7 @@ def test_check_shows_what_is_expected(base: Path, capsys: pytest.CaptureFixture[
     out = capsys.readouterr().out.splitlines()
     assert out[0].split() == ["of", "is", "expected", "else", "id", "stands", "in"]
     assert out[1] == f"topic /scan  rate 25..35 Hz  warning  base.scan.rate  {base}:4"
-    assert out[2] == "1 sentence of 1 document"
+    assert out[2] == "1 constraint of 1 document"
     assert main(["reference", "check", "-q", str(base)]) == 0
     assert capsys.readouterr().out == ""
 
@@ -58,7 +58,7 @@ def test_check_tells_every_contradiction(base: Path, tmp_path: Path, capsys: pyt
     assert len(lines) == 2
     assert lines[0].startswith(f"roslens: {site}:4:18: 'site.topic.s*.rate' (topic /s*: rate <= 20 Hz) contradicts")
     assert f"'base.scan.rate' (topic /scan: rate 25..35 Hz) at {base}:4:28; both are about '/scan'" in lines[0]
-    assert "3 sentences of 2 documents" in found.out
+    assert "3 constraints of 2 documents" in found.out
 
 
 def test_explain_shows_the_sentences_and_their_places(base: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):
@@ -99,7 +99,7 @@ def test_import_writes_a_reference_that_can_be_checked(tmp_path: Path, capsys: p
     err = capsys.readouterr().err.splitlines()
     assert err[-1] == "roslens: 8 imported, 13 changed, 14 left out"
     assert main(["reference", "check", str(target)]) == 0
-    assert capsys.readouterr().out.splitlines()[-1] == "14 sentences of 1 document"
+    assert capsys.readouterr().out.splitlines()[-1] == "14 constraints of 1 document"
     assert main(["reference", "import", str(FIXTURES / "arni.yaml"), "-o", str(target)]) == 2
     assert "exists; expected a new file" in capsys.readouterr().err
 

@@ -242,7 +242,7 @@ def _table(merged: Merged) -> str:
     ]
     documents = len(merged.reference.documents)
     total = (
-        f"{len(rows)} sentence{'s' if len(rows) != 1 else ''} of {documents} document{'s' if documents != 1 else ''}"
+        f"{len(rows)} constraint{'s' if len(rows) != 1 else ''} of {documents} document{'s' if documents != 1 else ''}"
     )
     return "\n".join([*(lines if rows else ()), total])
 

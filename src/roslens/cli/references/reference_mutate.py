@@ -146,7 +146,7 @@ class _Runner:
         from roslens.live.mutation.trial import Trial
 
         if fault.kind is FaultKind.WRONG_VALUE and not self._kept.checked(fault.topic):
-            return Trial(fault, seen=False, why="no sentence is about its fields")
+            return Trial(fault, seen=False, why="no constraint is about its fields")
         concerned = [
             (lane.topic, lane.publisher) for lane in self._kept.lanes if fault.concerns(lane.topic, lane.publisher)
         ]

@@ -164,7 +164,7 @@ def detail_lines(found: Detail, past: Past, terminal: Terminal) -> tuple[str, ..
         told.append(f"{sign}: {clean(one.title)}{value}, expected {clean(one.expected)}, since {one.since}")
         told += [f"    {clean(text)}" for text in (one.evidence, one.why, one.text, one.where) if text]
     if not found.judgements:
-        told.append("no sentence of the reference is about it")
+        told.append("no constraint of the reference is about it")
     width = max((len(one.title) for one in found.values), default=0)
     for signal in found.values:
         bars = sparkline(past.series(found.entity, signal.key), SPARK, bars_of(terminal))

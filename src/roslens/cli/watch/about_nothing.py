@@ -1,4 +1,4 @@
-"""Sentences of a reference that nothing was judged by, as a watch and a test tell of them at their end."""
+"""Constraints of a reference that nothing was judged by, as a watch and a test tell of them at their end."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def about_nothing(session: Session, reference: Reference, time: float, kinds: Co
 
 
 def errors_about_nothing(session: Session, reference: Reference, kinds: Collection[EntityKind]) -> bool:
-    """Return whether a sentence of severity error is about nothing that was there, so that nobody judged it."""
+    """Return whether a constraint of severity error is about nothing that was there, so that nobody judged it."""
     missed = unmatched(reference, session.seen(), kinds)
     return any(one.sentence.told.severity is Severity.ERROR for one in missed)
 
@@ -46,5 +46,5 @@ def lines_of(notes: Collection[Note]) -> list[str]:
         return []
     shown = [f"  {note.text}" for note in list(notes)[:MOST]]
     more = [f"  and {len(notes) - MOST} more"] if len(notes) > MOST else []
-    number = "1 sentence is" if len(notes) == 1 else f"{len(notes)} sentences are"
+    number = "1 constraint is" if len(notes) == 1 else f"{len(notes)} constraints are"
     return [f"{number} about nothing that was seen:", *shown, *more]

@@ -106,7 +106,7 @@ class Teller:
             print(line, file=self._stream, flush=True)
 
     def end(self, session: Session, time: float, title: str, missed: Sequence[Note] = ()) -> None:
-        """Write how it was at the end, and the sentences that were about nothing."""
+        """Write how it was at the end, and the constraints that were about nothing."""
         if self._options.format == "json":
             for note in missed:
                 print(note_line(note), file=self._stream, flush=True)

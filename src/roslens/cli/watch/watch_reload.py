@@ -81,7 +81,7 @@ class ReferenceFiles:
             self.broken = False
             count = _sentences(self.reference)
             names = ", ".join(map(str, changed))
-            note = Note(time, NoteKind.RELOADED, f"read {names} again: {count} sentence{'' if count == 1 else 's'}")
+            note = Note(time, NoteKind.RELOADED, f"read {names} again: {count} constraint{'' if count == 1 else 's'}")
         # As the files were before they were read: what is written meanwhile is a change of its own.
         self._stamps = {path: stamps.get(path, stamp) for path, stamp in _stamps(self._touched).items()}
         self._contents = {path: contents.get(path, content) for path, content in _contents(self._touched).items()}

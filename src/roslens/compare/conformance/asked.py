@@ -198,7 +198,7 @@ def _fits(check: StateCheck, is_: str) -> bool:
 
 
 def _uncovered(reference: Reference, other: Side, subjects: Sequence[Subject]) -> Iterator[str]:
-    """Yield how many topics and nodes there are that no sentence is about."""
+    """Yield how many topics and nodes there are that no constraint is about."""
     index = PatternIndex((selector, 0) for one in sentences_of(reference) if (selector := _about(one)) is not None)
     covered = {(one.kind, one.name) for one in subjects if _find(index, one)}
     for kind, claims in ((EntityKind.NODE, NODE), (EntityKind.TOPIC, TOPIC)):
@@ -209,7 +209,7 @@ def _uncovered(reference: Reference, other: Side, subjects: Sequence[Subject]) -
         if left:
             more = f" and {len(left) - _MOST_NAMED} more" if len(left) > _MOST_NAMED else ""
             yield (
-                f"No sentence of the reference is about {len(left)} of {len(names)} {kind.value}s of {other.title}: "
+                f"No constraint of the reference is about {len(left)} of {len(names)} {kind.value}s of {other.title}: "
                 f"{', '.join(left[:_MOST_NAMED])}{more}."
             )
 

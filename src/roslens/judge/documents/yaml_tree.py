@@ -111,7 +111,7 @@ def _decode(content: bytes, shown: str) -> str:
 
 @lru_cache(maxsize=8)
 def _lines(text: str) -> tuple[str, ...]:
-    """Return the lines of a document, which is asked for the place of each of its sentences."""
+    """Return the lines of a document, which is asked for the place of each of its constraints."""
     return tuple(_BREAK.split(text))
 
 

@@ -90,7 +90,7 @@ _AFTER = """\
 ## When a condition is true
 
 A condition is true, false or **unknown**, and only what is true is acted upon. Unknown is what nobody judges: no
-sentence is about it, its observer is not heard, time stands still, or the first cause has not been the same for long
+constraint is about it, its observer is not heard, time stands still, or the first cause has not been the same for long
 enough. `not` of unknown is unknown; `all` is false where one part is false, else unknown where one is; `any` is true
 where one part is true, else unknown where one is. A statement may say what unknown is taken for (`unknown: false`),
 and that something *is* unknown can be asked for (`is: unknown`).

@@ -73,7 +73,7 @@ constraints:
   - {topic: "/**", misfits: 0}
   - {node: "/*", stopped: <= 0 s, hung: <= 5 s}
 
-  # Takes the place of the sentence `rate` of constraint `wheels` in drive.yaml.
+  # Takes the place of what `wheels` of drive.yaml says of `rate`.
   - id: wheels
     override: true
     topic: /odom
@@ -148,7 +148,7 @@ robot of a fleet. A name that was recorded without `/` is the one below the root
 | `30 Hz ± 10 %`, `30 Hz +- 2 Hz` | around a value, by a share of it or by an amount |
 | `p95 <= 30 ms` | this percentile of the values in the window, not their mean |
 | `1` | exactly this, only of what has no unit |
-| `any` | nothing; only to take a sentence away with `override` |
+| `any` | nothing; only to take a constraint away with `override` |
 
 A number without a unit is in the unit of the signal. A signal that has not been measured breaks nothing: it is unknown.
 
@@ -157,13 +157,13 @@ A number without a unit is in the unit of the signal. A signal that has not been
 _MERGING = """\
 ## Several documents
 
-All sentences of all documents hold. What is included comes first, then the document itself, then the next one given.
-The id of a sentence is `<document>.<id of the constraint>.<signal>`, with `presence`, `value` or `age` in the place of
-the signal for `expected`, fields and chains. A sentence takes the place of an earlier one only where its constraint
+All constraints of all documents hold. What is included comes first, then the document itself, then the next one given.
+The id of a constraint is `<document>.<id in the document>.<signal>`, with `presence`, `value` or `age` in the place of
+the signal for `expected`, fields and chains. A constraint takes the place of an earlier one only where its constraint
 has the same `id` (with the name of the document before it where several have that id) and says `override: true`; the
 id of the earlier one stays.
 
-Two sentences on one signal that some entity could never satisfy both are an error which names both places and such an
+Two constraints on one signal that some entity could never satisfy both are an error which names both places and such an
 entity, and so are `expected: always` and `expected: never` of the same.
 """
 
@@ -176,7 +176,7 @@ before anybody looks; with `for` every message is judged at its time.
 """
 
 _ALSO = f"""\
-and the signals below, each with a range; and the keys of every sentence. Exactly one of
+and the signals below, each with a range; and the keys of every constraint. Exactly one of
 {", ".join(f"`{kind.value}`" for kind in KINDS)} selects.
 """
 
@@ -194,7 +194,7 @@ def references_page(known: Mapping[str, Quantity]) -> str:
             _keys("## Keys of a reference", REFERENCE_KEYS),
             _keys("## Keys of a constraint", {**SELECTOR_KEYS, **EXPECTED_KEY, **STATE_KEYS}),
             _ALSO,
-            _keys("## Keys of every sentence", TOLD_KEYS),
+            _keys("## Keys of every constraint", TOLD_KEYS),
             _keys("## Keys of a field check", _without(FIELD_KEYS)),
             _FIELDS,
             _keys("## Keys of the field it is compared with", TO_KEYS),
@@ -280,7 +280,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
 
 
 def _without(keys: Mapping[str, str]) -> dict[str, str]:
-    """Return the keys that are not those of every sentence."""
+    """Return the keys that are not those of every constraint."""
     return {key: text for key, text in keys.items() if key not in TOLD_KEYS}
 
 

@@ -1,4 +1,4 @@
-"""A name that matches several patterns at once: the example that proves that two sentences can meet."""
+"""A name that matches several patterns at once: the example that proves that two constraints can meet."""
 
 from __future__ import annotations
 

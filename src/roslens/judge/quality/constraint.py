@@ -13,7 +13,7 @@ MIN = "min"
 
 
 class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
-    """One sentence of a model: the ``quantity`` of an entity of this ``kind`` is in ``range``.
+    """One constraint of a model: the ``quantity`` of an entity of this ``kind`` is in ``range``.
 
     Attributes:
         id: tells it from others of its model; part of the ids of its rules.

@@ -1,4 +1,4 @@
-"""What every sentence of a reference has besides what it expects: id, place, severity, group, text, timing."""
+"""What every constraint of a reference has besides what it expects: id, place, severity, group, text, timing."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def read_defaults(section: Section | None, defaults: Defaults) -> Defaults:
 
 
 def name_of(section: Section, default: str) -> str:
-    """Return the name of a sentence, as the document gives it or by default.
+    """Return the name of a constraint, as the document gives it or by default.
 
     Raises:
         DocumentError: the name has other characters than letters, digits and ``_.:-``.
@@ -80,7 +80,7 @@ def name_of(section: Section, default: str) -> str:
 
 
 def overrides(section: Section) -> bool:
-    """Return whether a sentence replaces another.
+    """Return whether a constraint replaces another.
 
     Raises:
         DocumentError: ``override`` is neither true nor false, or there is no ``id`` with it.
@@ -89,12 +89,12 @@ def overrides(section: Section) -> bool:
     if word not in {"true", "false"}:
         raise section.fault("override", f"override is {word!r}", expected="true or false")
     if word == "true" and "id" not in section:
-        raise section.fault("override", "override without an id", expected="the `id` of the sentence to replace")
+        raise section.fault("override", "override without an id", expected="the `id` of the constraint to replace")
     return word == "true"
 
 
 def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) -> Told:
-    """Return what goes with a sentence whose range stands under ``key``.
+    """Return what goes with a constraint whose range stands under ``key``.
 
     Raises:
         DocumentError: a value is wrong.
@@ -114,7 +114,7 @@ def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) ->
 def declared(
     section: Section, scope: Scope, sentence: Sentence, name: str, key: str, *, void: bool = False
 ) -> Declared:
-    """Return a sentence with what merging asks for; it stands under ``key`` and expects nothing where ``void``.
+    """Return a constraint with what merging asks for; it stands under ``key`` and expects nothing where ``void``.
 
     Raises:
         DocumentError: the id or the override is wrong, or it is void and overrides nothing.
@@ -134,7 +134,7 @@ def declared(
 
 
 def sentence_id(document: str, name: str, aspect: str) -> str:
-    """Return the id of a sentence."""
+    """Return the id of a constraint."""
     return f"{document}.{name}.{aspect}"
 
 
@@ -162,7 +162,7 @@ def plain_range(section: Section, key: str, unit: str) -> Range:
 
 
 def prefixed(scope: Scope, section: Section, default: str) -> str:
-    """Return the name of a sentence; one that is given is told apart by the namespace it was included into."""
+    """Return the name of a constraint; one that is given is told apart by the namespace it was included into."""
     name = name_of(section, default)
     return f"{scope.prefix}.{name}" if scope.prefix and "id" in section else name
 

@@ -138,7 +138,7 @@ def _statement(section: Section, scope: Scope, time: OverTime) -> Stated:
         raise section.fault(
             "signal",
             f"signal is {signal!r}",
-            expected="a signal of a sentence about it",
+            expected="a signal of a constraint about it",
             advice=did_you_mean(signal, valid),
         )
     quantity = scope.known.get(signal)

@@ -19,7 +19,7 @@ _MEASURES = {"range": FieldMeasure.VALUE, "change": FieldMeasure.CHANGE, "differ
 
 
 def read_field_checks(section: Section, scope: Scope) -> Iterator[Declared]:
-    """Yield what is expected of a field: a sentence for each of ``range``, ``change`` and ``difference``.
+    """Yield what is expected of a field: a constraint for each of ``range``, ``change`` and ``difference``.
 
     Raises:
         DocumentError: a name, a path or a range is wrong, nothing is expected, or it lacks what it is compared with.

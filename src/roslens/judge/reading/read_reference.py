@@ -138,7 +138,7 @@ class _Reader:
 
 
 def distinct(sentences: Iterable[Declared], document: str) -> tuple[Declared, ...]:
-    """Return the sentences of a document with ids of their own.
+    """Return the constraints of a document with ids of their own.
 
     Names by default get ``~2``, ``~3``… where they are the same.
 
@@ -153,7 +153,7 @@ def distinct(sentences: Iterable[Declared], document: str) -> tuple[Declared, ..
             other = seen[name, one.aspect]
             if one.given:
                 raise DocumentError(
-                    f"a second sentence with id {one.sentence.told.id!r}",
+                    f"a second constraint with id {one.sentence.told.id!r}",
                     where=one.place,
                     expected=f"one (the first is at {other.place})",
                     advice="Give it another `id`",

@@ -27,10 +27,10 @@ from roslens.plugins.nearest import did_you_mean
 
 
 def read_sentences(document: Section, scope: Scope) -> Iterator[Declared]:
-    """Yield every sentence of a document in the order of its lists.
+    """Yield every constraint of a document in the order of its lists.
 
     Raises:
-        DocumentError: a sentence is wrong, with its place.
+        DocumentError: a constraint is wrong, with its place.
     """
     for section in document.sections("constraints", "constraint", constraint_keys(scope.known)):
         yield from _constraint(section, scope)

@@ -1,4 +1,4 @@
-"""What a sentence of a reference says, in words."""
+"""What a constraint of a reference says, in words."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def selector_words(selector: Selector) -> str:
 
 
 def subject_words(sentence: Sentence) -> str:
-    """Return what a sentence is about: entities, a field of messages, a path over topics."""
+    """Return what a constraint is about: entities, a field of messages, a path over topics."""
     if isinstance(sentence, FieldCheck):
         words = selector_words(sentence.selector).removeprefix(f"{EntityKind.TOPIC.value} ")
         return f"field {sentence.field} of {words}"
@@ -40,7 +40,7 @@ def subject_words(sentence: Sentence) -> str:
 
 
 def expected_words(sentence: Sentence) -> str:
-    """Return what a sentence expects of it: ``rate 25..35 Hz``, ``is there while node /joy is``."""
+    """Return what a constraint expects of it: ``rate 25..35 Hz``, ``is there while node /joy is``."""
     if isinstance(sentence, Expectation):
         return f"{sentence.quantity} {sentence.written}"
     if isinstance(sentence, Presence):

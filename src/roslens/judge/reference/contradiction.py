@@ -1,4 +1,4 @@
-"""Contradictions: sentences of which no system can keep both."""
+"""Contradictions: constraints of which no system can keep both."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _NEEDED = (PresenceMode.ALWAYS, PresenceMode.ANY)
 
 
 class Contradiction(msgspec.Struct, frozen=True):
-    """Two sentences that exclude each other.
+    """Two constraints that exclude each other.
 
     Attributes:
         first: that stands earlier.
@@ -54,7 +54,7 @@ class Contradiction(msgspec.Struct, frozen=True):
             f"{self.second.told.id!r} ({subject_words(self.second)}: {expected_words(self.second)}) contradicts "
             f"{self.first.told.id!r} ({subject_words(self.first)}: {expected_words(self.first)}) at {self.other}{both}",
             where=self.where,
-            expected="sentences that can hold together",
+            expected="constraints that can hold together",
             advice=_ADVICE,
         )
 
@@ -72,7 +72,7 @@ def contradictions(declared: Sequence[Declared]) -> Iterator[Contradiction]:
 
 
 def _suspects(group: Sequence[Declared]) -> Iterator[tuple[Declared, Declared]]:
-    """Yield the pairs that are worth a closer look: of a thousand sentences only few share a name."""
+    """Yield the pairs that are worth a closer look: of a thousand constraints only few share a name."""
     sentences = [one.sentence for one in group]
     modes = {one.mode for one in sentences if isinstance(one, Presence)}
     if modes and not (PresenceMode.NEVER in modes and modes.intersection(_NEEDED)):
@@ -111,7 +111,7 @@ def meeting_name(one: Selector, other: Selector) -> str | None:
 
 
 def _theme(sentence: Sentence) -> tuple[object, ...]:
-    """Return what two sentences share that could exclude each other."""
+    """Return what two constraints share that could exclude each other."""
     if isinstance(sentence, Expectation):
         return ("signal", sentence.selector.kind, sentence.quantity)
     if isinstance(sentence, Presence):
@@ -124,7 +124,7 @@ def _theme(sentence: Sentence) -> tuple[object, ...]:
 
 
 def _clash(one: Sentence, other: Sentence) -> str | None:
-    """Return an entity on which two sentences exclude each other; empty for unknown, None where they do not."""
+    """Return an entity on which two constraints exclude each other; empty for unknown, None where they do not."""
     if isinstance(one, Expectation) and isinstance(other, Expectation):
         return meeting_name(one.selector, other.selector) if _apart(one, other) else None
     if isinstance(one, Presence) and isinstance(other, Presence):

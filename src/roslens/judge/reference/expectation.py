@@ -33,11 +33,11 @@ class Timing(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Told(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What every sentence of a reference has besides what it expects.
+    """What every constraint of a reference has besides what it expects.
 
     Attributes:
         id: ``<reference>.<name>``, unique.
-        where: ``file:line`` of the sentence.
+        where: ``file:line`` of the constraint.
         severity: of its being broken.
         group: under which operators see it.
         text: what to tell the operator.
@@ -122,7 +122,7 @@ class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     """A field of the messages of a topic is in a range, as long as a condition holds.
 
     Attributes:
-        told: what goes with the sentence.
+        told: what goes with the constraint.
         topic: pattern of the topic.
         field: a path such as ``pose.position.x`` or ``ranges[0]``.
         range: of what is measured.
@@ -171,7 +171,7 @@ class StateCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     """The lifecycle state of managed nodes, or the value of parameters, is one of those allowed, or in a range.
 
     Attributes:
-        told: what goes with the sentence.
+        told: what goes with the constraint.
         selector: nodes of a lifecycle, parameters of a value.
         of: which of the two.
         allowed: texts that are fine; numbers are compared as numbers.
@@ -208,6 +208,6 @@ AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain
 
 
 def essence(sentence: AnySentence) -> AnySentence:
-    """Return a sentence without what is only told of it: two with the same essence expect the same."""
+    """Return a constraint without what is only told of it: two with the same essence expect the same."""
     told = Told(sentence.told.id, timing=sentence.told.timing)
     return msgspec.structs.replace(sentence, told=told)

@@ -1,4 +1,4 @@
-"""Which sentences of references are about an entity, and which would be if more were known of it."""
+"""Which constraints of references are about an entity, and which would be if more were known of it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from roslens.model.quantity import Quantity
 
 
 class Applied(msgspec.Struct, frozen=True):
-    """A sentence about an entity.
+    """A constraint about an entity.
 
     Attributes:
-        declared: the sentence and where it stands.
+        declared: the constraint and where it stands.
         provided: what must be true of the entity besides, in words; empty for nothing.
-        role: how the entity takes part, where it is not what the sentence judges.
-        replaced_by: where the sentence stands that took its place; empty where it holds.
+        role: how the entity takes part, where it is not what the constraint judges.
+        replaced_by: where the constraint stands that took its place; empty where it holds.
     """
 
     declared: Declared
@@ -34,7 +34,7 @@ class Applied(msgspec.Struct, frozen=True):
 
 
 def explain_entity(merged: Merged, subject: Subject) -> tuple[Applied, ...]:
-    """Return the sentences about an entity: those that hold in the order of the documents, then those replaced.
+    """Return the constraints about an entity: those that hold in the order of the documents, then those replaced.
 
     Args:
         merged: documents that were merged.
@@ -47,7 +47,7 @@ def explain_entity(merged: Merged, subject: Subject) -> tuple[Applied, ...]:
 
 
 def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dict[str, str]:
-    """Return the range that is left of each signal that several sentences are about, in words, by its key."""
+    """Return the range that is left of each signal that several constraints are about, in words, by its key."""
     ranges: dict[str, list[Range]] = {}
     for one in applied:
         sentence = one.declared.sentence
@@ -96,7 +96,7 @@ def _provided(selector: Selector, subject: Subject) -> str | None:
 
 
 def _role(sentence: Sentence, subject: Subject) -> str | None:
-    """Return how an entity takes part in a sentence that is not about it alone; None where it does not."""
+    """Return how an entity takes part in a constraint that is not about it alone; None where it does not."""
     if isinstance(sentence, Presence):
         condition = sentence.condition
         return "it is the condition" if condition and _provided(condition, subject) == "" else None

@@ -1,4 +1,4 @@
-"""Merges reference documents: all their sentences hold, unless one replaces another in so many words."""
+"""Merges reference documents: all their constraints hold, unless one replaces another in so many words."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ class Merged(msgspec.Struct, frozen=True):
     Attributes:
         reference: what holds.
         contradictions: what of it cannot hold together.
-        standing: the sentences that hold, in the order of the documents; one that overrides stands where the other was.
-        replaced: sentences that do not hold any more, each with what took its place.
+        standing: the constraints that hold, in the order of the documents; one that overrides stands for the other.
+        replaced: constraints that do not hold any more, each with what took its place.
     """
 
     reference: Reference
@@ -37,7 +37,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
     """Merge documents, later ones taking precedence where they override.
 
     Raises:
-        DocumentError: a sentence has the id of another without overriding it, or overrides none.
+        DocumentError: a constraint has the id of another without overriding it, or overrides none.
     """
     kept: dict[str, Declared] = {}
     replaced: list[tuple[Declared, Declared]] = []
@@ -52,7 +52,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
             elif one.sentence != kept[identity].sentence:
                 # A document in two namespaces says the same of hosts twice; anything else is an accident.
                 raise DocumentError(
-                    f"a second sentence with id {identity!r}",
+                    f"a second constraint with id {identity!r}",
                     where=one.place,
                     expected=f"one (the first is at {kept[identity].place})",
                     advice="Add `override: true` to replace the first, or give it another `id`",
@@ -73,7 +73,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
 
 
 def sentences_of(reference: Reference) -> tuple[Sentence, ...]:
-    """Return every sentence of a reference, sorted by id."""
+    """Return every constraint of a reference, sorted by id."""
     everything: list[Sentence] = [
         *reference.expectations,
         *reference.presences,
@@ -90,13 +90,13 @@ def _sorted(declared: Sequence[Declared], kind: type[Kind]) -> tuple[Kind, ...]:
 
 
 def _renamed(one: Declared, identity: str) -> Declared:
-    """Return a sentence with the id of the one it replaces, as others may refer to that."""
+    """Return a constraint with the id of the one it replaces, as others may refer to that."""
     told = msgspec.structs.replace(one.sentence.told, id=identity)
     return msgspec.structs.replace(one, sentence=msgspec.structs.replace(one.sentence, told=told))
 
 
 def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> str:
-    """Return the id of the sentence that another replaces.
+    """Return the id of the constraint that another replaces.
 
     Raises:
         DocumentError: there is none, or there are several.
@@ -112,11 +112,13 @@ def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDoc
         return targets[0]
     if targets:
         ids = " or ".join(f"`{identity.removesuffix(f'.{one.aspect}')}`" for identity in targets)
-        raise DocumentError(f"id {one.name!r} of several sentences to override", where=one.place, expected=f"id {ids}")
+        raise DocumentError(
+            f"id {one.name!r} of several constraints to override", where=one.place, expected=f"id {ids}"
+        )
     names = {name.removesuffix(f".{one.aspect}") for full in kept for name in (full, full.partition(".")[2])}
     raise DocumentError(
-        f"nothing to override: no sentence {words!r} in an earlier document",
+        f"nothing to override: no constraint {words!r} in an earlier document",
         where=one.place,
-        expected="the id of a sentence that is included or given before",
+        expected="the id of a constraint that is included or given before",
         advice=did_you_mean(one.name, names) or "`roslens reference check` lists the ids",
     )

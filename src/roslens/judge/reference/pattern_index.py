@@ -1,4 +1,4 @@
-"""An index of selectors: which of a thousand sentences are about an entity, without asking each of them."""
+"""An index of selectors: which of a thousand constraints are about an entity, without asking each of them."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ TIME_KEYS = {
 STATEMENT_KEYS = {
     **SELECTOR_KEYS,
     "is": "what they are: of verdicts `ok`, `low`, `high`, `absent`, `bad` (one of these three), `unknown`, "
-    "`suspended`; without any sentence `there`, `gone`, `crashed`, `restarted`, `flapping`, `stopped`, `hung`, of "
+    "`suspended`; without any constraint `there`, `gone`, `crashed`, `restarted`, `flapping`, `stopped`, `hung`, of "
     "topics `misfit`; or a list of which one is enough",
     "signal": "only verdicts on this signal, `presence`, `lifecycle`, or `value` of fields",
     "severity": "only verdicts that are at least so grave",

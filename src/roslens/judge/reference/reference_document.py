@@ -15,7 +15,7 @@ Sentence = Expectation | Presence | FieldCheck | AgeChain | StateCheck
 
 
 class Defaults(msgspec.Struct, frozen=True):
-    """What a sentence takes that says nothing of its own."""
+    """What a constraint takes that says nothing of its own."""
 
     severity: Severity = Severity.WARNING
     group: str = ""
@@ -23,14 +23,14 @@ class Defaults(msgspec.Struct, frozen=True):
 
 
 class Scope(msgspec.Struct, frozen=True):
-    """What a sentence takes from the document in which it stands.
+    """What a constraint takes from the document in which it stands.
 
     Attributes:
         document: name of the document.
         known: the signals, by key.
         namespace: put before relative names; empty for none.
         prefix: put before ids, where the document was included into a namespace.
-        defaults: of its sentences.
+        defaults: of its constraints.
     """
 
     document: str
@@ -41,12 +41,12 @@ class Scope(msgspec.Struct, frozen=True):
 
 
 class Declared(msgspec.Struct, frozen=True):
-    """A sentence with what merging asks for.
+    """A constraint with what merging asks for.
 
     Attributes:
         sentence: what is expected.
-        name: what the document calls it, or what it is called by default; several sentences of one constraint share it.
-        aspect: what of it this sentence is about; its id is ``<document>.<name>.<aspect>``.
+        name: what the document calls it, or what it is called by default; constraints on several signals share it.
+        aspect: what of it this constraint is about; its id is ``<document>.<name>.<aspect>``.
         place: ``file:line:column``.
         given: whether the document itself names it.
         override: whether it replaces another.
@@ -71,7 +71,7 @@ class DeclaredReaction(msgspec.Struct, frozen=True):
 
 
 class ReferenceDocument(msgspec.Struct, frozen=True):
-    """One document: its own sentences, in the order in which they stand; included ones are documents of their own.
+    """One document: its own constraints, in the order in which they stand; included ones are documents of their own.
 
     ``path`` is what messages call the file.
     """

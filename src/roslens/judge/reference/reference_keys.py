@@ -11,12 +11,12 @@ DOCUMENT_KIND = "reference"
 
 REFERENCE_KEYS = {
     "kind": f"what the document is: `{DOCUMENT_KIND}`",
-    "name": "of the reference: small letters, digits, `-` and `_`; sentences are called after it",
+    "name": "of the reference: small letters, digits, `-` and `_`; constraints are called after it",
     "title": "one line on what it is for",
     "text": "more about it",
-    "include": "other reference documents whose sentences hold too, as paths relative to this file",
+    "include": "other reference documents whose constraints hold too, as paths relative to this file",
     "namespace": "put before names that do not begin with `/`, here and in what is included; may have wildcards",
-    "defaults": "what holds for every sentence of this document that does not say otherwise",
+    "defaults": "what holds for every constraint of this document that does not say otherwise",
     "constraints": "what is expected of hosts, nodes, processes, topics, connections, services and parameters",
     "fields": "what is expected of fields of messages",
     "chains": "how old data may be at the end of a path over topics",
@@ -39,8 +39,8 @@ DEFAULT_KEYS = {
 }
 
 TOLD_KEYS = {
-    "id": "name of the sentence, by default made from what it is about",
-    "override": "`true` replaces the sentence of the same `id` in an included or earlier document",
+    "id": "name of the constraint, by default made from what it is about",
+    "override": "`true` replaces the constraint of the same `id` in an included or earlier document",
     "text": "what to tell the operator",
     **DEFAULT_KEYS,
 }

@@ -1,4 +1,4 @@
-"""Sentences that are about nothing that is there: a typing error mostly, or a part that was never started."""
+"""Constraints that are about nothing that is there: a typing error mostly, or a part that was never started."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class Subject(msgspec.Struct, frozen=True, order=True):
 
 MOST_NAMED = 3
 MOST_ADVISED = 50
-"""Sentences for which names are looked up that might have been meant."""
+"""Constraints for which names are looked up that might have been meant."""
 
 
 class Unmatched(msgspec.Struct, frozen=True):
-    """A sentence, the part of it that matches nothing, and what might have been meant."""
+    """A constraint, the part of it that matches nothing, and what might have been meant."""
 
     sentence: Sentence
     selector: Selector
@@ -51,7 +51,7 @@ class Unmatched(msgspec.Struct, frozen=True):
 def unmatched(
     reference: Reference, subjects: Iterable[Subject], kinds: Collection[EntityKind] = tuple(EntityKind)
 ) -> list[Unmatched]:
-    """Return the sentences that match nothing, sorted by id.
+    """Return the constraints that match nothing, sorted by id.
 
     That something must always be there, or never, is about what is not there too, and so never among them.
 
@@ -111,7 +111,7 @@ def _find(index: PatternIndex[int], subject: Subject) -> Sequence[int]:
 
 
 def _selectors(sentence: Sentence) -> tuple[Selector, ...]:
-    """Return what a sentence needs to be there to be about something."""
+    """Return what a constraint needs to be there to be about something."""
     if isinstance(sentence, Presence):
         return (sentence.condition,) if sentence.condition is not None else ()
     if isinstance(sentence, FieldCheck):

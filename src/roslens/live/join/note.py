@@ -12,7 +12,7 @@ class NoteKind(str, Enum):
 
     - reloaded: the reference was read again and holds from now on
     - kept: the reference was changed and cannot be used; the old one holds
-    - unmatched: a sentence of the reference is about nothing that was seen
+    - unmatched: a constraint of the reference is about nothing that was seen
     """
 
     RELOADED = "reloaded"
@@ -21,7 +21,7 @@ class NoteKind(str, Enum):
 
 
 class Note(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Something to tell at ``time``, seconds on the monitor's clock; ``where`` is ``file:line`` of a sentence."""
+    """Something to tell at ``time``, seconds on the monitor's clock; ``where`` is ``file:line`` of a constraint."""
 
     time: float
     kind: NoteKind

@@ -33,7 +33,7 @@ class Trial(msgspec.Struct, frozen=True):
         fault: that was put in.
         seen: whether an alarm about it was raised that is not there without it.
         after_s: seconds from its begin to when the first one was told; None where there is none.
-        by: ids of the sentences that saw it, sorted.
+        by: ids of the constraints that saw it, sorted.
         beside: texts of the ids of entities that the fault does not concern, and of which there was an alarm more.
         why: why it cannot be seen, where it was not tried.
     """

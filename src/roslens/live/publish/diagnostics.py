@@ -1,7 +1,7 @@
 """Verdicts as a diagnostic_msgs/DiagnosticArray, which every ROS tool for diagnostics reads.
 
 One status per entity, named ``roslens: <kind> <name>``. Levels are those of REP-107: OK 0, WARN 1, ERROR 2, STALE 3. A
-sentence of severity error is ERROR when it is broken, others are WARN; what is unknown is STALE only where nothing at
+constraint of severity error is ERROR when it is broken, others are WARN; what is unknown is STALE only where nothing at
 all is known of the entity.
 """
 

@@ -1,4 +1,4 @@
-"""The text that Prometheus reads (exposition format 0.0.4): a gauge per signal, and how each sentence stands.
+"""The text that Prometheus reads (exposition format 0.0.4): a gauge per signal, and how each constraint stands.
 
 ``roslens_rate_hertz{topic="/scan",publisher="/lidar",subscriber="/slam"} 25.1``
 ``roslens_state{kind="topic",name="/scan",expectation="rover.scan.rate",severity="warning",state="ok"} 1``
@@ -56,7 +56,11 @@ def prometheus_text(
             lines += [name + row for row in rows[key]]
     states = [_state(verdict) for verdict in verdicts]
     if states:
-        lines += ["# HELP roslens_state How a sentence of the reference stands.", "# TYPE roslens_state gauge", *states]
+        lines += [
+            "# HELP roslens_state How a constraint of the reference stands.",
+            "# TYPE roslens_state gauge",
+            *states,
+        ]
     for name, value in (counters or {}).items():
         lines += [f"# TYPE roslens_{name} gauge", f"roslens_{name} {_number(value)}"]
     return "\n".join(lines) + "\n"

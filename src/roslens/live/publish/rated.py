@@ -23,7 +23,7 @@ _KEYS = ("rate", "bandwidth", "period", "jitter", "largest_gap", "latency", "lat
 
 
 def ranges_of(reference: Reference) -> dict[str, Range]:
-    """Return the range of each sentence that has one, by its id."""
+    """Return the range of each constraint that has one, by its id."""
     found = {one.told.id: one.range for one in reference.expectations}
     found.update((one.told.id, one.range) for one in reference.field_checks)
     found.update((one.told.id, one.range) for one in reference.chains)

@@ -10,13 +10,13 @@ _OPEN = (State.UNKNOWN, State.SUSPENDED)
 
 
 class Spells:
-    """Remembers since when each broken sentence is broken."""
+    """Remembers since when each broken constraint is broken."""
 
     def __init__(self) -> None:
         self._since: dict[tuple[str, str], float] = {}
 
     def ended(self, changes: Iterable[Verdict]) -> dict[tuple[str, str], float]:
-        """Return for each change that ends something wrong how many seconds that had lasted, by entity and sentence.
+        """Return for each change that ends something wrong how many seconds that had lasted, by entity and constraint.
 
         What goes from one wrong state to another goes on being wrong; what is unknown in between did, as far as anybody
         knows.
@@ -32,5 +32,5 @@ class Spells:
 
 
 def key_of(verdict: Verdict) -> tuple[str, str]:
-    """Return by what a verdict is known as the same: its entity and its sentence."""
+    """Return by what a verdict is known as the same: its entity and its constraint."""
     return str(verdict.entity), verdict.expectation

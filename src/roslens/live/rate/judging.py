@@ -1,4 +1,4 @@
-"""Judging an entity: its signals at an instant against the sentences about it."""
+"""Judging an entity: its signals at an instant against the constraints about it."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _unheard(topic: Topic, key: str, silent: Sequence[Voice], *, nothing: bool) 
 
 
 def _judge_unheard(judged: Judged, now: float, voice: Voice) -> bool:
-    """Judge a sentence of whose value nothing is known, because its observer is silent."""
+    """Judge a constraint of whose value nothing is known, because its observer is silent."""
     blame(judged, voice)
     return judged.state.step(now, State.UNKNOWN, None)
 
@@ -139,7 +139,7 @@ def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
 def _judge_group(
     group: Group, now: float, value: float | None, window: Window | None, appeared: float, changed: list[Judged]
 ) -> float:
-    """Judge all sentences that take a value; return when one of them may change without news."""
+    """Judge all constraints that take a value; return when one of them may change without news."""
     due = _gap_due(group, window, now) if group.key == "largest_gap" else NEVER
     if group.calm and value is not None and group.low <= value <= group.high:
         group.value, group.window = value, window
@@ -189,7 +189,7 @@ def _early(sentence: ReadyConstraint, window: Window, raw: State) -> bool:
 
 
 def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool) -> bool:
-    """Judge a sentence about a topic of which nobody tells anything."""
+    """Judge a constraint about a topic of which nobody tells anything."""
     sentence = judged.sentence
     judged.window = None
     judged.unheard = ""

@@ -34,7 +34,7 @@ class Lookout:
     """
 
     def __init__(self, world: World, existence: Existence, plan: Callable[[Iterable[Measured], float], None]) -> None:
-        """Begin without any; ``plan`` looks up the sentences of those for which that has to be done again."""
+        """Begin without any; ``plan`` looks up the constraints of those for which that has to be done again."""
         self.round = Round()
         self.waiting: list[Measured] = []
         self.suspended = False
@@ -57,7 +57,7 @@ class Lookout:
             self.waiting.append(one)
 
     def wait_all(self, entities: Iterable[Measured]) -> None:
-        """Look at entities in the next tick, and look up their sentences again."""
+        """Look at entities in the next tick, and look up their constraints again."""
         for one in entities:
             one.planless = True
             self.wait(one)

@@ -304,7 +304,7 @@ class Monitor:
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
 
     def tolerance(self, tally: Tally) -> float:
-        """Return how wrong times of a tally may be so that sentences about them can be judged: half of what is fine."""
+        """Return how wrong times of a tally may be so that constraints on them can be judged: half of what is fine."""
         connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
         entities = filter(None, (connection, self._world.topics.get(tally.topic)))
         highest = [

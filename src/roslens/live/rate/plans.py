@@ -1,4 +1,4 @@
-"""Which sentences an entity is judged by, and which windows they need: looked up once, until something changes."""
+"""Which constraints an entity is judged by, and which windows they need: looked up once, until something changes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def required(world: World, rules: Rulebook, now: float) -> list[Measured]:
 
 
 def plan(entity: Measured, world: World, rules: Rulebook, now: float) -> list[Judged]:
-    """Look up the sentences about an entity; return what is judged no more."""
+    """Look up the constraints about an entity; return what is judged no more."""
     if isinstance(entity, Connection):
         return _plan_connection(entity, world, rules, now)
     if isinstance(entity, Topic):
@@ -83,7 +83,7 @@ def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list
 
 
 def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) -> None:
-    """Let each sentence of an entity take its window."""
+    """Let each constraint of an entity take its window."""
     if isinstance(entity, Connection):
         entity.resize(lengths, most)
     for judged in entity.judged:

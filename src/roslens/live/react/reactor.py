@@ -99,7 +99,7 @@ class Reactor:
         """Go on with other reactions.
 
         Those that say the same keep their chains and hold times, and one that repeats a message at the moment stays as
-        it was until its condition is false: to edit a sentence lets no robot go that was stopped.
+        it was until its condition is false: to edit a constraint lets no robot go that was stopped.
         """
         before = {plan.reaction.name: plan for plan in self._plans}
         after = []

@@ -10,7 +10,7 @@ from roslens.model.verdict import State, Verdict
 
 
 class Alarm(msgspec.Struct, frozen=True):
-    """One stretch in which one sentence was broken of one entity.
+    """One stretch in which one constraint was broken of one entity.
 
     Attributes:
         first: the verdict with which it began.

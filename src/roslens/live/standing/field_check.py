@@ -21,10 +21,10 @@ _NOT_ASKED = ("", "", "", "")
 
 
 class FieldChecks:
-    """The last value of each field that a reference speaks of, and how the sentences about them stand.
+    """The last value of each field that a reference speaks of, and how the constraints about them stand.
 
     Attributes:
-        standing: each sentence about each topic that is named or was met.
+        standing: each constraint about each topic that is named or was met.
         values: the newest, by topic and path; None where it is not finite.
         met: types of the topics of which messages came.
         due: when something has to be judged without news.
@@ -94,7 +94,7 @@ class FieldChecks:
         return changed
 
     def _meet(self, topic: str, types: frozenset[str]) -> None:
-        """Find the sentences about a topic of which these types are known."""
+        """Find the constraints about a topic of which these types are known."""
         self.met[topic] = types
         known = {one.check.told.id for one in self._by_topic.get(topic, ()) if one.topic == topic}
         for type_ in types or {""}:

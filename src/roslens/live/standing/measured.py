@@ -1,4 +1,4 @@
-"""An entity that is judged: its sentences, how they stand, and when to look again."""
+"""An entity that is judged: its constraints, how they stand, and when to look again."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from roslens.model.verdict import State, Verdict
 
 
 class Judged(Standing):
-    """A sentence about a signal of an entity.
+    """A constraint about a signal of an entity.
 
     Attributes:
         sentence: that is judged.
         at: number of the window that it takes.
-        group: of the sentences that take the same value.
+        group: of the constraints that take the same value.
     """
 
     __slots__ = ("at", "group", "sentence")
@@ -45,7 +45,7 @@ class Judged(Standing):
 
 
 class Group:
-    """Sentences about one entity that take the same value, so that one look tells whether all are fine still.
+    """Constraints about one entity that take the same value, so that one look tells whether all are fine still.
 
     Attributes:
         entity: that is judged.
@@ -55,7 +55,7 @@ class Group:
         percentile: of the values in the window, 0 for the window itself.
         low: the highest of the lower bounds.
         high: the lowest of the upper bounds.
-        judged: the sentences.
+        judged: the constraints.
         calm: whether all are ok, and stay so as long as the value is between both.
         value: at the last look at a calm group.
         window: that showed it.
@@ -89,7 +89,7 @@ class Measured:
 
     Attributes:
         id: of the entity.
-        judged: sentences about it.
+        judged: constraints about it.
         groups: these by the value that they take.
         looked: when it was judged last.
         calm: whether everything about it was fine when it was judged last.
@@ -97,7 +97,7 @@ class Measured:
         due: when it has to be judged again without any news; NEVER where only news can change it.
         planned: the earliest time at which it waits in the queue.
         seen: whether it was ever there.
-        planless: whether its sentences have to be looked up again.
+        planless: whether its constraints have to be looked up again.
         waiting: whether it waits to be judged in the next tick.
     """
 
@@ -128,7 +128,7 @@ class Measured:
         self.calm = False
 
     def adopt(self, sentences: Iterable[ReadyConstraint], now: float) -> list[Judged]:
-        """Be judged by these sentences from now on; return those judged no more. Unchanged ones keep their state."""
+        """Be judged by these constraints from now on; return those judged no more. Unchanged ones keep their state."""
         self.planless = False
         old = {id(judged.sentence): judged for judged in self.judged}
         self.judged = []
@@ -139,7 +139,7 @@ class Measured:
         return list(old.values())
 
     def gather(self) -> None:
-        """Group the sentences by the value they take."""
+        """Group the constraints by the value they take."""
         groups: dict[tuple[str, int, float], list[Judged]] = {}
         for one in self.judged:
             groups.setdefault((one.sentence.key, one.at, one.sentence.percentile), []).append(one)

@@ -65,7 +65,7 @@ def _written(selector: Selector) -> str:
 
 
 class Presences:
-    """Which entities exist, and how the sentences about their existence stand."""
+    """Which entities exist, and how the constraints about their existence stand."""
 
     def __init__(self, rules: Rulebook, now: float, old: Presences | None = None) -> None:
         """Begin with what is expected; what ``old`` has too keeps its state, and what exists stays."""

@@ -11,7 +11,7 @@ from roslens.model.verdict import State
 SHORTEST_S = 1.0
 """No window that roslens sizes is shorter."""
 _GAPS = 2
-"""How many of the longest gaps that are fine a window holds, where a sentence is about gaps."""
+"""How many of the longest gaps that are fine a window holds, where a constraint is about gaps."""
 _SILENT = frozenset({"rate", "bandwidth"})
 
 
@@ -52,8 +52,8 @@ class ReadyConstraint:
         timing: of it.
         written: the range, as people read it.
         percentile: 0 for the value of the window itself.
-        period: longest time between messages that is fine, 0 where the sentence says nothing of it.
-        window: seconds of it that the sentence asks for; 0 for what is usual of the entity.
+        period: longest time between messages that is fine, 0 where the constraint says nothing of it.
+        window: seconds of it that the constraint asks for; 0 for what is usual of the entity.
         silence: whether a value of 0 means that there was silence where something should be.
         literal: the only name it is about, where it has no wildcards.
     """

@@ -1,4 +1,4 @@
-"""A reference made ready: which of its sentences are about an entity."""
+"""A reference made ready: which of its constraints are about an entity."""
 
 from __future__ import annotations
 
@@ -45,17 +45,17 @@ def find_all(index: PatternIndex[T], kind: EntityKind, name: str, facts: Facts) 
 
 
 class Rulebook:
-    """The sentences of a reference, found by entity.
+    """The constraints of a reference, found by entity.
 
     Attributes:
         reference: they are from.
-        required: sentences about one name without wildcards, by kind and name: it should be there.
+        required: constraints about one name without wildcards, by kind and name: it should be there.
         single_presences: presences about one name or pattern each.
         presences: these by the selectors they name; True for that of a condition.
     """
 
     def __init__(self, reference: Reference, old: Rulebook | None = None) -> None:
-        """Read a reference; sentences that ``old`` has too are taken from it, and tell what is told of them now.
+        """Read a reference; constraints that ``old`` has too are taken from it, and tell what is told of them now.
 
         Raises:
             ValueError: a pattern of a selector is none.
@@ -77,7 +77,7 @@ class Rulebook:
             kept.source, kept.told = source, source.told
 
     def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[ReadyConstraint, ...]:
-        """Return the sentences about an entity, in the order of their ids."""
+        """Return the constraints about an entity, in the order of their ids."""
         found = {one.told.id: one for one in find_all(self._index, kind, name, facts)}
         return tuple(found[key] for key in sorted(found))
 

@@ -1,4 +1,4 @@
-"""How one sentence stands about one entity, with what others are told of it."""
+"""How one constraint stands about one entity, with what others are told of it."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from roslens.model.verdict import Link, State, Verdict
 
 
 class Standing:
-    """One sentence about one entity.
+    """One constraint about one entity.
 
     Attributes:
         entity: that is judged.
-        told: what the sentence tells.
+        told: what the constraint tells.
         quantity: key of what is judged.
         written: the range, as people read it.
         state: how it stands.

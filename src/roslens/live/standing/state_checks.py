@@ -23,7 +23,7 @@ _UNTOLD = {StateOf.LIFECYCLE: "its state is not told", StateOf.VALUE: "its value
 
 
 class _Watched(Standing):
-    """One sentence about one node or parameter."""
+    """One constraint about one node or parameter."""
 
     __slots__ = ("appeared", "bounds", "check", "is_")
 

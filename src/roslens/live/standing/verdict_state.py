@@ -1,4 +1,4 @@
-"""How one sentence about one entity stands, and when that changes: lasting, recovering, hysteresis and grace."""
+"""How one constraint about one entity stands, and when that changes: lasting, recovering, hysteresis and grace."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A field of the messages of one topic, and how one sentence about it stands."""
+"""A field of the messages of one topic, and how one constraint about it stands."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class WatchedField(Standing):
     """One field check about one topic.
 
     A message that breaks the range is not forgotten because the next one comes before anybody looks: where the
-    sentence says no time for how long (``for``), the worst message since the last look counts, and the next look
+    constraint says no time for how long (``for``), the worst message since the last look counts, and the next look
     takes the newest; otherwise every message is judged at its time.
 
     Attributes:
-        check: the sentence.
+        check: the constraint.
         topic: of the messages.
         due: when it has to be judged again without news.
     """

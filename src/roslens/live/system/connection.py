@@ -19,7 +19,7 @@ AUTOMATIC = (0.0,)
 
 
 class Connection(Measured):
-    """The windows of a connection, one for each observer and each length that a sentence asks for.
+    """The windows of a connection, one for each observer and each length that a constraint asks for.
 
     Attributes:
         topic: its name.

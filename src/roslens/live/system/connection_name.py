@@ -1,4 +1,4 @@
-"""The name of a connection: unique, and readable in a sentence."""
+"""The name of a connection: unique, and readable in a constraint."""
 
 from __future__ import annotations
 

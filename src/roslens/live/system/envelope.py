@@ -150,7 +150,7 @@ class Envelope:
         return self.loss[0] <= 100 * bucket.lost / sent <= self.loss[1]
 
     def narrow(self, group: Group, window: Window, share: float) -> bool:
-        """Take the bounds of sentences, of which this connection has a ``share``; False where that cannot be done."""
+        """Take the bounds of constraints, of which this connection has a ``share``; False where that cannot be done."""
         key, low, high = group.key, group.low, group.high
         if group.percentile:
             return False

@@ -19,7 +19,7 @@ _STALE_S = 5.0
 
 
 class Sampled(Measured):
-    """The samples of an entity over the longest window that a sentence asks for.
+    """The samples of an entity over the longest window that a constraint asks for.
 
     Attributes:
         host: on which it is.

@@ -38,7 +38,7 @@ def badge(part: SystemView) -> str:
 def is_shown(part: SystemView) -> bool:
     """Return whether to show a part: something is expected of it, or it is not like what all others have too.
 
-    What a process uses is told of its nodes; alone it is worth a row where a sentence is about it. Likewise with the
+    What a process uses is told of its nodes; alone it is worth a row where a constraint is about it. Likewise with the
     log, the parameters and the life cycle of nodes, which ROS itself serves, and with what was sent to nobody in
     particular: the topic above tells it.
     """

@@ -29,7 +29,7 @@ class Topic(Measured):
         types: of its messages.
         known: whether the graph has it.
         misfits: pairs of nodes that exchange nothing over it; None where that is not known.
-        lengths: of the windows that its sentences need.
+        lengths: of the windows that its constraints need.
         most: buckets that these keep.
     """
 

@@ -18,7 +18,7 @@ UNKNOWN_NAME = ""
 
 
 States: TypeAlias = "Mapping[EntityId, Sequence[State]]"
-"""How entities stand by every sentence about them."""
+"""How entities stand by every constraint about them."""
 Told: TypeAlias = "tuple[dict[str, float], str]"
 """Values by key of the signal, and how they were observed."""
 
@@ -80,7 +80,7 @@ class Parts(Protocol):
 
 
 def tree_of(parts: Parts, states: States) -> SystemView:
-    """Return the tree of parts and of how each entity stands by every sentence about it.
+    """Return the tree of parts and of how each entity stands by every constraint about it.
 
     An entity below several others counts once in what is above them all.
     """

@@ -13,7 +13,7 @@ from roslens.model.sample import Sample
 from roslens.model.tally import NOTHING, Moments, Tally
 
 USUAL_TOLERANCE_S = 0.01
-"""How wrong a time may be of which no sentence says how long it may be."""
+"""How wrong a time may be of which no constraint says how long it may be."""
 
 
 class HostClocks:

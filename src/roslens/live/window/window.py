@@ -10,6 +10,7 @@ from collections import deque
 from collections.abc import Iterable
 
 from roslens.live.window.bucket import Bucket
+from roslens.live.window.cut_tally import cut
 from roslens.live.window.voice import Voice
 from roslens.model.tally import Observer, Tally
 from roslens.model.tally_columns import Row
@@ -356,8 +357,8 @@ class Window:
             return tally
         share = (tally.end - known) / (tally.end - tally.start)
         if tally.count and tally.first and tally.first >= known - EPSILON_S:
-            return _cut(tally, known, tally.count, 1.0)
-        return _cut(tally, known, round(tally.count * share), share)
+            return cut(tally, known, tally.count, 1.0)
+        return cut(tally, known, round(tally.count * share), share)
 
     def _stranger(self, tally: Tally, now: float) -> bool:
         """Keep a tally from another time aside; several in a row, and none from this, mean that a clock stepped."""
@@ -377,30 +378,6 @@ class Window:
             self.spacing = max(one.end - self.until, self.spacing)
             self._append(Bucket.of(one, self.last))
         return True
-
-
-def _cut(tally: Tally, start: float, count: int, share: float) -> Tally:
-    """Return a tally that begins later; its times between messages stay, as they are per message."""
-    first = tally.first if tally.first >= start else 0.0
-    return Tally(
-        tally.topic,
-        tally.publisher,
-        tally.subscriber,
-        start,
-        tally.end,
-        count,
-        round(tally.bytes * share) if tally.bytes >= 0 else -1,
-        first,
-        tally.last if first or tally.last >= start else 0.0,
-        tally.period if share == 1.0 else type(tally.period)(),
-        tally.latency,
-        tally.age,
-        round(tally.lost * share) if tally.lost >= 0 else -1,
-        tally.observer,
-        tally.host,
-        tally.processing,
-        tally.longest_at,
-    )
 
 
 RANK = {

@@ -1,4 +1,4 @@
-"""A dashboard of Grafana made of a reference: what is wrong now, how each sentence stood, each value with its range."""
+"""A dashboard of Grafana made of a reference: what is wrong, how each constraint stood, each value with its range."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def _overview(panels: _Panels, mine: str) -> None:
     panels.add(
         _WIDTH, 10,
         {
-            "type": "state-timeline", "title": "How each sentence stood", "datasource": _SOURCE,
+            "type": "state-timeline", "title": "How each constraint stood", "datasource": _SOURCE,
             "targets": [
                 {
                     **_target(f"max by (kind, name, quantity) ({numbered})"),
@@ -147,7 +147,7 @@ def _number(title: str, expression: str, color: str) -> dict[str, Any]:
 
 
 def _plot(sentence: Sentence) -> dict[str, Any] | str:
-    """Return a panel of the value that a sentence is about with its range; or why there is none."""
+    """Return a panel of the value that a constraint is about with its range; or why there is none."""
     words = words_of(sentence)
     if not isinstance(sentence, Expectation) or sentence.quantity not in BY_KEY:
         # Being there, states and fields are in the timeline above: they have no number of their own.
@@ -157,7 +157,7 @@ def _plot(sentence: Sentence) -> dict[str, Any] | str:
         return f"{sentence.told.where or sentence.told.id}: no plot of {words}: Prometheus has no such expression"
     signal = BY_KEY[sentence.quantity]
     selected = f"{metric_name(sentence.quantity)}{{{','.join(matchers)}}}"
-    percentile = f" The sentence is about the {sentence.percentile:g}th percentile." if sentence.percentile else ""
+    percentile = f" The constraint is about the {sentence.percentile:g}th percentile." if sentence.percentile else ""
     return {
         "type": "timeseries", "title": words, "datasource": _SOURCE,
         "description": f"{signal.text}{percentile} {sentence.told.text} ({sentence.told.where})".strip(),
@@ -181,7 +181,7 @@ def _standing(sentence: Sentence) -> dict[str, Any]:
 
 
 def matchers_of(sentence: Expectation) -> list[str] | None:
-    """Return the matchers of the metric of a sentence; None where one of its patterns is none of RE2."""
+    """Return the matchers of the metric of a constraint; None where one of its patterns is none of RE2."""
     selector = sentence.selector
     kind = selector.kind
     asked = {"publisher": selector.publisher, "subscriber": selector.subscriber}

@@ -1,4 +1,4 @@
-"""Alerting rules of Prometheus, one for each sentence of a reference.
+"""Alerting rules of Prometheus, one for each constraint of a reference.
 
 They ask for the verdicts that ``roslens watch --prometheus`` serves, not for values: what has to last how long,
 with which hysteresis and grace, the monitor has judged already, so that no rule has a ``for`` of its own.
@@ -41,7 +41,7 @@ def prometheus_rules(reference: Reference) -> str:
 
 
 def alert_name(sentence: Sentence) -> str:
-    """Return the name of the alert of a sentence: of letters, digits and underscores alone."""
+    """Return the name of the alert of a constraint: of letters, digits and underscores alone."""
     return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', sentence.told.id).strip('_')}"
 
 

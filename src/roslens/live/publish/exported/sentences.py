@@ -1,4 +1,4 @@
-"""The sentences of a reference as monitoring programs need them: what is judged, in which range, and how it is told."""
+"""The constraints of a reference as monitoring programs need them: what is judged, its range, and how it is shown."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ALARMS = ("low", "high", "absent")
 
 
 def by_group(reference: Reference) -> Iterator[tuple[str, list[Sentence]]]:
-    """Yield the groups under which operators see sentences, by name, each with its sentences; without a group first."""
+    """Yield the groups under which operators see constraints, by name, with their constraints; without one first."""
     groups: dict[str, list[Sentence]] = {}
     for one in sentences_of(reference):
         groups.setdefault(one.told.group, []).append(one)
@@ -25,7 +25,7 @@ def by_group(reference: Reference) -> Iterator[tuple[str, list[Sentence]]]:
 
 
 def words_of(sentence: Sentence) -> str:
-    """Return what a sentence says: ``topic /scan: rate 25 Hz ± 15 %``."""
+    """Return what a constraint says: ``topic /scan: rate 25 Hz ± 15 %``."""
     return f"{subject_words(sentence)}: {expected_words(sentence)}"
 
 

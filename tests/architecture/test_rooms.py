@@ -11,7 +11,7 @@ MOST = 25
 CROWDED = {
     "source/tools": 39,
     "source/rules/graph": 38,
-    "dashboard": 38,
+    "dashboard": 39,
     "source/rules": 30,
     "model": 34,
     "store": 30,

@@ -3,7 +3,7 @@
 Rooms, from where commands begin down to what all need; an import goes only to a room below, and rooms between the same
 semicolons do not know each other:
 
-``workspace``; ``configuration``, ``units``; ``launch``; ``launch_python``, ``overlays``, ``catalogue``;
-``interpreter``; ``transfer``; ``domain``; ``symbols``; ``builds``, ``parameters``, ``interfaces``, ``lowering``;
-``facts``, ``ir``; ``symbolic``. The docstring of each says what comes in, what goes out, and where to begin.
+``workspace``; ``configuration``, ``units``; ``launch``, ``builds``; ``launch_python``, ``overlays``, ``catalogue``;
+``interpreter``; ``transfer``; ``domain``; ``symbols``; ``parameters``, ``interfaces``, ``lowering``; ``facts``, ``ir``;
+``symbolic``. The docstring of each says what comes in, what goes out, and where to begin.
 """

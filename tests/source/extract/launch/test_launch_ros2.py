@@ -127,7 +127,7 @@ def test_loops_functions_and_events():
     assert [(node.name.pattern, as_written(node.conditions)) for node in whole.nodes] == [
         ("robot0", ()),
         ("robot1", ()),
-        ("robot*", ("for each of os.listdir('/robots')",)),
+        ("robot*", ("there is any of os.listdir('/robots')",)),
         ("robotlast", ("when a process ends",)),
     ]
 

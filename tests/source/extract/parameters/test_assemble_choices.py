@@ -109,7 +109,7 @@ def test_a_choice_inside_of_a_text_is_filled():
     text = choice("a", parameter("t"), IsTrue(parameter("p")))
     filled = values(p="false", t="given").fill(text)
     assert (filled.text.known, filled.sure) == ("given", Sure.CERTAIN)
-    assert filled.how == ("parameter p, set in a.yaml:1; parameter t, set in a.yaml:1",)
+    assert [str(one) for one in filled.how] == ["parameter p, set in a.yaml:1", "parameter t, set in a.yaml:1"]
 
 
 def test_an_endpoint_keeps_what_was_chosen():

@@ -5,10 +5,10 @@ from roslens.source.extract.units.node_units import (
     facts_of_main,
     facts_of_module,
     facts_of_plugin,
-    facts_of_registration,
     node_classes,
     registered,
 )
+from roslens.source.extract.units.tree_nodes import facts_of_registration
 
 COMPONENT = """
 #include <rclcpp_lifecycle/lifecycle_node.hpp>

@@ -73,7 +73,16 @@ def setup_targets(
         evidence = program.evidence if found else _elsewhere(program.evidence, package)
         sources = (path,) if path else ()
         targets.append(
-            Target(TargetKind.SCRIPT, package, program.name, sources, evidence, program.entry, installed=found)
+            Target(
+                TargetKind.SCRIPT,
+                package,
+                program.name,
+                sources,
+                evidence,
+                program.entry,
+                installed=found,
+                elsewhere=not found,
+            )
         )
     for name, evidence in setup.scripts:
         path = joined(folder, name)
@@ -81,7 +90,9 @@ def setup_targets(
             unresolved.append(Unresolved(name, evidence, "a script is not among the files of the package"))
             continue
         where = evidence if found else _elsewhere(evidence, package)
-        targets.append(Target(TargetKind.SCRIPT, package, basename(name), (path,), where, installed=found))
+        targets.append(
+            Target(TargetKind.SCRIPT, package, basename(name), (path,), where, installed=found, elsewhere=not found)
+        )
     targets.extend(_data_targets(package, folder, setup, listing))
     return targets, unresolved
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.domain.abstract_value import QosValue, Unknown
+from roslens.source.extract.domain.abstract_value import QosValue, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import join, one_of
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.symbolic.text import Condition
@@ -112,11 +112,29 @@ class Changes:
     def _join(self, way: Way, condition: Condition, test: Test) -> None:
         for held, key, value in way.values():
             if key in _WHOLE:
-                _join_items(held, value, condition, test, lost=key is _FEWER)
+                self._join_items(held, value, condition, test, lost=key is _FEWER)
             elif held is self.refined:
                 _join_refined(held, key, value, condition)
             elif value is not _MISSING and held.get(key) is not value:
                 join(held, {key: value}, condition, test)
+
+    def _join_items(self, held: Any, other: Any, condition: Condition, test: Test, *, lost: bool) -> None:
+        if other == held:
+            return
+        reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
+        if isinstance(held, dict):
+            _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
+            return
+        both = reason if lost else self.joined(other, held, condition, test)
+        match both:
+            case Unknown():
+                held[:] = [both] * max(len(held), len(other))
+            case list() if both is not held:
+                held[:] = both
+
+    def joined(self, one: list[Value], other: list[Value], condition: Condition, test: Test) -> Value:
+        """Return what is known of two lists of which a condition chooses; None where either may stand."""
+        return one_of(one, other, condition, test)
 
 
 def _put(held: Any, key: Any, value: Any) -> None:
@@ -131,21 +149,6 @@ def _put(held: Any, key: Any, value: Any) -> None:
         held.pop(key, None)
     else:
         held[key] = value
-
-
-def _join_items(held: Any, other: Any, condition: Condition, test: Test, *, lost: bool) -> None:
-    if other == held:
-        return
-    reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
-    if isinstance(held, dict):
-        _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
-        return
-    both = reason if lost else one_of(other, held, condition, test)
-    match both:
-        case Unknown():
-            held[:] = [both] * max(len(held), len(other))
-        case list() if both is not held:
-            held[:] = both
 
 
 def _join_refined(held: Any, key: Any, value: Any, condition: Condition) -> None:

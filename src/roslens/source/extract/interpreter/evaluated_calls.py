@@ -97,7 +97,7 @@ class Calls(Expressions):
         engine: Context = self
         thing = engine.frame.self
         if isinstance(thing, Obj) and "." not in name:
-            method = engine.methods(thing, name, len(arguments), arguments)
+            method = engine.named.methods(thing, name, len(arguments), arguments)
             if method is not None:
                 return engine.call(method, arguments, keywords, expression.arguments, templates)
             if name in thing.fields:
@@ -123,7 +123,7 @@ class Calls(Expressions):
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = lookups.outside.get(key)
         if meant is None:
-            found = engine.function(name, key[-1], arguments) or self.defined(name)
+            found = engine.named.function(name, key[-1], arguments) or self.defined(name)
             if isinstance(found, Callable) and "." in name:
                 found = self._overload(found, name, arguments)
             place = (name, frame.path, frame.scope)
@@ -214,7 +214,7 @@ class Calls(Expressions):
             case Obj():
                 if of.ways:
                     return self._of_ways(of, expression, name, arguments, keywords, templates)
-                method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
+                method = engine.named.methods(of, name, len(arguments) + len(keywords), arguments)
                 if method is not None:
                     return engine.call(method, arguments, keywords, expression.arguments, templates)
                 if name in of.fields:
@@ -235,7 +235,7 @@ class Calls(Expressions):
         engine: Context = self
 
         def call(thing: Obj) -> Value:
-            method = engine.methods(thing, name, len(arguments) + len(keywords), arguments)
+            method = engine.named.methods(thing, name, len(arguments) + len(keywords), arguments)
             if method is None:
                 return Unknown(f"result of {name}()")
             return engine.call(method, arguments, keywords, expression.arguments, templates)
@@ -266,7 +266,8 @@ class Calls(Expressions):
     ) -> Value:  # fmt: skip
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
         engine: Context = self
-        inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
+        count = len(arguments) + len(keywords)
+        inside = engine.named.function(_dotted(function), count) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
         beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None

@@ -17,13 +17,14 @@ from roslens.source.extract.domain.abstract_value import (
     as_text,
     test_of,
 )
-from roslens.source.extract.domain.evaluation_frame import Frame, either, one_of, one_or_none
+from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.list_slices import is_slice, part_of
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
-from roslens.source.extract.domain.plain_methods import SAME, formatted
+from roslens.source.extract.domain.plain_methods import SAME
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
-from roslens.source.extract.domain.word_list import AtLeast, Words
+from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.interpreter.evaluated_operations import chosen, computed, decided, opened
 from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
 from roslens.source.extract.ir.program import (
     Call,
@@ -41,12 +42,11 @@ from roslens.source.extract.ir.program import (
     Sequence,
 )
 from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import And, AreEqual, Condition, Or, Text, unknown
+from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.captured import names_around
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
 from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.module_values import module_value
-from roslens.source.extract.transfer.operand_ways import after_others, does_something, way_of
 from roslens.source.extract.transfer.overload_choice import known_function
 from roslens.source.extract.transfer.plugin_held import item_held
 
@@ -186,7 +186,7 @@ class Expressions(Context):
             return of.fields[name]
         if name == "__class__" and of.defined is not None:
             return Class(of.defined)
-        method = engine.method(of, name)
+        method = engine.named.method(of, name)
         if method is not None:
             if any(getattr(one, "name", "") == "property" for one in method.function.decorators):
                 return engine.call(method, [], {})
@@ -210,20 +210,20 @@ class Expressions(Context):
                 return found.value if type(found) is Perhaps else found
             case list() if isinstance(key, int) and -len(of) <= key < len(of):
                 known = of.has(key) if isinstance(of, Words) else is_counted(of)
-                return of[key] if known else self._open(expression)
+                return of[key] if known else opened(self, expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
         if isinstance(of, Text) and key == 0 and of.head:
             return Text.of(of.head[:1])
-        return of if isinstance(of, Unknown) else self._open(expression)
+        return of if isinstance(of, Unknown) else opened(self, expression)
 
     def operation(self, expression: Operation) -> Value:
         """Return the result of an operator."""
         engine: Context = self
         operator = expression.operator
         if operator in ("and", "or"):
-            return self._boolean(expression)
+            return decided(self, expression)
         if operator == "?:":
             decides = self.value(expression.operands[0])
             holds = engine.truth(decides)
@@ -247,94 +247,14 @@ class Expressions(Context):
             if holds is not None:
                 return not holds
             test = test_of(values[0])
-            return self._open(expression, None if test is None else negated(test))
+            return opened(self, expression, None if test is None else negated(test))
         return self._computed(operator, values, expression)
 
     def _either(self, expression: Operation, decides: Value) -> Value:
-        engine: Context = self
-        condition = engine.index.lookups.condition(expression.operands[0])
-        then, otherwise = expression.operands[1:]
-        one = way_of(engine, then, condition, decides) if does_something(engine, then) else self.value(then)
-        if does_something(engine, otherwise):
-            other = way_of(engine, otherwise, condition, decides, opposite=True)
-        else:
-            other = self.value(otherwise)
-        if isinstance(one, Text) and isinstance(other, Text):
-            if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
-                return decides
-            return either(one, other, condition, test_of(decides))
-        texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
-        if texts and isinstance(one, Text) is not isinstance(other, Text):
-            return either(as_text(one), as_text(other), condition, test_of(decides))
-        both = one_of(one, other, condition, test_of(decides))
-        if both is not None:
-            return both
-        if one is None or other is None:
-            return one_or_none(one, other, condition, test_of(decides))
-        if isinstance(one, _DECIDES) and isinstance(other, _DECIDES):
-            # Neither is taken for the other: what is counted or asked later depends on which one it is.
-            return one if type(one) is type(other) and one == other else self._open(expression)
-        return one if not isinstance(one, Unknown) else other
-
-    def _boolean(self, expression: Operation) -> Value:
-        """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
-        engine: Context = self
-        results = engine.dialect.operands_are_results
-        operator, operands = expression.operator, expression.operands
-        stops = operator == "or"
-        open_: list[tuple[Value, Expression]] = []
-        value: Value = not stops
-        for number, one in enumerate(operands):
-            ways = open_ and does_something(engine, one)
-            value = after_others(engine, one, open_, operator) if ways else self.value(one)
-            holds = engine.truth(value)
-            if holds is stops:
-                break
-            if holds is None:
-                open_.append((value, one))
-                if results and stops and number < len(operands) - 1 and isinstance(value, Text):
-                    return self._or_else(value, operands[number:])
-        if not open_:
-            holds = engine.truth(value)
-            return value if results or holds is None else holds
-        if engine.truth(value) is stops:
-            return stops if not results or isinstance(value, bool) else self._open(expression)
-        tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
-        test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
-        return self._open(expression, test if len(tests) == len(open_) else None)
-
-    def _open(self, expression: Expression, test: Condition | None = None) -> Unknown:
-        engine: Context = self
-        return Unknown(engine.index.lookups.text(expression), test)
-
-    def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Value:
-        """Return a text, or where it is empty what comes after ``or``."""
-        engine: Context = self
-        rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
-        other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
-        return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
+        return chosen(self, expression, decides)
 
     def _computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
-        if len(values) == 2 and operator in ("==", "!="):
-            one, other = (_comparable(value) for value in values)
-            plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
-            if plain and not any(isinstance(value, Text) and value.known is None for value in values):
-                return (one == other) is (operator == "==")
-            return self._open(expression, _compared(operator, values))
-        if len(values) == 2 and isinstance(values[0], AtLeast):
-            found = values[0].compared(operator, values[1])
-            return self._open(expression) if found is None else found
-        if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
-            return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
-        if len(values) == 2 and isinstance(values[0], _NUMBER) and isinstance(values[1], _NUMBER):
-            function = _NUMBERS.get(operator)
-            try:
-                return function(*values) if function else self._open(expression)
-            except (ArithmeticError, ValueError):
-                return self._open(expression)
-        if operator == "-" and len(values) == 1 and isinstance(values[0], _NUMBER):
-            return -values[0]
-        return self._open(expression)
+        return computed(self, operator, values, expression)
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
@@ -404,7 +324,7 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
     frame, index = engine.frame, engine.index
     if of is not None:
-        method = engine.method_of(of, name)
+        method = engine.named.method_of(of, name)
         if method is not None:
             return "method", *method
         for one in index.chain(of):
@@ -426,22 +346,6 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     return "", None, None
 
 
-def _compared(operator: str, values: list[Value]) -> Condition | None:
-    """Return what decides a comparison that is open, where texts are compared."""
-    texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
-    if len(texts) < len(values) or not any(one.holes for one in texts):
-        return None
-    test = AreEqual(texts[0], texts[1])
-    return test if operator == "==" else negated(test)
-
-
-def _comparable(value: Value) -> Value:
-    """Return a value as it compares: what is not found is at ``npos``."""
-    if isinstance(value, Text):
-        return value.known
-    return -1 if isinstance(value, Named) and value.name.endswith("string.npos") else value
-
-
 def _shown(value: Value) -> str:
     return type(value).__name__.lower()
 
@@ -449,22 +353,8 @@ def _shown(value: Value) -> str:
 # Written once: a union that is written in a call is made in each call.
 _TRUTHS = {True: Text(("True",)), False: Text(("False",))}
 _NUMBER = (int, float)
-_PLAIN = (str, int, float, bool)
-_COMPARED = (Text, str, int, float)
-_DECIDES = (Unknown, bool, int, float)
 _DECIDED = (bool, int, float, list, dict)
 _FUNCTIONS = (Callable, Class)
-_NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
-    "-": lambda one, other: one - other,
-    "*": lambda one, other: one * other,
-    "/": lambda one, other: one / other,
-    "%": lambda one, other: one % other,
-    "<": lambda one, other: one < other,
-    ">": lambda one, other: one > other,
-    "<=": lambda one, other: one <= other,
-    ">=": lambda one, other: one >= other,
-    "//": lambda one, other: one // other,
-}
 _KINDS: dict[type[Any], str] = {
     Literal: "literal",
     Name: "name",

@@ -24,11 +24,11 @@ from roslens.source.extract.ir.program import (
     Operation,
     Statement,
 )
-from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.ir.read_first import is_read_first
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
 from roslens.source.extract.symbolic.reason import EachOf
 from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
+from roslens.source.extract.transfer.budget import SpentError
 from roslens.source.extract.transfer.filled_lists import count_of_filled
 from roslens.source.extract.transfer.plugin_held import plugged_in
 from roslens.source.extract.transfer.set_by_methods import forget_set_by_methods
@@ -36,7 +36,6 @@ from roslens.source.extract.transfer.set_by_methods import forget_set_by_methods
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-MOST_TURNS = 64
 _RUNS = re.compile(r"ok\(|shutdown", re.IGNORECASE)
 """What the condition of a loop says that goes on as long as the node runs."""
 MOST_COUNTED = 16
@@ -105,6 +104,9 @@ def _followed(engine: Context, statement: Loop) -> None:
     holds = engine.truth(over) if statement.over is not None else True
     if statement.target is None and holds is False:
         return
+    if statement.target is None and holds and engine.budget.repeats:
+        _repeated(engine, statement)
+        return
     count = _count(engine, statement) if statement.target is None else None
     if count is not None and count <= MOST_COUNTED:
         for _ in range(count):
@@ -114,8 +116,26 @@ def _followed(engine: Context, statement: Loop) -> None:
     _once_for_all(engine, statement, over)
 
 
+def _repeated(engine: Context, statement: Loop) -> None:
+    """Follow a loop with a condition turn by turn, as long as that is known to hold.
+
+    Raises:
+        SpentError: it holds too often.
+    """
+    for _ in range(engine.budget.repeats):
+        if not _turn(engine, statement):
+            return
+        over = engine.value(statement.over) if statement.over is not None else True
+        holds = engine.truth(over)
+        if holds is None:
+            _once_for_all(engine, statement, over)
+        if not holds:
+            return
+    raise SpentError
+
+
 def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Value]) -> None:
-    for item in items[:MOST_TURNS]:
+    for item in items[: engine.budget.turns]:
         if type(item) is Perhaps:
             _perhaps_with(engine, statement, item)
             continue
@@ -148,7 +168,7 @@ def _turn_for_all(engine: Context, statement: Loop, over: Value, *, once: bool) 
     _forget_counters(engine, statement)
     forget_set_by_methods(engine, statement)
     if statement.target is not None:
-        engine.assign(statement.target, _each(over, statement))
+        engine.assign(statement.target, _each(engine, over, statement))
     _perhaps_turned(engine, statement, over)
     if changes.count > since and not once:
         way = changes.taken_back(since, frame.members)
@@ -309,11 +329,11 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
     return found
 
 
-def _each(over: Value, statement: Loop) -> Value:
+def _each(engine: Context, over: Value, statement: Loop) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
         return each_of(over)
-    return Unknown(EachOf(expression_text(statement.over)) if statement.over is not None else "an item")
+    return Unknown(EachOf(engine.index.lookups.text(statement.over)) if statement.over is not None else "an item")
 
 
 _STOPS = frozenset({"<", "<=", ">", ">=", "!="})

@@ -265,7 +265,7 @@ def _evaluated(engine: Context, statement: Evaluate) -> None:
 
 
 def _returned(engine: Context, statement: Return) -> None:
-    value = None if statement.value is None else engine.value(statement.value)
+    value = None if statement.value is None else engine.as_returned(engine.value(statement.value))
     returned(engine, statement)
     engine.frame.give(value, engine.conditions[engine.frame.depth :])
     engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)

@@ -22,42 +22,33 @@ from roslens.source.extract.domain.abstract_value import (
     Unknown,
     Value,
 )
+from roslens.source.extract.domain.call_stack import CallStack
 from roslens.source.extract.domain.changed_in_ways import Changes
-from roslens.source.extract.domain.evaluation_frame import Frame, bind_rest, join
+from roslens.source.extract.domain.evaluation_frame import Frame, join
 from roslens.source.extract.domain.kinds import all_of_kind
-from roslens.source.extract.domain.outside_options import options_from_outside
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.node_facts import Evidence, led_to
+from roslens.source.extract.interpreter.bound_parameters import bind
 from roslens.source.extract.interpreter.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.interpreter.evaluated_objects import Objects
 from roslens.source.extract.interpreter.evaluated_statements import assign, block, initialise
-from roslens.source.extract.ir.controller_handles import is_of_controller
 from roslens.source.extract.ir.dialect import Dialect
-from roslens.source.extract.ir.makes_endpoints import MAKE, makes_endpoints
+from roslens.source.extract.ir.makes_endpoints import MAKE
 from roslens.source.extract.ir.program import Call, Expression, Function, Parameter, Statement
-from roslens.source.extract.symbolic.reason import OfController
 from roslens.source.extract.symbolic.text import Condition, Text, said, unknown
-from roslens.source.extract.symbols.lookups import Found
-from roslens.source.extract.symbols.node_bases import NODE_BASES
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
-from roslens.source.extract.transfer.budget import MOST_DEPTH, Budget, SpentError
+from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.transfer.budget import Budget, SpentError
 from roslens.source.extract.transfer.captured import Around, names_now, set_around
 from roslens.source.extract.transfer.decorated import decorated
-from roslens.source.extract.transfer.overload_choice import overload, taking
+from roslens.source.extract.transfer.named_functions import NamedFunctions
 from roslens.source.extract.transfer.refined_values import lose, lose_unseen
 from roslens.source.extract.transfer.shared_values import changed_by_call, newest
 
 _STOPPED = object()
 _NONE = Text()
-_TYPED = (list, int)
 _SHARING = ("&", "*")
-_SHARED = (list, dict)
-_FEW = 3
-
-KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
-"""Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
 
 
 class Evaluation(Objects):
@@ -82,6 +73,8 @@ class Evaluation(Objects):
         bare: functions without their decorators, by the identity of those with them, which they keep alive.
         words: of the command line, where they are known.
         budget: of steps.
+        stack: of calls.
+        named: functions of the workspace by name.
         running: whether the node runs already: what is evaluated is called back, or comes when it has spun.
     """
 
@@ -116,11 +109,11 @@ class Evaluation(Objects):
         self.budget = Budget()
         self._again = Again()
         self.preparing: list[str] = []
-        self._stack: list[tuple[str, int]] = []
+        self.stack = CallStack()
+        self.named = NamedFunctions(self)
         self.constants: dict[tuple[str, str], Value] = {}
         self.site = Evidence(node.path, node.line)
         self.written: tuple[Expression, ...] = ()
-        self.calls: list[tuple[Evidence, Function, tuple[Expression, ...]]] = []
 
     # What others ask of it
 
@@ -151,6 +144,14 @@ class Evaluation(Objects):
     def touches(self) -> int:
         """How often a word of the vocabulary was said, or a callback given away."""
         return self._again.touched
+
+    def frame_of(self, path: str, scope: str, thing: Value = None, names: Names | None = None) -> Frame:
+        """Return the frame of a call that begins."""
+        return Frame(path, scope, thing, names)
+
+    def as_returned(self, value: Value) -> Value:
+        """Return a value as it is where a function returns it."""
+        return value
 
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""
@@ -225,8 +226,9 @@ class Evaluation(Objects):
     ) -> Value:
         what = function.function
         key = (function.path, what.line)
-        if key in self._stack or len(self._stack) >= MOST_DEPTH:
-            if key in self._stack:
+        stack = self.stack.keys
+        if key in stack or len(stack) >= self.budget.depth:
+            if key in stack:
                 self._again.cuts.add(key)
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
@@ -237,7 +239,7 @@ class Evaluation(Objects):
             return self.call(made, arguments, keywords, written) if isinstance(made, Callable) else made
         arguments = [*function.arguments, *arguments]
         plain = not keywords and not function.names
-        done = self._again.known(key, function.self, (arguments, templates), self._stack) if plain else None
+        done = self._again.known(key, function.self, (arguments, templates), stack) if plain else None
         if done is None:
             frame = self._followed(function, arguments, keywords, written, templates)
             result, names = frame.outcome(), frame.names
@@ -276,19 +278,18 @@ class Evaluation(Objects):
         key = (function.path, what.line)
         names = function.names
         names = names_now(self, names) if type(names) is Around else dict(names or {})
-        frame = Frame(function.path, what.qualified_name, thing, names)
+        frame = self.frame_of(function.path, what.qualified_name, thing, names)
         if isinstance(thing, Obj):
             frame.templates.update(thing.templates_of(what.class_name))
         if templates and what.templates:
             frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(self.conditions)
         site = self.site
-        self._bind(what, arguments, keywords, frame)
+        bind(self, what, arguments, keywords, frame)
         around, again.cuts = again.cuts, set()
         steps, touched = self.budget.steps, again.touched
         before = dict(thing.fields) if isinstance(thing, Obj) else {}
-        self._stack.append(key)
-        self.calls.append((site, what, written))
+        self.stack.enter(key, site, what, written)
         self.frame = frame
         try:
             for statement in what.initialisers:
@@ -298,8 +299,7 @@ class Evaluation(Objects):
             block(self, what.body)
         finally:
             self.frame = outer
-            self._stack.pop()
-            self.calls.pop()
+            self.stack.leave()
         if what.name == "lambda":
             set_around(self, function, frame)
         if frame.left and isinstance(thing, Obj):
@@ -308,7 +308,7 @@ class Evaluation(Objects):
         again.cuts.discard(key)
         if self.budget.steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
             given = (arguments, templates)
-            again.keep(key, Done(what, thing, given, len(self._stack), frame, before, again.cuts, self.site))
+            again.keep(key, Done(what, thing, given, len(self.stack.keys), frame, before, again.cuts, self.site))
         around |= again.cuts
         again.cuts = around
         return frame
@@ -329,83 +329,6 @@ class Evaluation(Objects):
         found = self.index.class_of(function.function.class_name, function.path, "")
         return len(getattr(found.what, "templates", ())) if found is not None else 0
 
-    def method(self, thing: Obj, name: str) -> Callable | None:
-        """Return a method of an object by name, of its class or the nearest base that has it."""
-        defined = thing.defined
-        if defined is None:
-            return None
-        known, key = self.index.lookups.method, (id(defined.what), name)
-        found = known[key] if key in known else known.setdefault(key, self.method_of(defined, name))
-        return None if found is None else Callable(found[0], found[1], thing)
-
-    def method_of(self, defined: Defined, name: str) -> Found:
-        """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
-        for one in self.index.chain(defined):
-            found = self.index.methods(one, name)
-            if found and isinstance(found[0].what, Function):
-                functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
-                return next((one for one in functions if one[0].body), functions[0])
-        return None
-
-    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
-        """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
-        defined = thing.defined
-        if defined is None or (thing.node is not None and name in KNOWN_BETTER):
-            return None
-        known, key = self.index.lookups.overloads, (id(defined.what), name, count)
-        found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
-        if arguments and found is not None and key not in self.index.lookups.alone:
-            found = self._overload_of(defined, name, count, arguments)
-        return None if found is None else Callable(found[0], found[1], thing)
-
-    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = ()) -> Found:
-        """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
-        hidden: Found = None
-        for one in self.index.chain(defined):
-            found = self.index.methods(one, name)
-            chosen = overload(self.index, found, count, arguments, self._stack[-1] if self._stack else ("", 0))
-            if chosen is None or not isinstance(chosen.what, Function):
-                continue
-            if taking(self.index, [chosen], count) or not self.index.programs[chosen.path].dialect.overloads:
-                if len(found) < 2:
-                    self.index.lookups.alone.add((id(defined.what), name, count))
-                return chosen.what, chosen.path
-            # A class that has ``using Base::name`` has those of its base too.
-            hidden = hidden or (chosen.what, chosen.path)
-        return hidden
-
-    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
-        """Return the function outside of classes that a name means and that takes so many arguments."""
-        frame, known = self.frame, self.index.lookups.functions
-        key = (name, frame.path, frame.scope, count)
-        if key in known:
-            found = known[key]
-        else:
-            several = self.index.functions_of(name, frame.path, frame.scope)
-            found = self._function(several, name, count, arguments)
-            if len(several) < 2:
-                known[key] = found
-        return None if found is None else Callable(found[0], found[1])
-
-    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
-        running = self._stack[-1] if self._stack else ("", 0)
-        chosen = overload(self.index, several, count, arguments, running, (self.frame.path, self.first.path))
-        if chosen is None:
-            self._unknown_which(name, several)
-        if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
-            return None
-        return chosen.what, chosen.path
-
-    def _unknown_which(self, name: str, several: list[Defined]) -> None:
-        """Note a call of a function that makes endpoints, where the program of none of that name is this one."""
-        makes = [one for one in several if isinstance(one.what, Function) and makes_endpoints(one.what)]
-        if not makes:
-            return
-        places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
-        reason = f"{name}() is called, but none that is known to be linked here: there is {places}"
-        if (self.site, reason) not in self.node.unresolved:
-            self.node.unresolved.append((self.site, reason))
-
     def written_at(self, line: int) -> None:
         """Note the line at which something is made next that no call makes."""
         if line:
@@ -417,60 +340,6 @@ class Evaluation(Objects):
         parameters = function.function.parameters
         return parameters[index].type if index < len(parameters) else ""
 
-    # Statements
-
-    def _bind(self, what: Function, arguments: list[Value], keywords: Names, frame: Frame) -> None:
-        declared, given, names = None, len(arguments), frame.names
-        if given < len(what.parameters):
-            declared = self.index.declaration(what, frame.path)
-        for place, parameter in enumerate(what.parameters):
-            if parameter.name[:1] == "*":
-                given = min(given, place)
-                bind_rest(what, place, arguments, keywords, frame)
-            elif place < given:
-                value = arguments[place]
-                names[parameter.name] = self.typed(parameter.type, value) if isinstance(value, _TYPED) else value
-            elif parameter.name in keywords:
-                frame.names[parameter.name] = keywords[parameter.name]
-            else:
-                default = parameter.default
-                if not self._stack and parameter.type.rstrip("& ").endswith("NodeOptions"):
-                    # Whoever loads a component gives it options, whatever holds where nobody does.
-                    frame.names[parameter.name] = options_from_outside()
-                    continue
-                if default is None and declared is not None and place < len(declared.parameters):
-                    default = declared.parameters[place].default
-                outer, self.frame = self.frame, frame
-                known = None if "**" in keywords else default
-                value = self.not_given(what, parameter) if known is None else self.value(known)
-                self.frame = outer
-                if isinstance(value, _SHARED):
-                    # A default of Python is one object: what a call puts into it the next one finds there.
-                    value = self.once.setdefault((frame.path, what.line, place, id(what)), value)
-                frame.names[parameter.name] = value
-
-    def not_given(self, what: Function, parameter: Parameter) -> Value:
-        """Return what stands for an argument that nobody gives; what must be a node is the one that is built."""
-        reason = f"parameter {parameter.name} of {what.name}()"
-        name = type_name(parameter.type)[0]
-        if name in _TEXTS:
-            return unknown(reason)
-        if name.endswith("NodeOptions"):
-            return options_from_outside()
-        if is_of_controller(what, parameter):
-            return Handle(self.node, unknown(OfController()))
-        return Handle(self.node) if name and self.is_node(name) else Unknown(reason)
-
-    def is_node(self, name: str) -> bool:
-        """Whether a class by its name as written is a node."""
-        name = self.frame.templates.get(name, name)
-        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
-        if defined is None:
-            return self.index.meaning(name, self.frame.path, self.frame.scope) in NODE_BASES
-        return any(base in NODE_BASES for base in self.index.outer_bases(defined))
-
-    # Values by type
-
     def called_outer(self, callback: Value, note: Condition | None = None) -> str:
         """Remember that a callback was given away; return its name."""
         if isinstance(callback, Callable):
@@ -480,9 +349,6 @@ class Evaluation(Objects):
                 self.later.append((callback, note))
             return callback.function.qualified_name
         return str(callback) if isinstance(callback, Text) else ""
-
-
-_TEXTS = ("std.string", "string", "std.string_view", "char")
 
 
 __all__ = ["Class", "Evaluation", "Handle", "Named", "QosValue", "SpentError", "unknown"]

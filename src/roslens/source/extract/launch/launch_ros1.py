@@ -17,6 +17,7 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import absolute, tidy
 from roslens.source.extract.launch.gazebo_plugins import with_plugins
 from roslens.source.extract.launch.ros1_doubt import Doubt, only_if, setting_if
+from roslens.source.extract.launch.ros1_names import private, remap_also, without_end
 from roslens.source.extract.launch.ros1_nodelet import as_nodelet
 from roslens.source.extract.launch.ros1_settings import Reading, boolean, of_param, of_rosparam
 from roslens.source.extract.launch.ros1_substitution import (
@@ -255,7 +256,7 @@ class _File:
 
     def remap(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Remap for all nodes that follow in this scope."""
-        _remapped(remaps, self._remap(element, space))
+        remap_also(remaps, self._remap(element, space))
         return space.private
 
     def param(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
@@ -280,7 +281,7 @@ class _File:
             evidence=self._place(element),
             name=name,
             namespace=self._namespace(element, space),
-            settings=tuple(_private(one) for one in own),
+            settings=tuple(private(one) for one in own),
             remaps=tuple(inner_remaps),
             arguments=words_of(substitute(given("args", ""), self._scope)),
             conditions=space.conditions,
@@ -300,7 +301,7 @@ class _File:
             if inside is None:
                 continue
             if child.tag == "remap":
-                _remapped(inner_remaps, self._remap(child, inside))
+                remap_also(inner_remaps, self._remap(child, inside))
             elif child.tag == "param":
                 own += [setting_if(inside.own, one) for one in of_param(child, self._reading)]
             elif child.tag == "rosparam":
@@ -349,7 +350,7 @@ class _File:
         absolute = given.is_global
         top = space.namespace.parts == ("/",)
         before: Text | str = "" if absolute else "/" if top else Text.of(space.namespace, "/")
-        return _without_end(Text.of(before, given))
+        return without_end(Text.of(before, given))
 
     def _remap(self, element: Element, space: _Space) -> Remap:
         source = substitute(needed(element, "from"), self._scope)
@@ -389,23 +390,3 @@ _TAGS: dict[str, Callable[[_File, Element, _Space, list[Remap]], tuple[Setting, 
     "node": _File.node,
     "test": _File.node,
 }
-
-
-def _remapped(remaps: list[Remap], one: Remap) -> None:
-    """Add a remapping; it takes the place of one from the same name."""
-    remaps[:] = [other for other in remaps if other.source != one.source]
-    remaps.append(one)
-
-
-def _private(setting: Setting) -> Setting:
-    """Return a parameter of a node; roslaunch takes ``/`` in front of its name for nothing."""
-    first, *rest = setting.name.parts or ("",)
-    if isinstance(first, str):
-        return msgspec.structs.replace(setting, name=Text.of("~" + first.lstrip("~/"), *rest))
-    return msgspec.structs.replace(setting, name=Text.of("~", setting.name))
-
-
-def _without_end(text: Text) -> Text:
-    if text.parts == ("/",) or not text.tail:
-        return text
-    return Text((*text.parts[:-1], text.tail.rstrip("/")))

@@ -13,7 +13,7 @@ import msgspec
 from roslens.model.configuration import ConfiguredEndpoint, ConfiguredNode, Origin, Proof
 from roslens.model.graph import Endpoint, Role
 from roslens.source.extract.facts.launched import Launched
-from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.condition import as_written, clauses_of
 from roslens.source.extract.symbolic.text import Conditions, Text
 
 _PROGRAM = ("nodelet", "nodelet")
@@ -76,7 +76,14 @@ def _bound(node: ConfiguredNode, ends: Mapping[str, Conditions]) -> ConfiguredNo
         return node
     proof = Proof(how="what loads a nodelet has a bond with its manager", origin=Origin.IMPLICIT)
     made = [
-        ConfiguredEndpoint(Endpoint(node.name, role, name, _BOND), proof, name, "*" not in name, as_written(conditions))
+        ConfiguredEndpoint(
+            Endpoint(node.name, role, name, _BOND),
+            proof,
+            name,
+            "*" not in name,
+            as_written(conditions),
+            clauses=clauses_of(conditions),
+        )
         for name, conditions in ends.items()
         for role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     ]

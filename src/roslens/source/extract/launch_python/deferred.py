@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 
 import msgspec
 
+from roslens.source.extract.domain.abstract_value import Foreign
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.symbolic.python_expression import UnknownError, evaluate
 from roslens.source.extract.symbolic.reason import NotSet, OfEnvironment, RandomEnd
@@ -18,7 +19,7 @@ from roslens.source.extract.symbolic.text import Hole, Text, unknown
 _MOST_DEPTH = 40
 
 
-class Deferred(msgspec.Struct, frozen=True):
+class Deferred(Foreign, frozen=True):
     """A substitution.
 
     Attributes:

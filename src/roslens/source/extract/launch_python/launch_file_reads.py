@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import msgspec
-
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
+from roslens.source.extract.domain.abstract_value import Foreign, Unknown
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
-from roslens.source.extract.launch_python.python_value import Dotted, Unknown, as_value
+from roslens.source.extract.launch_python.launch_values import as_value
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -20,13 +19,13 @@ READS = _LOADS | _OPENS
 _MOST_BYTES = 1_000_000
 
 
-class Opened(msgspec.Struct, frozen=True):
+class Opened(Foreign, frozen=True):
     """A file that is read, by its path in the workspace."""
 
     path: str
 
 
-def read(function: Dotted, positional: list[Any], path: str, files: Files | None, scope: Scope | None) -> Any:
+def read(function: str, positional: list[Any], path: str, files: Files | None, scope: Scope | None) -> Any:
     """Return what opening or loading a file gives.
 
     Args:
@@ -36,11 +35,11 @@ def read(function: Dotted, positional: list[Any], path: str, files: Files | None
         files: of the workspace.
         scope: of the action that is visited; None while the file is read.
     """
-    reason = Unknown(f"result of {function.name}()")
+    reason = Unknown(f"result of {function}()")
     first = positional[0] if positional else None
     if files is None or first is None:
         return reason
-    if function.name in _OPENS:
+    if function in _OPENS:
         if not isinstance(first, str | Text | Deferred):
             return reason
         found = resolve(as_value(first), scope or Scope(files, {}, {}, path)).known

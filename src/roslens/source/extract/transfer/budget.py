@@ -8,6 +8,8 @@ MOST_OF_PLUGIN = 15_000
 """Further ones for each plug-in that is followed."""
 MOST_DEPTH = 14
 """Calls in each other."""
+MOST_TURNS = 64
+"""Of a loop over a list."""
 
 
 class SpentError(Exception):
@@ -18,15 +20,22 @@ class Budget:
     """What one evaluation may still do.
 
     Attributes:
+        depth: calls that may be in each other.
+        turns: of a loop over a list that are followed one by one.
+        repeats: turns of a loop with a condition that are followed as long as it is known to hold; 0 follows one turn
+            that stands for all.
         steps: statements and expressions that were evaluated so far.
         most: of them that may be.
     """
 
-    __slots__ = ("most", "steps")
+    __slots__ = ("depth", "most", "repeats", "steps", "turns")
 
-    def __init__(self, most: int = MOST_STEPS) -> None:
+    def __init__(
+        self, most: int = MOST_STEPS, depth: int = MOST_DEPTH, turns: int = MOST_TURNS, repeats: int = 0
+    ) -> None:
         """Begin with nothing spent."""
         self.steps, self.most = 0, most
+        self.depth, self.turns, self.repeats = depth, turns, repeats
 
     def spend(self) -> None:
         """Count a statement or an expression.

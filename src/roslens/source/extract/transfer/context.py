@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from roslens.source.extract.domain.abstract_value import Building, Callable, Names, Obj, QosValue, Value
+from roslens.source.extract.domain.call_stack import CallStack
 from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.word_list import Words
@@ -18,10 +19,10 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.program import Call, Expression, Function, Statement
 from roslens.source.extract.symbolic.text import Condition, Text
-from roslens.source.extract.symbols.lookups import Found
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index
 from roslens.source.extract.transfer.budget import Budget
+from roslens.source.extract.transfer.named_functions import NamedFunctions
 
 
 class Context(Protocol):
@@ -55,7 +56,8 @@ class Context(Protocol):
     reached: Reached
     site: Evidence
     written: tuple[Expression, ...]
-    calls: list[tuple[Evidence, Function, tuple[Expression, ...]]]
+    stack: CallStack
+    named: NamedFunctions
 
     @property
     def dialect(self) -> Dialect:
@@ -117,6 +119,12 @@ class Context(Protocol):
     def plain(self, name: str, arguments: list[Value]) -> Value:
         """Return a value of a fundamental type."""
 
+    def frame_of(self, path: str, scope: str, thing: Value = None, names: Names | None = None) -> Frame:
+        """Return the frame of a call that begins."""
+
+    def as_returned(self, value: Value) -> Value:
+        """Return a value as it is where a function returns it."""
+
     def at(self, call: Call) -> None:
         """Note which call is made next."""
 
@@ -157,18 +165,6 @@ class Context(Protocol):
         templates: tuple[str, ...] = (),
     ) -> Value:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
-
-    def method(self, thing: Obj, name: str) -> Callable | None:
-        """Return a method of an object by name, of its class or the nearest base that has it."""
-
-    def method_of(self, defined: Defined, name: str) -> Found:
-        """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
-
-    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
-        """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
-
-    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
-        """Return the function outside of classes that a name means and that takes so many arguments."""
 
     def written_at(self, line: int) -> None:
         """Note the line at which something is made next that no call makes."""

@@ -42,4 +42,4 @@ def decorated(engine: Context, function: Callable) -> Callable | Unknown:
 
 def _is_known(engine: Context, decorator: Expression) -> bool:
     name = decorator.function if isinstance(decorator, Call) else decorator
-    return isinstance(name, Name) and engine.function(name.name, 1) is not None
+    return isinstance(name, Name) and engine.named.function(name.name, 1) is not None

@@ -45,7 +45,7 @@ def keep(engine: Context, name: str, value: Value) -> None:
 
 def returned(engine: Context, statement: Return) -> None:
     """Note where the value stands that a function returns a reference or pointer to."""
-    hands = bool(engine.calls) and engine.calls[-1][1].hands
+    hands = bool(engine.stack.calls) and engine.stack.calls[-1][1].hands
     engine.gave = (engine.frame, statement.value) if hands and statement.value is not None else None
 
 
@@ -68,4 +68,4 @@ def put_where_it_stands(engine: Context, before: Value, after: Value) -> None:
 
 
 def _is_assigned(engine: Context, name: str) -> bool:
-    return bool(engine.calls) and name in assigned_names(engine.calls[-1][1].body)
+    return bool(engine.stack.calls) and name in assigned_names(engine.stack.calls[-1][1].body)

@@ -8,8 +8,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Value
-from roslens.source.extract.domain.changed_in_ways import Changes
-from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.ir.program import (
     Assign,
     Branch,
@@ -58,7 +56,7 @@ def module_value(engine: Context, path: str, name: str, first: Expression) -> tu
     if not any(isinstance(one, Assign) and one.value is first for one in statements):
         return None
     outer, changes = engine.frame, engine.changes
-    engine.frame, engine.changes = Frame(path, ""), Changes()
+    engine.frame, engine.changes = engine.frame_of(path, ""), type(changes)()
     engine.frame.depth, engine.changes.refined = len(engine.conditions), changes.refined
     try:
         engine.block(statements)

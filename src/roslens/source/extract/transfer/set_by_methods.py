@@ -100,7 +100,7 @@ def _called_in(body: tuple[Statement, ...]) -> list[str]:
 
 def _method(engine: Context, of: Defined, name: str) -> Function | None:
     known, key = engine.index.lookups.method, (id(of.what), name)
-    found = known[key] if key in known else known.setdefault(key, engine.method_of(of, name))
+    found = known[key] if key in known else known.setdefault(key, engine.named.method_of(of, name))
     return found[0] if found is not None and found[0].body else None
 
 

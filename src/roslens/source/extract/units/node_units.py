@@ -24,7 +24,6 @@ from roslens.source.extract.ir.program import (
     Function,
     Literal,
     Loop,
-    Member,
     Name,
     Operation,
     Statement,
@@ -32,7 +31,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+from roslens.source.extract.symbols.workspace_index import Defined, Index
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 _FIRST = (
@@ -48,7 +47,8 @@ _FIRST = (
 )
 _ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What values that fit nowhere may raise: source that does not compile must not hide what is found elsewhere."""
-_TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
+TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
+"""Functions that register a class as a node of behaviour trees."""
 _REGISTRATIONS = {
     "RCLCPP_COMPONENTS_REGISTER_NODE": 0,
     "PLUGINLIB_EXPORT_CLASS": 0,
@@ -91,7 +91,7 @@ def facts_of_class(
 
     ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Evaluation`.
     """
-    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
+    building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
     engine = Evaluation(index, building, chosen, plugin_names)
 
     def run() -> None:
@@ -101,18 +101,16 @@ def facts_of_class(
         thing.node = thing.node or building
         building.named = False
         engine.construct_as(thing, defined, [], {})
-        _run_methods(engine, thing)
+        run_methods(engine, thing)
         _run_made(engine, thing)
         _run_plugged(engine)
 
-    return _finished(
-        engine, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind)
-    )
+    return finished(engine, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind))
 
 
 def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
-    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
+    building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
     engine = Evaluation(index, building)
 
@@ -121,7 +119,7 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
         thing = Obj(defined.what.qualified_name, defined, {})
         engine.prepare(thing)
         engine.construct_as(thing, defined, [], {})
-        _run_methods(engine, thing)
+        run_methods(engine, thing)
         for found in index.methods(defined, defined.what.name):
             # Constructors that nobody calls are an offer too.
             if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.reached:
@@ -130,7 +128,7 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
                 engine.call(Callable(found.what, found.path, other), [], {})
         engine.run_later()
 
-    return _finished(engine, run, reached)
+    return finished(engine, run, reached)
 
 
 def facts_of_function(
@@ -140,7 +138,7 @@ def facts_of_function(
 
     Of the members of its object the types are known, and their values at first, unless it is not ``prepared``.
     """
-    building = _building(function.qualified_name, path, function.line, generation_of(index, path), "function")
+    building = building_of(function.qualified_name, path, function.line, generation_of(index, path), "function")
     building.named = True
     engine = Evaluation(index, building)
 
@@ -153,7 +151,7 @@ def facts_of_function(
         engine.call(Callable(function, path, thing), [], {})
         engine.run_later()
 
-    return _finished(engine, run, reached)
+    return finished(engine, run, reached)
 
 
 def facts_of_main(
@@ -169,7 +167,7 @@ def facts_of_main(
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
         return []
-    building = _building("main", path, main.line, generation_of(index, path), "node")
+    building = building_of("main", path, main.line, generation_of(index, path), "node")
     engine = Evaluation(index, building, chosen, plugin_names)
 
     def run() -> None:
@@ -185,7 +183,7 @@ def facts_of_main(
             _run_made(engine)
         _run_plugged(engine)
 
-    found = _finished(engine, run, reached, () if words is not None or chosen is not None else ("main", path))
+    found = finished(engine, run, reached, () if words is not None or chosen is not None else ("main", path))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
@@ -201,7 +199,7 @@ def facts_of_module(
     ``words`` are those of its command line, where they are known.
     """
     program = index.programs[path]
-    building = _building(function or "<module>", path, 1, generation_of(index, path), "node")
+    building = building_of(function or "<module>", path, 1, generation_of(index, path), "node")
     engine = Evaluation(index, building)
     engine.words = None if words is None else words_given(words)
 
@@ -222,7 +220,7 @@ def facts_of_module(
         _run_lifecycle(engine)
         _run_callbacks(engine)
 
-    found = _finished(engine, run, reached, () if words is not None else ("module", path, function))
+    found = finished(engine, run, reached, () if words is not None else ("module", path, function))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
@@ -232,7 +230,7 @@ def _run_lifecycle(engine: Evaluation) -> None:
         outer, engine.node = engine.node, one.node or engine.node
         try:
             for name in _FIRST[:3]:
-                method = engine.method(one, name)
+                method = engine.named.method(one, name)
                 if method is not None:
                     engine.call(method, [], {})
         finally:
@@ -248,13 +246,13 @@ def _is_main(branch: Branch) -> bool:
     return isinstance(condition, Operation) and Literal("__main__") in condition.operands
 
 
-def _run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
+def run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
     """Run what a node does after it is made: its life cycle first, then what was never called.
 
     What another object of its class did is done ``again``.
     """
     for name in _FIRST:
-        method = engine.method(thing, name)
+        method = engine.named.method(thing, name)
         if method is not None and (again or (method.path, method.function.line) not in engine.reached):
             engine.call(method, [], {})
     _forget(engine, thing)
@@ -280,7 +278,7 @@ def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
             seen.add(id(one))
             outer, engine.node = engine.node, one.node or engine.node
             try:
-                _run_methods(engine, one, again=True)
+                run_methods(engine, one, again=True)
             finally:
                 engine.node = outer
 
@@ -292,7 +290,7 @@ def _run_plugged(engine: Evaluation) -> None:
         thing, node = engine.plugged[done]
         outer, engine.node = engine.node, node
         try:
-            _run_methods(engine, thing)
+            run_methods(engine, thing)
         finally:
             engine.node = outer
         done += 1
@@ -331,7 +329,7 @@ def _made_by(function: Function, defined: Defined) -> bool:
     return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
 
 
-def _finished(
+def finished(
     engine: Evaluation, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
 ) -> list[NodeFacts]:
     """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
@@ -368,53 +366,14 @@ def _doubt_conditions(node: Building) -> None:
                 facts[place] = msgspec.structs.replace(fact, evidence=evidence)
 
 
-def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
+def building_of(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
+    """Return a node of which nothing was collected yet."""
     building = Building(unit, path, line, generation, kind)
     building.endpoints, building.parameters, building.timers = [], [], []
     building.arguments, building.settings = [], []
     building.uses, building.unresolved = [], []
     building.plugins, building.asks = [], []
     return building
-
-
-def facts_of_registration(
-    index: Index, path: str, function: Function, reached: Reached | None = None
-) -> list[NodeFacts]:
-    """Return the facts of the classes that a function registers as nodes of behaviour trees."""
-    found: list[NodeFacts] = []
-    for statement in function.body:
-        call = statement.expression if isinstance(statement, Evaluate) else None
-        if not isinstance(call, Call) or not isinstance(call.function, Member) or not call.templates:
-            continue
-        if call.function.name in _TREE_REGISTRATIONS:
-            defined = index.class_of(type_name(call.templates[0])[0], path, function.qualified_name)
-            if defined is not None:
-                found += _facts_of_tree_node(index, defined, (path, function, call), reached)
-    return found
-
-
-def _facts_of_tree_node(
-    index: Index, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
-) -> list[NodeFacts]:
-    path, function, call = registered_by
-    building = _building(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
-    building.named = True
-    engine = Evaluation(index, building)
-    unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
-
-    def run() -> None:
-        engine.frame = Frame(path, function.qualified_name)
-        block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
-        builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
-        match builder:
-            case Callable():
-                thing = engine.call(builder, unknown, {})
-            case _:
-                thing = engine.construct(defined, unknown, {})
-        if isinstance(thing, Obj):
-            _run_methods(engine, thing)
-
-    return _finished(engine, run, reached)
 
 
 __all__ = [
@@ -425,7 +384,6 @@ __all__ = [
     "facts_of_main",
     "facts_of_module",
     "facts_of_plugin",
-    "facts_of_registration",
     "node_classes",
     "registered",
 ]

@@ -16,10 +16,10 @@ from roslens.source.extract.units.node_units import (
     facts_of_main,
     facts_of_module,
     facts_of_plugin,
-    facts_of_registration,
     node_classes,
     registered,
 )
+from roslens.source.extract.units.tree_nodes import facts_of_registration
 
 _REGISTRY = "BT_REGISTER_NODES"
 _TESTS = ("TEST", "SCENARIO", "TEMPLATE_TEST")

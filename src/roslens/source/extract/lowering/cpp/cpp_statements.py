@@ -17,7 +17,6 @@ from roslens.source.extract.ir.program import (
     Leave,
     Literal,
     Loop,
-    Member,
     Name,
     Opaque,
     Operation,
@@ -28,6 +27,7 @@ from roslens.source.extract.lowering.cpp.cpp_breaks import without_breaks
 from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.lowering.cpp.cpp_relevance import Level, Relevance, is_filling, is_logging
+from roslens.source.extract.lowering.cpp.cpp_statement_forms import ends_case, owned, says_nothing
 from roslens.source.extract.lowering.cpp.cpp_types import declared_name
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements, Variables, target_of
 
@@ -141,7 +141,7 @@ class StatementLowering:
         if b"(" in text or b"<<" in text or b"{" in text:
             expression = self._lower(inner)
             match expression:
-                case Call() if (made := _owned(expression, inner)) is not None:
+                case Call() if (made := owned(expression, inner)) is not None:
                     out.append(Assign(made[0], made[1], "", "=", node.start_point.row + 1))
                 case Call() | Operation() | Format():
                     out.append(Evaluate(expression, node.start_point.row + 1))
@@ -239,7 +239,7 @@ class StatementLowering:
         for start in starts:
             chained = otherwise if start == starts[-1] else ()
             for first, condition, then, line in reversed(arms[start : start + DEEPEST]):
-                if then or chained or not isinstance(condition, _SAYING_NOTHING):
+                if then or chained or not says_nothing(condition):
                     chained = (*first, Branch(condition, then, chained, line))
                 else:
                     chained = tuple(first)
@@ -271,7 +271,7 @@ class StatementLowering:
                 labels.append(Operation("==", (subject, self._lower(value))))
             if inner:
                 condition = None if default else labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
-                groups.append((condition, statements, _ends(inner), case.start_point.row + 1))
+                groups.append((condition, statements, ends_case(inner), case.start_point.row + 1))
                 labels, default = [], False
         cases: list[_Arm] = []
         otherwise: tuple[Statement, ...] = ()
@@ -312,7 +312,7 @@ class StatementLowering:
             self._assign(after, update)
         elif after is not None and b"(" in self._lowered.text(after):
             self._evaluate(after, after, update)
-        if body or any(isinstance(one, Evaluate) for one in update) or not _says_nothing(over):
+        if body or any(isinstance(one, Evaluate) for one in update) or not says_nothing(over):
             out.append(Loop(None, over, tuple(body), node.start_point.row + 1, tuple(update)))
         self._lowered.depth -= 1
 
@@ -334,7 +334,7 @@ class StatementLowering:
         target = target_of(self._lowered.text(declarator)) if declarator is not None else None
         sequence = self._lower(over) if over is not None else None
         body = self._turn(node)
-        if body or not _says_nothing(sequence):
+        if body or not says_nothing(sequence):
             out.append(Loop(target or Opaque(""), sequence, body, node.start_point.row + 1))
         self._lowered.depth -= 1
 
@@ -365,7 +365,6 @@ class StatementLowering:
 
 _SHORT_VALUE = 40
 _LEAVES = frozenset({"break_statement", "continue_statement"})
-_SAYING_NOTHING = (Name, Opaque, Literal, Member)
 """A branch or loop that holds nothing is left out with such a condition."""
 _BLOCKS = ("compound_statement", "translation_unit")
 _SILENT_WORDS = (
@@ -393,35 +392,3 @@ _HANDLERS: dict[str, Callable[[StatementLowering, Node, Statements], None]] = {
     kind: getattr(StatementLowering, f"_{method}") for method, kinds in _KINDS.items() for kind in kinds.split()
 }
 """Kind of a node to the method that lowers it."""
-
-
-def _says_nothing(condition: Expression | None) -> bool:
-    return condition is None or isinstance(condition, _SAYING_NOTHING)
-
-
-def _ends(nodes: list[Node]) -> bool:
-    """Whether statements of a case end so that the next one does not follow."""
-    last = next((one for one in reversed(nodes) if one.type != "comment"), None)
-    if last is not None and last.type == "compound_statement":
-        return _ends(last.named_children)
-    return last is not None and last.type in _ENDING
-
-
-_ENDING = frozenset(
-    {"break_statement", "return_statement", "throw_statement", "continue_statement", "goto_statement",
-     "co_return_statement"}
-)  # fmt: skip
-
-
-def _owned(call: Call, node: Node) -> tuple[Expression, Expression] | None:
-    """Return the pointer and the object of ``pointer.reset(new Class(…))`` or ``reset(this)``, an assignment.
-
-    What deletes the object may be given behind it.
-    """
-    function = call.function
-    if isinstance(function, Member) and function.name == "reset" and 1 <= len(call.arguments) <= 2:
-        written = node.child_by_field_name("arguments")
-        given = [one.type for one in written.named_children if one.type != "comment"] if written is not None else []
-        if given and given[0] in {"new_expression", "this"}:
-            return function.of, call.arguments[0]
-    return None

@@ -24,12 +24,16 @@ def program_of_python(content: bytes) -> Program:
     return lower_python(parse_tree(with_line_feeds(content)))
 
 
-def lower_python(parsed: PythonTree) -> Program:
+def lower_python(parsed: PythonTree, lowered: Statements | None = None) -> Program:
     """Return the program of a parsed Python file.
 
     Never fails: what was not understood is opaque or left out, and its line is in ``incomplete``.
+
+    Args:
+        parsed: the file.
+        lowered: what lowers it, where that is to keep more than the program.
     """
-    lowered = Statements(parsed.source)
+    lowered = lowered or Statements(parsed.source)
     root = parsed.tree.root_node
     body = lowered.block(root)
     if root.has_error:

@@ -38,7 +38,7 @@ def _port_default(engine: Context, name: Text) -> str | None:
         return None
     if "ports" not in thing.fields:
         thing.fields["ports"] = {}
-        provided = engine.method(thing, "providedPorts")
+        provided = engine.named.method(thing, "providedPorts")
         if provided is not None:
             engine.call(provided, [], {})
     ports = thing.fields["ports"]

@@ -137,7 +137,7 @@ def origin(engine: Context, called: Called, name: Value) -> tuple[Evidence, tupl
     expression = next(
         (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
     )
-    for site, function, written in reversed(engine.calls):
+    for site, function, written in reversed(engine.stack.calls):
         while isinstance(expression, Call) and len(expression.arguments) == 1:
             expression = expression.arguments[0]
         if not isinstance(expression, Name) or not site.line:

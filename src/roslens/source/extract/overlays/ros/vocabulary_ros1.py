@@ -1,4 +1,4 @@
-"""The vocabulary of roscpp and rospy: node handles, topics, services, parameters, timers, nodelets."""
+"""The vocabulary of roscpp: node handles, topics, services, parameters, timers, nodelets."""
 
 from __future__ import annotations
 
@@ -102,7 +102,8 @@ def nodelet(engine: Context, thing: Value, _called: Called) -> Value:
     return thing
 
 
-def _queue(value: Value) -> int:
+def queue_of(value: Value) -> int:
+    """Return the size of a queue; -1 where it is not known."""
     return value if is_whole(value) else -1
 
 
@@ -119,7 +120,7 @@ def advertise(engine: Context, thing: Value, called: Called) -> Value:
     latched = called.argument(2) is True or called.argument(4) is True
     follow_visitors(engine, called, 2)
     return endpoint(
-        engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=_queue(called.argument(1)),
+        engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=queue_of(called.argument(1)),
         latched=latched,
     )  # fmt: skip
 
@@ -135,7 +136,7 @@ def subscribe(engine: Context, thing: Value, called: Called) -> Value:
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
     kind: Value = written or Unknown("the type its callback takes")
     return endpoint(
-        engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=_queue(called.argument(1)),
+        engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
         callback=callback,
     )  # fmt: skip
 
@@ -315,68 +316,8 @@ def create_timer(engine: Context, thing: Value, called: Called) -> Value:
     return Obj("ros.Timer")
 
 
-@outer("rospy.Publisher")
-def py_publisher(engine: Context, _thing: Value, called: Called) -> Value:
-    """A publisher of rospy."""
-    return endpoint(
-        engine, _here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
-        queue=_queue(called.argument(6, "queue_size")), latched=called.argument(4, "latch") is True,
-    )  # fmt: skip
-
-
-@outer("rospy.Subscriber")
-def py_subscriber(engine: Context, _thing: Value, called: Called) -> Value:
-    """A subscription of rospy."""
-    return endpoint(
-        engine, _here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
-        queue=_queue(called.argument(4, "queue_size")), callback=called.argument(2, "callback"),
-    )  # fmt: skip
-
-
-@outer("rospy.Service")
-def py_service(engine: Context, _thing: Value, called: Called) -> Value:
-    """A server of a service of rospy."""
-    return endpoint(
-        engine, _here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
-        called.argument(1, "service_class"), callback=called.argument(2, "handler"),
-    )  # fmt: skip
-
-
-@outer("rospy.ServiceProxy")
-def py_service_proxy(engine: Context, _thing: Value, called: Called) -> Value:
-    """A client of a service of rospy."""
-    return endpoint(
-        engine, _here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
-        called.argument(1, "service_class"),
-    )  # fmt: skip
-
-
-@outer("rospy.get_param", "rospy.get_param_cached")
-def py_read(engine: Context, _thing: Value, called: Called) -> Value:
-    """A parameter is read by rospy."""
-    given = len(called.arguments) > 1 or "default" in called.keywords
-    return parameter(
-        engine, _here(engine), called, "read", called.argument(0, "param_name"), default=called.argument(1, "default"),
-        given=given,
-    )  # fmt: skip
-
-
-@outer("rospy.set_param")
-def py_write(engine: Context, _thing: Value, called: Called) -> Value:
-    """A parameter is written by rospy."""
-    value = called.argument(1, "param_value")
-    write_parameter(engine, _here(engine), called, called.argument(0, "param_name"), value)
-    return None
-
-
-@outer("rospy.Timer")
-def py_timer(engine: Context, _thing: Value, called: Called) -> Value:
-    """A timer of rospy."""
-    timer(engine, _here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
-    return Obj("rospy.Timer")
-
-
-def _here(engine: Context) -> Handle:
+def here(engine: Context) -> Handle:
+    """Return the node that is built, which is one of ROS 1."""
     engine.node.generation = "ros1"
     return Handle(engine.node)
 
@@ -386,7 +327,7 @@ def _by_options(engine: Context, thing: Value, called: Called, role: Role, optio
     name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
     return endpoint(
         engine, thing, called, role, name, fields.get("-type", Unknown("its type")),
-        queue=_queue(fields.get("queue_size")), latched=fields.get("latch") is True, callback=fields.get("-callback"),
+        queue=queue_of(fields.get("queue_size")), latched=fields.get("latch") is True, callback=fields.get("-callback"),
     )  # fmt: skip
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, TypeVar
 
 from roslens.source.extract.launch_python.deferred import Deferred
-from roslens.source.extract.launch_python.python_value import Either, Made
 from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.transfer.budget import SpentError
 
 MOST_WEIGHT = 50_000
 """Values inside each other, counted wherever they stand; no launch file that people write has a tenth."""
@@ -15,29 +15,35 @@ _SIGNS = 100
 _Value = TypeVar("_Value")
 
 
-class TooLongError(Exception):
-    """The bounds of evaluation are spent."""
+class Weight:
+    """What was counted of one value so far."""
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self._counted = 0
+
+    def add(self, value: object) -> None:
+        """Count a value, but for what is inside of it.
+
+        Raises:
+            SpentError: it is too large to follow.
+        """
+        self._counted += 1 + (len(value) // _SIGNS if isinstance(value, str) else 0)
+        if self._counted > MOST_WEIGHT:
+            raise SpentError
 
 
-def bounded(value: _Value, whole: object = None) -> _Value:
+def bounded(value: _Value) -> _Value:
     """Return a value.
 
-    Args:
-        value: that is kept.
-        whole: what it becomes a part of, if it does.
-
     Raises:
-        TooLongError: it is too large to follow, or a part of itself.
+        SpentError: it is too large to follow, or a part of itself.
     """
-    if isinstance(value, bool | int | float) or value is None:
-        return value
     waiting: list[Any] = [value]
-    weight = 0
+    weight = Weight()
     while waiting:
         one = waiting.pop()
-        weight += 1 + (len(one) // _SIGNS if isinstance(one, str) else 0)
-        if weight > MOST_WEIGHT or (whole is not None and one is whole):
-            raise TooLongError
+        weight.add(one)
         match one:
             case list() | tuple():
                 waiting += one
@@ -45,8 +51,4 @@ def bounded(value: _Value, whole: object = None) -> _Value:
                 waiting += one.values()
             case Text() | Deferred():
                 waiting += one.parts
-            case Made():
-                waiting += (*one.positional, *one.named.values())
-            case Either():
-                waiting += (one.one, one.other)
     return value

@@ -118,8 +118,10 @@ def test_what_is_assigned_in_a_class():
     assert named("Settings.NAME") == "arm"
 
 
-@pytest.mark.parametrize(
-    ("name", "class_"), [("Settings().other", "Settings"), ("Settings.missing", "Settings"), ("Mode.NAME", "Mode")]
-)
+def test_what_a_constructor_sets():
+    assert named("Settings().other") == "x"
+
+
+@pytest.mark.parametrize(("name", "class_"), [("Settings.missing", "Settings"), ("Mode.NAME", "Mode")])
 def test_a_class_is_of_the_file_that_defines_it(name, class_):
     assert named(name) == f"{{class {class_} of robot/launch/settings.py}}"

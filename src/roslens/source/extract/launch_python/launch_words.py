@@ -1,20 +1,24 @@
-"""Calls that a Python launch file makes: the substitutions of launch, paths, and a little of Python itself."""
+"""What calls in a launch file in Python mean: substitutions of launch, paths, and a little of Python itself.
+
+In come plain values (``launch_values.plain``), and plain values go out.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.domain.abstract_value import Callable as Function
+from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.launch_action import text
 from roslens.source.extract.launch_python.launch_file_reads import Opened
-from roslens.source.extract.launch_python.python_value import Bound, Closure, Dotted, Made, Unknown, as_value
+from roslens.source.extract.launch_python.launch_values import Either, Made, as_value
 from roslens.source.extract.symbolic.python_expression import evaluate
 from roslens.source.extract.symbolic.text import Text
 
 _LONGEST = 10_000
-_ACTIONS = frozenset(
+ACTIONS = frozenset(
     {"DeclareLaunchArgument", "SetLaunchConfiguration", "UnsetLaunchConfiguration", "IncludeLaunchDescription",
      "GroupAction", "PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetUseSimTime",
      "SetRemap", "Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode", "LoadComposableNodes",
@@ -56,18 +60,15 @@ _METHODS = frozenset(
 )  # fmt: skip
 
 
-def known_name(name: str) -> Any:
-    """Return what a name means that the file does not define."""
-    return Dotted(name) if name in _FUNCTIONS or name == "open" else Unknown(f"the name {name}")
+def is_known(name: str) -> bool:
+    """Return whether it is known what calling something by its whole name gives, but for what is made."""
+    last = name.rpartition(".")[2]
+    return any(last in one for one in (_SOURCES, _SUBSTITUTIONS, _PARTS, _PATHS)) or name in _FUNCTIONS
 
 
-def call_known(
-    function: Dotted, positional: list[Any], named: dict[str, Any], evidence: Evidence, notes: tuple[str, ...]
-) -> Any:
-    """Return what a call of something imported makes."""
-    last = function.last
-    if last in _ACTIONS:
-        return Made(last, evidence, list(positional), dict(named), notes)
+def call_known(name: str, positional: list[Any], named: dict[str, Any]) -> Any:
+    """Return what a call of something that is known gives."""
+    last = name.rpartition(".")[2]
     if last in _SOURCES:
         return as_value(positional[0] if positional else next(iter(named.values()), None))
     substitution = _SUBSTITUTIONS.get(last)
@@ -77,21 +78,18 @@ def call_known(
         return substitution([*positional, *(value for _, value in last_ones)])
     if last in _PARTS:
         return _of_parts(last, [*positional, *named.values()])
-    known = _FUNCTIONS.get(function.name) or _PATHS.get(last)
+    known = _FUNCTIONS.get(name) or _PATHS.get(last)
     if known is None:
-        return Unknown(f"result of {function.name}()")
+        return Unknown(f"result of {name}()")
     try:
         return known(*positional, **named)
     except (TypeError, ValueError, ArithmeticError, LookupError, AttributeError):
-        return Unknown(f"result of {function.name}()")
+        return Unknown(f"result of {name}()")
 
 
-def call_method(bound: Bound, positional: list[Any], named: dict[str, Any], written: str) -> Any:
-    """Return what a method of a value returns."""
-    of, name = bound.of, bound.name
+def call_method(of: Any, name: str, positional: list[Any], named: dict[str, Any], written: str) -> Any:
+    """Return what a method of a text, a substitution, a table or an open file returns."""
     match of:
-        case dict():
-            return _of_dictionary(of, name, positional)
         case Opened() if name in ("read", "read_text"):
             return of
         case str() if name == "join" and positional and isinstance(positional[0], list):
@@ -102,30 +100,11 @@ def call_method(bound: Bound, positional: list[Any], named: dict[str, Any], writ
         case str() if name in _METHODS and all(isinstance(one, str | int) for one in positional):
             found = getattr(of, name)(*positional)
             return found if not isinstance(found, str) or len(found) <= _LONGEST else Unknown("a text that is too long")
-        case list() if name == "copy":
-            return list(of)
         case str() | Deferred() | Text() if name in ("as_posix", "resolve", "absolute", "expanduser"):
             return of
         case str() | Deferred() | Text() if name == "joinpath":
             return Deferred("path", (as_value(of), *map(as_value, positional)))
     return Unknown(f"result of {written}()")
-
-
-def _of_dictionary(of: dict[Any, Any], name: str, positional: list[Any]) -> Any:
-    if name == "items":
-        return [[key, value] for key, value in of.items()]
-    if name == "keys":
-        return list(of)
-    if name == "values":
-        return list(of.values())
-    if name == "update" and positional and isinstance(positional[0], dict):
-        of.update(positional[0])
-        return None
-    if name == "copy":
-        return dict(of)
-    if name in ("get", "pop") and positional and isinstance(positional[0], str | int):
-        return of.get(positional[0], positional[1] if len(positional) > 1 else None)
-    return Unknown(f"result of {name}() of a dictionary")
 
 
 def _formatted(pattern: str, positional: list[Any], named: dict[str, Any]) -> Any:
@@ -198,7 +177,7 @@ def _plain(function: Callable[..., Any]) -> Callable[..., Any]:
 
     def call(*values: Any, **named: Any) -> Any:
         for one in [*values, *named.values()]:
-            if isinstance(one, Unknown | Deferred | Text | Made | Closure):
+            if isinstance(one, Unknown | Deferred | Text | Made | Either | Function):
                 raise TypeError
         found = function(*values, **named)
         return list(found) if not isinstance(found, str | int | float | bool | dict | None) else found
@@ -216,14 +195,6 @@ def _evaluated(expression: str) -> Any:
 
 def _range(*values: int) -> list[int]:
     return list(range(*values)[:_LONGEST])
-
-
-def _enumerate(items: list[Any], start: int = 0) -> list[list[Any]]:
-    return [[start + index, one] for index, one in enumerate(items)]
-
-
-def _zip(*items: list[Any]) -> list[list[Any]]:
-    return [list(one) for one in zip(*items, strict=False)]
 
 
 _SUBSTITUTIONS: dict[str, Callable[[list[Any]], Any]] = {
@@ -259,14 +230,8 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "bool": _plain(bool),
     "len": lambda value: len(value) if isinstance(value, list | dict | str) else _plain(len)(value),
     "range": _plain(_range),
-    "enumerate": _enumerate,
-    "zip": _zip,
-    "list": lambda value=(): list(value),
-    "tuple": lambda value=(): list(value),
-    "set": lambda value=(): list(value),
     "dict": lambda *values, **named: {**(dict(values[0]) if values else {}), **named},
     "sorted": _plain(sorted),
-    "reversed": lambda value: list(reversed(value)),
     "min": _plain(min),
     "max": _plain(max),
     "abs": _plain(abs),

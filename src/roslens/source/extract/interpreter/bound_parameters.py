@@ -1,0 +1,76 @@
+"""What the parameters of a function are when it is called: what is given, a default, or what stands for either."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from roslens.source.extract.domain.abstract_value import Handle, Names, Unknown, Value
+from roslens.source.extract.domain.evaluation_frame import Frame, bind_rest
+from roslens.source.extract.domain.outside_options import options_from_outside
+from roslens.source.extract.ir.controller_handles import is_of_controller
+from roslens.source.extract.ir.program import Function, Parameter
+from roslens.source.extract.symbolic.reason import OfController
+from roslens.source.extract.symbolic.text import unknown
+from roslens.source.extract.symbols.node_bases import NODE_BASES
+from roslens.source.extract.symbols.workspace_index import type_name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_TYPED = (list, int)
+_SHARED = (list, dict)
+_TEXTS = ("std.string", "string", "std.string_view", "char")
+
+
+def bind(engine: Context, what: Function, arguments: list[Value], keywords: Names, frame: Frame) -> None:
+    """Put the parameters of a function into the frame of a call that begins."""
+    declared, given, names = None, len(arguments), frame.names
+    if given < len(what.parameters):
+        declared = engine.index.declaration(what, frame.path)
+    for place, parameter in enumerate(what.parameters):
+        if parameter.name[:1] == "*":
+            given = min(given, place)
+            bind_rest(what, place, arguments, keywords, frame)
+        elif place < given:
+            value = arguments[place]
+            names[parameter.name] = engine.typed(parameter.type, value) if isinstance(value, _TYPED) else value
+        elif parameter.name in keywords:
+            frame.names[parameter.name] = keywords[parameter.name]
+        else:
+            default = parameter.default
+            if not engine.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
+                # Whoever loads a component gives it options, whatever holds where nobody does.
+                frame.names[parameter.name] = options_from_outside()
+                continue
+            if default is None and declared is not None and place < len(declared.parameters):
+                default = declared.parameters[place].default
+            outer, engine.frame = engine.frame, frame
+            known = None if "**" in keywords else default
+            value = _not_given(engine, what, parameter) if known is None else engine.value(known)
+            engine.frame = outer
+            if isinstance(value, _SHARED):
+                # A default of Python is one object: what a call puts into it the next one finds there.
+                value = engine.once.setdefault((frame.path, what.line, place, id(what)), value)
+            frame.names[parameter.name] = value
+
+
+def _not_given(engine: Context, what: Function, parameter: Parameter) -> Value:
+    """Return what stands for an argument that nobody gives; what must be a node is the one that is built."""
+    reason = f"parameter {parameter.name} of {what.name}()"
+    name = type_name(parameter.type)[0]
+    if name in _TEXTS:
+        return unknown(reason)
+    if name.endswith("NodeOptions"):
+        return options_from_outside()
+    if is_of_controller(what, parameter):
+        return Handle(engine.node, unknown(OfController()))
+    return Handle(engine.node) if name and _is_node(engine, name) else Unknown(reason)
+
+
+def _is_node(engine: Context, name: str) -> bool:
+    """Whether a class by its name as written is a node."""
+    name = engine.frame.templates.get(name, name)
+    defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+    if defined is None:
+        return engine.index.meaning(name, engine.frame.path, engine.frame.scope) in NODE_BASES
+    return any(base in NODE_BASES for base in engine.index.outer_bases(defined))

@@ -1,0 +1,76 @@
+"""The vocabulary of rospy: topics, services, parameters, timers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Obj, Value
+from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.overlays.ros.record import endpoint, parameter, timer
+from roslens.source.extract.overlays.ros.record_write import write_parameter
+from roslens.source.extract.overlays.ros.vocabulary_ros1 import here, queue_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+@outer("rospy.Publisher")
+def py_publisher(engine: Context, _thing: Value, called: Called) -> Value:
+    """A publisher of rospy."""
+    return endpoint(
+        engine, here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=queue_of(called.argument(6, "queue_size")), latched=called.argument(4, "latch") is True,
+    )  # fmt: skip
+
+
+@outer("rospy.Subscriber")
+def py_subscriber(engine: Context, _thing: Value, called: Called) -> Value:
+    """A subscription of rospy."""
+    return endpoint(
+        engine, here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=queue_of(called.argument(4, "queue_size")), callback=called.argument(2, "callback"),
+    )  # fmt: skip
+
+
+@outer("rospy.Service")
+def py_service(engine: Context, _thing: Value, called: Called) -> Value:
+    """A server of a service of rospy."""
+    return endpoint(
+        engine, here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
+        called.argument(1, "service_class"), callback=called.argument(2, "handler"),
+    )  # fmt: skip
+
+
+@outer("rospy.ServiceProxy")
+def py_service_proxy(engine: Context, _thing: Value, called: Called) -> Value:
+    """A client of a service of rospy."""
+    return endpoint(
+        engine, here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
+        called.argument(1, "service_class"),
+    )  # fmt: skip
+
+
+@outer("rospy.get_param", "rospy.get_param_cached")
+def py_read(engine: Context, _thing: Value, called: Called) -> Value:
+    """A parameter is read by rospy."""
+    given = len(called.arguments) > 1 or "default" in called.keywords
+    return parameter(
+        engine, here(engine), called, "read", called.argument(0, "param_name"), default=called.argument(1, "default"),
+        given=given,
+    )  # fmt: skip
+
+
+@outer("rospy.set_param")
+def py_write(engine: Context, _thing: Value, called: Called) -> Value:
+    """A parameter is written by rospy."""
+    value = called.argument(1, "param_value")
+    write_parameter(engine, here(engine), called, called.argument(0, "param_name"), value)
+    return None
+
+
+@outer("rospy.Timer")
+def py_timer(engine: Context, _thing: Value, called: Called) -> Value:
+    """A timer of rospy."""
+    timer(engine, here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
+    return Obj("rospy.Timer")

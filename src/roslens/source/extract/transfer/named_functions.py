@@ -1,0 +1,124 @@
+"""Which function a name means where it is called: of the methods of an object, and of functions outside of classes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from roslens.source.extract.domain.abstract_value import Building, Callable, Obj, Value
+from roslens.source.extract.domain.call_stack import CallStack
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.ir.makes_endpoints import makes_endpoints
+from roslens.source.extract.ir.program import Function
+from roslens.source.extract.symbols.lookups import Found
+from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.transfer.overload_choice import overload, taking
+
+_FEW = 3
+KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
+"""Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
+
+
+class Caller(Protocol):
+    """What evaluates, as far as it decides what a name means.
+
+    See :class:`~roslens.source.extract.interpreter.evaluation.Evaluation` for its attributes.
+    """
+
+    index: Index
+    first: Building
+    node: Building
+    frame: Frame
+    stack: CallStack
+    site: Evidence
+
+
+class NamedFunctions:
+    """The functions of the workspace by name, as one evaluation calls them."""
+
+    def __init__(self, engine: Caller) -> None:
+        """Look for them where ``engine`` is."""
+        self._engine = engine
+
+    def method(self, thing: Obj, name: str) -> Callable | None:
+        """Return a method of an object by name, of its class or the nearest base that has it."""
+        defined = thing.defined
+        if defined is None:
+            return None
+        known, key = self._engine.index.lookups.method, (id(defined.what), name)
+        found = known[key] if key in known else known.setdefault(key, self.method_of(defined, name))
+        return None if found is None else Callable(found[0], found[1], thing)
+
+    def method_of(self, defined: Defined, name: str) -> Found:
+        """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
+        for one in self._engine.index.chain(defined):
+            found = self._engine.index.methods(one, name)
+            if found and isinstance(found[0].what, Function):
+                functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
+                return next((one for one in functions if one[0].body), functions[0])
+        return None
+
+    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
+        """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
+        defined = thing.defined
+        if defined is None or (thing.node is not None and name in KNOWN_BETTER):
+            return None
+        known, key = self._engine.index.lookups.overloads, (id(defined.what), name, count)
+        found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
+        if arguments and found is not None and key not in self._engine.index.lookups.alone:
+            found = self._overload_of(defined, name, count, arguments)
+        return None if found is None else Callable(found[0], found[1], thing)
+
+    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = ()) -> Found:
+        """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
+        hidden: Found = None
+        for one in self._engine.index.chain(defined):
+            found = self._engine.index.methods(one, name)
+            chosen = overload(self._engine.index, found, count, arguments, self._engine.stack.running)
+            if chosen is None or not isinstance(chosen.what, Function):
+                continue
+            if (
+                taking(self._engine.index, [chosen], count)
+                or not self._engine.index.programs[chosen.path].dialect.overloads
+            ):
+                if len(found) < 2:
+                    self._engine.index.lookups.alone.add((id(defined.what), name, count))
+                return chosen.what, chosen.path
+            # A class that has ``using Base::name`` has those of its base too.
+            hidden = hidden or (chosen.what, chosen.path)
+        return hidden
+
+    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
+        """Return the function outside of classes that a name means and that takes so many arguments."""
+        frame, known = self._engine.frame, self._engine.index.lookups.functions
+        key = (name, frame.path, frame.scope, count)
+        if key in known:
+            found = known[key]
+        else:
+            several = self._engine.index.functions_of(name, frame.path, frame.scope)
+            found = self._function(several, name, count, arguments)
+            if len(several) < 2:
+                known[key] = found
+        return None if found is None else Callable(found[0], found[1])
+
+    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
+        running = self._engine.stack.running
+        chosen = overload(
+            self._engine.index, several, count, arguments, running, (self._engine.frame.path, self._engine.first.path)
+        )
+        if chosen is None:
+            self._unknown_which(name, several)
+        if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
+            return None
+        return chosen.what, chosen.path
+
+    def _unknown_which(self, name: str, several: list[Defined]) -> None:
+        """Note a call of a function that makes endpoints, where the program of none of that name is this one."""
+        makes = [one for one in several if isinstance(one.what, Function) and makes_endpoints(one.what)]
+        if not makes:
+            return
+        places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
+        reason = f"{name}() is called, but none that is known to be linked here: there is {places}"
+        if (self._engine.site, reason) not in self._engine.node.unresolved:
+            self._engine.node.unresolved.append((self._engine.site, reason))

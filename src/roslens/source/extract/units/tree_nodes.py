@@ -1,0 +1,53 @@
+"""Nodes of behaviour trees: the classes that a function registers as such."""
+
+from __future__ import annotations
+
+from roslens.source.extract.domain.abstract_value import Callable, Obj, Unknown, Value
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.facts.node_facts import NodeFacts
+from roslens.source.extract.interpreter.evaluated_statements import block
+from roslens.source.extract.interpreter.evaluation import Evaluation
+from roslens.source.extract.ir.program import Assign, Call, Evaluate, Function, Member
+from roslens.source.extract.symbols.reached_functions import Reached
+from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+from roslens.source.extract.units.node_units import TREE_REGISTRATIONS, building_of, finished, run_methods
+
+
+def facts_of_registration(
+    index: Index, path: str, function: Function, reached: Reached | None = None
+) -> list[NodeFacts]:
+    """Return the facts of the classes that a function registers as nodes of behaviour trees."""
+    found: list[NodeFacts] = []
+    for statement in function.body:
+        call = statement.expression if isinstance(statement, Evaluate) else None
+        if not isinstance(call, Call) or not isinstance(call.function, Member) or not call.templates:
+            continue
+        if call.function.name in TREE_REGISTRATIONS:
+            defined = index.class_of(type_name(call.templates[0])[0], path, function.qualified_name)
+            if defined is not None:
+                found += _facts_of_tree_node(index, defined, (path, function, call), reached)
+    return found
+
+
+def _facts_of_tree_node(
+    index: Index, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
+) -> list[NodeFacts]:
+    path, function, call = registered_by
+    building = building_of(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
+    building.named = True
+    engine = Evaluation(index, building)
+    unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
+
+    def run() -> None:
+        engine.frame = Frame(path, function.qualified_name)
+        block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
+        builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
+        match builder:
+            case Callable():
+                thing = engine.call(builder, unknown, {})
+            case _:
+                thing = engine.construct(defined, unknown, {})
+        if isinstance(thing, Obj):
+            run_methods(engine, thing)
+
+    return finished(engine, run, reached)

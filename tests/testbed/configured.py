@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from roslens.model.configuration import (
+    Clause,
     Configuration,
     ConfiguredEndpoint,
     ConfiguredNode,
@@ -37,7 +39,8 @@ def end(
 ) -> ConfiguredEndpoint:  # fmt: skip
     """Return an endpoint; its node is filled in by :func:`node`, and so is the file where it has none."""
     proof = Proof(path, line, how=how, sure=sure, origin=origin)
-    return ConfiguredEndpoint(Endpoint("", ROLES[role], name, type, hash, qos), proof, **{"given": name, **more})
+    more = {"clauses": clauses(more.get("conditions", ())), "given": name, **more}
+    return ConfiguredEndpoint(Endpoint("", ROLES[role], name, type, hash, qos), proof, **more)
 
 
 def node(name: str, *ends: ConfiguredEndpoint, line: int = 1, known: bool = True, **more: Any) -> ConfiguredNode:
@@ -55,8 +58,14 @@ def node(name: str, *ends: ConfiguredEndpoint, line: int = 1, known: bool = True
         "package": "robot",
         "executable": name.strip("/"),
         "defined": Proof(path, 1) if known else None,
+        "clauses": clauses(more.get("conditions", ())),
     }
     return ConfiguredNode(name, endpoints=tuple(filled), **{**usual, **more})
+
+
+def clauses(conditions: Iterable[str]) -> tuple[Clause, ...]:
+    """Return conditions as what holds, and what does not: `not x`."""
+    return tuple(Clause(one.removeprefix("not "), not one.startswith("not ")) for one in conditions)
 
 
 def launched(line: int = 1, path: str = "launch/robot.launch.xml", sure: str = "certain") -> Proof:

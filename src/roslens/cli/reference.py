@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 
@@ -56,9 +57,11 @@ def _json(schema: Mapping[str, object]) -> str:
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
-def main() -> int:
+def main(words: Sequence[str] | None = None) -> int:
     """Write the pages below the folder given."""
-    target = Path(sys.argv[1])
+    parser = argparse.ArgumentParser(prog="python -m roslens.cli.reference", description=__doc__)
+    parser.add_argument("folder", type=Path, help="folder for the pages; it is made where it is missing")
+    target: Path = parser.parse_args(words).folder
     for path, text in pages().items():
         place = target / path
         place.parent.mkdir(parents=True, exist_ok=True)

@@ -9,9 +9,10 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.review import Reviewed
-from roslens.dashboard.site import RuleTotal, Site
+from roslens.dashboard.site import Site
 from roslens.dashboard.source_text import Excerpt
 from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.totals import RuleTotal
 from roslens.dashboard.view import Query, Request
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Role

@@ -8,11 +8,10 @@ from functools import cached_property
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.review import Review
 from roslens.dashboard.source_text import ReadSource, Sources
+from roslens.dashboard.totals import FilePlace, RuleTotal
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.select import EVERY
 from roslens.judge.ranges.range import Range
@@ -39,24 +38,6 @@ if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
     from roslens.store.runs import StoredRun
-
-
-class FilePlace(msgspec.Struct, frozen=True):
-    """A file and the package it belongs to."""
-
-    package: str
-    file: SourceFile
-
-
-class RuleTotal(msgspec.Struct, frozen=True):
-    """How often a rule was broken in all packages, and in how many."""
-
-    rule: str
-    severity: Severity
-    tags: tuple[str, ...]
-    count: int
-    gated: int
-    packages: int
 
 
 def _no_source(path: str) -> bytes | None:  # noqa: ARG001 - the shape of every reader

@@ -17,10 +17,10 @@ from roslens.model.selector import Selector
 class About(str, Enum):
     """What a statement says of the selected entities.
 
-    - verdict: how a sentence of the reference judges them; its states are those of ``model.verdict.State``, ``bad``
+    - verdict: how a constraint of the reference judges them; its states are those of ``model.verdict.State``, ``bad``
       (low, high or absent) and ``wrong`` (bad, or an observer of which nothing is heard)
-    - being: what they are to the graph and the operating system, whether or not a sentence is about it; its states are
-      those of ``Being``
+    - being: what they are to the graph and the operating system, with a constraint about it or without; its states
+      are those of ``Being``
     - lifecycle: the state of managed nodes
     - value: the value of parameters
     """
@@ -32,7 +32,7 @@ class About(str, Enum):
 
 
 class Being(str, Enum):
-    """What can be said of an entity without a sentence of the reference.
+    """What can be said of an entity without a constraint of the reference.
 
     ``gone`` was there and is not any more; ``crashed`` went without its managed end, in the latest
     ``CRASH_KEPT_S`` seconds of the reactor; ``stopped`` and ``hung`` are what its process is; ``misfit`` is a topic of

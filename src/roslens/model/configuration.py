@@ -55,6 +55,13 @@ class Proof(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         return f"{self.path}:{self.line}" if self.line else self.path
 
 
+class Clause(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
+    """One of several conditions that hold together: what has to hold, or must not."""
+
+    text: str
+    holds: bool = True
+
+
 class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
     """An endpoint as it would be.
 
@@ -72,6 +79,8 @@ class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
         group: callback group.
         sites: where it publishes or calls.
         through: calls in helper functions and classes that pass its name on, the one that makes it last.
+        by_parameter: whether a parameter that is set has a say in its name.
+        clauses: its conditions, each with whether it is denied.
     """
 
     endpoint: Endpoint
@@ -87,6 +96,8 @@ class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
     sites: tuple[Proof, ...] = ()
     through: tuple[Proof, ...] = ()
+    by_parameter: bool = False
+    clauses: tuple[Clause, ...] = ()
 
     @property
     def implicit(self) -> bool:
@@ -223,6 +234,7 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
         role: whose code it is where that is not own code: ``vendored``, ``generated`` or ``test``.
         linked: of a node of which no endpoint is known, where code is that is linked into it, makes endpoints and is
             started by nothing that is known.
+        clauses: its conditions, each with whether it is denied.
     """
 
     name: str
@@ -243,6 +255,7 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
     timers: tuple[ConfiguredTimer, ...] = ()
     role: str = ""
     linked: tuple[Proof, ...] = ()
+    clauses: tuple[Clause, ...] = ()
 
     @property
     def name_is_guessed(self) -> bool:

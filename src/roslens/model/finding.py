@@ -57,6 +57,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     names the ``others``, each with its place; one that holds for several entities alike has the rest in ``also``.
     ``witnesses`` are the ids of the other rules, of whichever tool, that reported the same at the same place.
     ``edits`` mend it without a change of what the code does otherwise; none where that takes a person.
+    ``doubts`` are the reasons why it may be none; they stand at the end of the message too.
     """
 
     rule: str
@@ -80,6 +81,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     also: tuple[str, ...] = ()
     witnesses: tuple[str, ...] = ()
     edits: tuple[Edit, ...] = ()
+    doubts: tuple[str, ...] = ()
 
     @property
     def excess(self) -> float:

@@ -118,7 +118,7 @@ class Because(msgspec.Struct, frozen=True, omit_defaults=True):
         since: seconds on the monitor's clock since which it was; the instant itself where that is not known.
         value: that was judged; None where there is none.
         quantity: key of the signal; empty where none was judged.
-        expectation: id of the sentence; empty where none was judged.
+        expectation: id of the constraint; empty where none was judged.
         evidence: what shows it, in words.
     """
 

@@ -8,7 +8,7 @@ from roslens.model.entity import EntityKind
 
 
 class Selector(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Which entities a sentence is about; every part that is given has to hold.
+    """Which entities a constraint is about; every part that is given has to hold.
 
     Patterns are matched against resolved names: ``*`` is any text within one segment, ``**`` any text, ``?`` one
     character of a segment, ``{a,b}`` one of these; a pattern that begins with ``re:`` is a regular expression.

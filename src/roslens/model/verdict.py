@@ -1,4 +1,4 @@
-"""What is held of one quantity of one entity, judged against one sentence of a reference."""
+"""What is held of one quantity of one entity, judged against one constraint of a reference."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
 
     Attributes:
         entity: judged.
-        expectation: id of the sentence, ``<reference>.<id>``.
+        expectation: id of the constraint, ``<reference>.<id>``.
         quantity: key of the signal; ``presence`` where being there is what is judged.
         state: how it stands.
         since: seconds on the monitor's clock at which the state began, that is, when the fault began and not when
@@ -66,7 +66,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
         evidence: what shows it, in words: window, messages, observer.
         text: what the reference tells the operator.
         group: under which operators see it.
-        where: ``file:line`` of the sentence.
+        where: ``file:line`` of the constraint.
         cause: text form of the id of the entity whose fault explains this one; empty for a first cause. Of what is
             unknown it is the observer of which nothing is heard.
         leads_to: of a first cause what follows from it: ``/scan silent → /planner without input``.

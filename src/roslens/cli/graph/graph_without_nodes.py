@@ -43,6 +43,6 @@ def _not_found(source: GraphSource) -> Iterator[str]:
     for package in source.facts.packages:
         for target in source.facts.targets(package.name):
             where = target.evidence
-            if not target.installed and where.how.startswith("not installed to lib/"):
+            if target.elsewhere:
                 advice = "ros2 run and launch files look there; say install_scripts in setup.cfg"
                 yield f"{where.path}:{where.line}: {target.name} is {where.how}: {advice}"

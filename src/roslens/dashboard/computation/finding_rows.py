@@ -8,9 +8,6 @@ from roslens.dashboard.table import Cell, Column, Table
 from roslens.model.configuration import Proof
 from roslens.model.finding import Finding
 
-IN_DOUBT = " In doubt: "
-"""Stands in the message of a finding before the reasons why it may be none."""
-
 _COLUMNS = (
     Column("severity", "Severity", "mark"),
     Column("message", "What was found"),
@@ -26,8 +23,8 @@ def finding_tables(book: Book, system: System) -> tuple[Table, Table]:
     Rows are identified by the place of the finding in ``system.findings``.
     """
     order = sorted(range(len(system.findings)), key=lambda number: _order(system.findings[number]))
-    sure = [number for number in order if IN_DOUBT not in system.findings[number].message]
-    doubted = [number for number in order if IN_DOUBT in system.findings[number].message]
+    sure = [number for number in order if not system.findings[number].doubts]
+    doubted = [number for number in order if system.findings[number].doubts]
     return (
         _table(book, system, "findings", "Findings", sure),
         _table(book, system, "doubts", "Findings in doubt", doubted),

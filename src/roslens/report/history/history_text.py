@@ -122,7 +122,7 @@ def _faults(one: Extract, terminal: Terminal) -> Iterator[str]:
 
 
 def _spells(verdicts: Sequence[Verdict]) -> Iterator[tuple[Verdict, float | None]]:
-    """Yield each stretch in which a sentence was broken, with when it ended; None where it had not."""
+    """Yield each stretch in which a constraint was broken, with when it ended; None where it had not."""
     begun: dict[tuple[str, str], int] = {}
     found: list[tuple[Verdict, float | None]] = []
     for verdict in verdicts:

@@ -1,6 +1,6 @@
-"""What section V of the 2016 paper says of its corpus, each sentence beside what its own raw data says.
+"""What section V of the 2016 paper says of its corpus, each constraint beside what its own raw data says.
 
-Sentences that claim something hold or do not; where the section gives figures, the figures of the data stand here and
+Constraints that claim something hold or do not; where the section gives figures, the figures of the data stand here and
 nothing is claimed. All are told in our words; Santos, Cunha, Macedo and Lourenço, A Framework for Quality Assessment of
 ROS Repositories, IROS 2016, section V.
 """
@@ -24,7 +24,7 @@ _NO_RULES = "no table of rules was given"
 def paper_statements(
     corpus: Corpus, rules: Sequence[RuleTotal], correlations: Sequence[Correlation]
 ) -> tuple[Statement, ...]:
-    """Return the sentences; those about rules say nothing without a table of rules."""
+    """Return the constraints; those about rules say nothing without a table of rules."""
     return (
         _scope(corpus),
         _roles(corpus),

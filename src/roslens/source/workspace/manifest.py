@@ -99,9 +99,9 @@ class _Reader:
                 self._fault(root, f'the root is "<{root.tag}>"', "<package>", "Write it as REP-149 says.")
             return _nameless(self._path)
         broken = bool(self._document.faults)
-        for kind, element, what, expected, advice in faults_of(root, complete=not broken):
-            if kind in LOSING:
-                self._fault(element, what, expected, advice)
+        for one in faults_of(root, complete=not broken):
+            if one.kind in LOSING:
+                self._fault(one.element, one.what, one.expected, one.advice)
         parts: dict[str, list[Element]] = {}
         for element in root.elements():
             parts.setdefault(element.tag, []).append(element)

@@ -10,13 +10,17 @@ from roslens.source.workspace.validity import LOSING, faults_of
 
 
 class Mistake(msgspec.Struct, frozen=True):
-    """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, and what a message says, with the place."""
+    """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, and what a message says, with the place.
+
+    Of what is doubled ``other`` is the tag of the element that says the same.
+    """
 
     kind: str
     what: str
     expected: str
     advice: str
     location: Location
+    other: str = ""
 
 
 def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
@@ -33,7 +37,9 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
     # What was open where the reading ended may have been going to say more.
     torn = {fault.offset for fault in document.faults}
     return tuple(
-        Mistake(kind, what, expected, advice, Location(path, *document.place(element.start)))
-        for kind, element, what, expected, advice in faults_of(root, complete=not document.faults)
-        if kind not in LOSING and (element is root or element.end not in torn)
+        Mistake(
+            one.kind, one.what, one.expected, one.advice, Location(path, *document.place(one.element.start)), one.other
+        )
+        for one in faults_of(root, complete=not document.faults)
+        if one.kind not in LOSING and (one.element is root or one.element.end not in torn)
     )

@@ -8,14 +8,34 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from roslens.source.workspace.elements import Element
 
-Fault = tuple[str, Element, str, str, str]
-"""Its kind, an element, what was found (quoted), what was expected, what to do."""
+
+class Fault(NamedTuple):
+    """What a manifest says wrongly.
+
+    Attributes:
+        kind: one of those below.
+        element: that says it.
+        what: was found (quoted).
+        expected: instead.
+        advice: what to do.
+        other: the tag of the element that says the same, of what is doubled.
+    """
+
+    kind: str
+    element: Element
+    what: str
+    expected: str
+    advice: str
+    other: str = ""
+
 
 FORMAT, NAMELESS = "format", "nameless"
-REQUIRED, NAME, VERSION, EMAIL, TAG, DEPENDENCY = "required", "name", "version", "email", "tag", "dependency"
+REQUIRED, NAME, VERSION, EMAIL, TAG = "required", "name", "version", "email", "tag"
+DEPENDENCY, ON_ITSELF, DOUBLED = "dependency", "on itself", "doubled"
 
 LOSING = frozenset({FORMAT, NAMELESS})
 """Kinds of faults because of which not all of a manifest was understood; the others are mistakes in what it says."""
@@ -53,7 +73,7 @@ def faults_of(root: Element, *, complete: bool = True) -> Iterator[Fault]:
     """
     form = root.attributes.get("format", "1").strip()
     if form not in ("1", "2", "3"):
-        yield FORMAT, root, f'the format is "{form}"', "1, 2 or 3", 'Write <package format="3">.'
+        yield Fault(FORMAT, root, f'the format is "{form}"', "1, 2 or 3", 'Write <package format="3">.')
         form = "3"
     parts: dict[str, list[Element]] = {}
     for element in root.elements():
@@ -69,10 +89,12 @@ def _required(root: Element, parts: dict[str, list[Element]], *, complete: bool)
     for tag in ("name", "version", "description", "maintainer", "license"):
         if tag not in parts and complete:
             advice = "Add it; the folder names the package until then." if tag == "name" else "Add it."
-            yield NAMELESS if tag == "name" else REQUIRED, root, f"the manifest has no <{tag}>", f"<{tag}>", advice
+            yield Fault(
+                NAMELESS if tag == "name" else REQUIRED, root, f"the manifest has no <{tag}>", f"<{tag}>", advice
+            )
     for tag in ("name", "version", "description", "export"):
         for element in parts.get(tag, [])[1:]:
-            yield REQUIRED, element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them."
+            yield Fault(REQUIRED, element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them.")
 
 
 def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
@@ -80,18 +102,22 @@ def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
         if not _NAME.match(element.text()):
             expected = "lower-case letters, digits, underscores and dashes, a letter first"
             kind = NAME if element.text() else NAMELESS
-            yield kind, element, f'the name is "{_short(element.text())}"', expected, "Rename the package."
+            yield Fault(kind, element, f'the name is "{_short(element.text())}"', expected, "Rename the package.")
     for element in parts.get("version", ())[:1]:
         compatibility = element.attributes.get("compatibility")
         for text in (element.text(), *([] if compatibility is None else [compatibility])):
             if not _VERSION.match(text):
-                yield VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
+                yield Fault(
+                    VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
+                )
     for element in parts.get("description", ())[:1]:
         if not element.markup():
-            yield REQUIRED, element, "the description is empty", "a sentence on what the package is for", "Write one."
+            yield Fault(
+                REQUIRED, element, "the description is empty", "a sentence on what the package is for", "Write one."
+            )
     for element in parts.get("license", ()):
         if not element.text():
-            yield REQUIRED, element, "the licence is empty", "a name like Apache-2.0", "Name the licence."
+            yield Fault(REQUIRED, element, "the licence is empty", "a name like Apache-2.0", "Name the licence.")
 
 
 def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
@@ -100,10 +126,10 @@ def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
         name = _short(element.text())
         if email and (len(email) > _MAXIMUM_EMAIL or not _EMAIL.match(email)):
             what = f'the e-mail address of "{name}" is "{_short(email)}"'
-            yield EMAIL, element, what, "an address like name@example.org", "Correct it."
+            yield Fault(EMAIL, element, what, "an address like name@example.org", "Correct it.")
         elif email == "" or (email is None and element.tag == "maintainer"):
             what = f'the {element.tag} "{name}" has no e-mail address'
-            yield EMAIL, element, what, f'<{element.tag} email="name@example.org">', "Add the address."
+            yield Fault(EMAIL, element, what, f'<{element.tag} email="name@example.org">', "Add the address.")
 
 
 def _tags(root: Element, form: int) -> Iterator[Fault]:
@@ -112,12 +138,14 @@ def _tags(root: Element, form: int) -> Iterator[Fault]:
     for element in root.elements():
         if element.tag not in known:
             expected, advice = _instead(element.tag, form)
-            yield TAG, element, f"<{element.tag}> is no tag of format {form}", expected, advice
+            yield Fault(TAG, element, f"<{element.tag}> is no tag of format {form}", expected, advice)
             continue
         yield from _attributes(element, known[element.tag])
         if element.tag not in ("description", "export"):
             for child in element.elements():
-                yield TAG, child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
+                yield Fault(
+                    TAG, child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
+                )
 
 
 def _attributes(element: Element, known: tuple[str, ...]) -> Iterator[Fault]:
@@ -126,7 +154,7 @@ def _attributes(element: Element, known: tuple[str, ...]) -> Iterator[Fault]:
             expected = ", ".join(known) or "no attributes"
             if name == "condition":
                 expected = "conditions in manifests of format 3 only"
-            yield TAG, element, f'<{element.tag}> has the attribute "{name}"', expected, "Remove or correct it."
+            yield Fault(TAG, element, f'<{element.tag}> has the attribute "{name}"', expected, "Remove or correct it.")
 
 
 def _known(form: int) -> dict[str, tuple[str, ...]]:
@@ -167,7 +195,7 @@ def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Ite
             continue
         text = element.text()
         if not text:
-            yield (
+            yield Fault(
                 DEPENDENCY,
                 element,
                 f"<{tag}> is empty",
@@ -177,10 +205,10 @@ def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Ite
         elif tag == "group_depend":
             if text in groups and form == 3:
                 what = f'the package depends on the group "{text}" and is a member of it'
-                yield DEPENDENCY, element, what, "one of them", "Remove <group_depend> or <member_of_group>."
+                yield Fault(DEPENDENCY, element, what, "one of them", "Remove <group_depend> or <member_of_group>.")
         elif text in names and tag not in ("conflict", "replace"):
-            yield (
-                DEPENDENCY,
+            yield Fault(
+                ON_ITSELF,
                 element,
                 f'the package depends on itself by <{tag}> "{_short(text)}"',
                 "another package",
@@ -200,7 +228,8 @@ def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
         if other := named.get(_sentence(element)):
             text = _short(element.text())
             what = f'<{general}> "{text}" says the same as <{other}>'
-            yield DEPENDENCY, element, what, "each dependency once", f"Remove the <{other if form > 1 else general}>."
+            advice = f"Remove the <{other if form > 1 else general}>."
+            yield Fault(DOUBLED, element, what, "each dependency once", advice, other)
         elif form > 1:
             named[_sentence(element)] = general
 

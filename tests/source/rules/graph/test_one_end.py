@@ -104,8 +104,8 @@ def test_a_candidate_outweighs_nodes_that_are_not_known():
 
 
 def test_a_name_that_a_launch_file_gives_a_node_of_the_catalogue_is_meant():
-    how = "parameter ~imu0, set in config/ekf.yaml:3"
-    chosen = end("sub", "/imu/data_compass", given="{parameter ~imu0}", how=how, origin=Origin.CATALOGUE)
+    how = {"how": "parameter ~imu0, set in config/ekf.yaml:3", "by_parameter": True}
+    chosen = end("sub", "/imu/data_compass", given="{parameter ~imu0}", **how, origin=Origin.CATALOGUE)
     (one,) = findings(node("/ekf", chosen), node("/gazebo", end("pub", "/imu/data", origin=Origin.CATALOGUE)))
     assert one.entity == "topic:/imu/data_compass"
     assert "Candidate: /imu/data of /gazebo" in one.message

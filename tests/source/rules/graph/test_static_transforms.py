@@ -1,5 +1,6 @@
 import pytest
 
+from roslens.model.configuration import Clause
 from roslens.source.extract.facts.launched import Launch, Launched
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.symbolic.text import Text, Written, unknown
@@ -35,6 +36,6 @@ def test_a_publisher_is_named_as_in_the_configuration():
     words = ["0", "0", "0", "0", "0", "0", "base", "laser"]
     known = configuration(node("/ns/tf_laser", line=4))
     found = list(static_transforms(known, Launch("ros2", (publisher(*words),))))
-    assert found == [Transform("/ns/tf_laser", "base", "laser", launched(4), ("sim",))]
+    assert found == [Transform("/ns/tf_laser", "base", "laser", launched(4), ("sim",), (Clause("sim"),))]
     assert not list(static_transforms(known, Launch("ros2", (publisher(*words, executable="other"),))))
     assert not list(static_transforms(known, Launch("ros2", (publisher(*words[:-1], unknown("argument frame")),))))

@@ -1,6 +1,6 @@
 from roslens.source.rules.graph.surroundings import Surroundings, Transform
 from roslens.source.rules.graph.transform import found
-from testbed.configured import configuration, launched
+from testbed.configured import clauses, configuration, launched
 
 
 def findings(*transforms):
@@ -24,6 +24,6 @@ def test_the_same_transform_twice_is_told():
 def test_frames_of_their_own_and_opposite_conditions_are_none():
     assert not findings(Transform("/a", "base", "laser", launched(2)), Transform("/b", "base", "imu", launched(5)))
     assert not findings(
-        Transform("/a", "base", "laser", launched(2), ("sim",)),
-        Transform("/b", "mast", "laser", launched(5), ("not sim",)),
+        Transform("/a", "base", "laser", launched(2), clauses=clauses(["sim"])),
+        Transform("/b", "mast", "laser", launched(5), clauses=clauses(["not sim"])),
     )

@@ -17,7 +17,8 @@ from roslens.source.extract.configuration.assemble_arguments import CommandLine,
 from roslens.source.extract.configuration.assemble_controllers import controllers_in
 from roslens.source.extract.configuration.assemble_doubt import doubted
 from roslens.source.extract.configuration.assemble_loads import loaded_by, with_used
-from roslens.source.extract.configuration.assemble_node import Given, assembled, container_name, place_of, values_of
+from roslens.source.extract.configuration.assemble_names import container_name
+from roslens.source.extract.configuration.assemble_node import Given, assembled, place_of, values_of
 from roslens.source.extract.configuration.assemble_parts import parts_of
 from roslens.source.extract.configuration.assemble_plugins import with_plugins
 from roslens.source.extract.configuration.assemble_units import Units, as_script, meant_by

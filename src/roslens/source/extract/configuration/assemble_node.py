@@ -24,8 +24,9 @@ from roslens.source.extract.catalogue.implicit_endpoints import implicit_endpoin
 from roslens.source.extract.catalogue.topic_tools import made_by_tool
 from roslens.source.extract.configuration.assemble_actions import folded
 from roslens.source.extract.configuration.assemble_arguments import CommandLine, command_line, kind_of_value
+from roslens.source.extract.configuration.assemble_names import as_hinted, why_unknown
 from roslens.source.extract.configuration.assemble_overrides import Overriding
-from roslens.source.extract.facts.environment_defaults import supposed, supposed_name, supposed_place, supposed_rule
+from roslens.source.extract.facts.environment_defaults import supposed, supposed_place, supposed_rule
 from roslens.source.extract.facts.launched import Launched, Setting
 from roslens.source.extract.facts.meant import Meant
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts, Sure
@@ -34,18 +35,23 @@ from roslens.source.extract.facts.resolve_name import (
     Place,
     Rule,
     absolute,
-    below,
-    expand,
     may_match,
     renamed,
     resolve,
     rule,
 )
 from roslens.source.extract.launch.ros1_nodelet import is_process
-from roslens.source.extract.parameters.assemble_choices import Alternative, alternatives, as_decided, chosen_of, doubt
+from roslens.source.extract.parameters.assemble_choices import (
+    Alternative,
+    IsGiven,
+    alternatives,
+    as_decided,
+    chosen_of,
+    doubt,
+)
 from roslens.source.extract.parameters.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
-from roslens.source.extract.symbolic.condition import as_written, under_either
+from roslens.source.extract.symbolic.condition import as_written, clauses_of, under_either
 from roslens.source.extract.symbolic.reason import NamePart, OfNode, RandomEnd
 from roslens.source.extract.symbolic.text import Conditions, Hole, IsSet, Text, unknown
 from roslens.source.settings import NodeHint
@@ -177,7 +183,7 @@ class _Node:
         named = self.hint.names if self.hint else {}
         endpoints = [
             self._endpoint(chosen_of(one, chosen, name), told=chosen, looped=len(names) > 1)
-            for one in (_renamed(fact, named) for fact in self._there((*facts.endpoints, *self._plugged())))
+            for one in (as_hinted(fact, named) for fact in self._there((*facts.endpoints, *self._plugged())))
             for chosen in alternatives(one.name, self.values)
             for names in (self.values.each(chosen.text),)
             for name in names
@@ -195,6 +201,7 @@ class _Node:
             parameters = declared_as_set(parameters, proof_of(Evidence(facts.path, facts.line), self.origin))
         endpoints += self._implicit()
         self._unresolved_of_code()
+        conditions = (*launched.conditions, *self.meant.conditions, *facts.conditions)
         return ConfiguredNode(
             self.name,
             self._started(),
@@ -207,7 +214,7 @@ class _Node:
             self.given.container,
             launched.machine,
             launched.anonymous or any(isinstance(hole.reason, RandomEnd) for hole in self.place.node.holes),
-            as_written((*launched.conditions, *self.meant.conditions, *facts.conditions)),
+            as_written(conditions),
             tuple(self._distinct(endpoints)),
             parameters,
             tuple(self._remaps()),
@@ -215,6 +222,7 @@ class _Node:
                 ConfiguredTimer(one.period_s, proof_of(one.evidence, self.origin), one.callback, one.group)
                 for one in facts.timers
             ),
+            clauses=clauses_of(conditions),
         )
 
     def _plugged(self) -> Iterator[EndpointFact]:
@@ -283,7 +291,8 @@ class _Node:
         proof = proof_of(fact.evidence, origin or self.origin)
         doubted = (*of_name, *self._doubts(self.supposed), *(self.supposed_targets.get(by, ()) if by else ()))
         sure = doubt(sure, Sure.LIKELY) if doubted else sure
-        how = "; ".join(dict.fromkeys((*told.how, *filled.how, *doubted))) or ("" if fact.name.holes else proof.how)
+        why = (*told.how, *filled.how, *doubted)
+        how = "; ".join(dict.fromkeys(map(str, why))) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
         if resolved.holes:
@@ -298,6 +307,8 @@ class _Node:
             fact.qos_unknown, fact.queue, fact.latched, fact.callback, fact.group,
             tuple(proof_of(one, self.origin) for one in fact.sites),
             tuple(proof_of(one, self.origin) for one in fact.through),
+            any(isinstance(one, IsGiven) for one in why),
+            clauses_of(fact.conditions),
         )  # fmt: skip
 
     def _note(self, name: Text, by: Rule | None) -> None:
@@ -347,7 +358,7 @@ class _Node:
             before = kept.setdefault(key, one)
             if before.conditions != one.conditions:
                 either = under_either(self.formulas[before.conditions], self.formulas[one.conditions])
-                kept[key] = msgspec.structs.replace(before, conditions=self._words(either))
+                kept[key] = msgspec.structs.replace(before, conditions=self._words(either), clauses=clauses_of(either))
         return sorted(kept.values(), key=lambda one: (one.endpoint.role.value, one.endpoint.name, one.proof.place))
 
     def _remaps(self) -> list[ConfiguredRemap]:
@@ -370,36 +381,17 @@ class _Node:
             self.unresolved.append(Unresolved("", proof_of(evidence, self.origin), reason, self.name))
         if self.place.node.holes:
             proof = launch_proof(self.given.launched.evidence)
-            cause = _why(self.place.node)
+            cause = why_unknown(self.place.node)
             reason, missing = f"the node's name depends on {cause}", Missing.NODE_NAME
             self.unresolved.append(
                 Unresolved(str(self.place.node), proof, reason, self.name, missing=missing, cause=cause)
             )
 
     def _miss_name(self, text: str, fact: EndpointFact, name: Text) -> None:
-        cause, proof = _why(name), proof_of(fact.evidence, self.origin)
+        cause, proof = why_unknown(name), proof_of(fact.evidence, self.origin)
         reason = f"the name of this {fact.role.value.replace('_', ' ')} depends on {cause}"
         missing = Missing.ENDPOINT_NAME
         self.unresolved.append(Unresolved(text, proof, reason, self.name, missing=missing, cause=cause))
 
     def _miss(self, text: str, fact: EndpointFact, reason: str) -> None:
         self.unresolved.append(Unresolved(text, proof_of(fact.evidence, self.origin), reason, self.name))
-
-
-def _renamed(fact: EndpointFact, names: dict[str, str]) -> EndpointFact:
-    """Return an endpoint with the name that the user gives to what is made at its place."""
-    name = names.get(f"{fact.evidence.path}:{fact.evidence.line}")
-    return fact if name is None else msgspec.structs.replace(fact, name=Text.of(name))
-
-
-def container_name(launched: Launched, generation: str) -> str:
-    """Return the resolved name of the container or manager that something is loaded into; empty where it has none."""
-    if not launched.container.parts:
-        return ""
-    namespace = launched.namespace if generation == "ros1" else TOP
-    place = Place(namespace, below(namespace, launched.name), generation)
-    return supposed_name(expand(launched.container, place)).pattern
-
-
-def _why(text: Text) -> str:
-    return "; ".join(dict.fromkeys(str(hole.reason) for hole in text.holes))

@@ -337,6 +337,7 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
         installed: whether ``ros2 run`` or ``rosrun`` finds it.
         conditions: under which the build makes it, as written.
         versions: of ROS for which it is built, ``ros1`` and ``ros2``; empty where that is not known.
+        elsewhere: whether it is installed, but not where ``ros2 run`` and launch files look.
     """
 
     kind: TargetKind
@@ -349,3 +350,4 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
     installed: bool = True
     conditions: tuple[str, ...] = ()
     versions: tuple[str, ...] = ()
+    elsewhere: bool = False

@@ -31,12 +31,27 @@ MOST = 8
 _NO = frozenset({"false", "no", "off", "", "0", "0.0"})
 
 
+class IsGiven(msgspec.Struct, frozen=True):
+    """That a parameter is set, and where: what reads it has that value."""
+
+    parameter: str
+    place: str
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"parameter {self.parameter}, set in {self.place}"
+
+
+Why = str | IsGiven
+"""Why a text is what it is: words, but for what others ask for."""
+
+
 class Decided(msgspec.Struct, frozen=True):
     """Whether a condition holds, how sure that is, and in words what decides it; ``holds`` None where it is open."""
 
     holds: bool | None = None
     sure: Sure = Sure.CERTAIN
-    how: tuple[str, ...] = ()
+    how: tuple[Why, ...] = ()
 
 
 class Alternative(msgspec.Struct, frozen=True):
@@ -45,7 +60,7 @@ class Alternative(msgspec.Struct, frozen=True):
     text: Text
     conditions: Conditions = ()
     sure: Sure = Sure.CERTAIN
-    how: tuple[str, ...] = ()
+    how: tuple[Why, ...] = ()
 
 
 class Filled(msgspec.Struct, frozen=True):
@@ -53,7 +68,7 @@ class Filled(msgspec.Struct, frozen=True):
 
     text: Text
     sure: Sure = Sure.CERTAIN
-    how: tuple[str, ...] = ()
+    how: tuple[Why, ...] = ()
 
 
 class Values(Protocol):

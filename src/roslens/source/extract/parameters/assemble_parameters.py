@@ -14,7 +14,7 @@ from roslens.source.extract.facts.environment_defaults import supposed_name
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.facts.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
-from roslens.source.extract.parameters.assemble_choices import Filled, decided_by, doubt
+from roslens.source.extract.parameters.assemble_choices import Filled, IsGiven, Why, decided_by, doubt
 from roslens.source.extract.parameters.assemble_lists import each_of, items_among
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.parameters.assemble_written import Write, after_writes
@@ -104,49 +104,50 @@ class Values:
         if not text.holes:
             return Filled(text)
         parts: list[Text] = []
-        sure, how = Sure.CERTAIN, []
+        sure = Sure.CERTAIN
+        how: list[Why] = []
         for part in text.parts:
             if isinstance(part, str):
                 parts.append(Text((part,)))
                 continue
-            found, less, note = self._of_hole(part)
+            found, less, notes = self._of_hole(part)
             if found.is_global and len(parts) == 1 and _is_private_space(parts[0]):
                 # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
                 parts.clear()
             parts.append(found)
-            how += [note] if note else []
+            how += notes
             sure = doubt(sure, less)
         return Filled(Text.of(*parts), sure, tuple(dict.fromkeys(how)))
 
-    def _of_hole(self, hole: Hole) -> tuple[Text, Sure, str]:
+    def _of_hole(self, hole: Hole) -> tuple[Text, Sure, tuple[Why, ...]]:
         if hole.reason in (_NAME_OF_NODE, _FULL_NAME_OF_NODE):
             whole = self._place.node
             short = hole.reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
             name = Text.of(base_name(whole.pattern)) if short else whole
-            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, str(hole.reason)
+            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, (str(hole.reason),)
         if hole.reason in (_NAMESPACE_OF_NODE, _NAMESPACE_ABOVE):
-            return self._namespace(hole.reason), Sure.CERTAIN, str(hole.reason)
+            return self._namespace(hole.reason), Sure.CERTAIN, (str(hole.reason),)
         if hole.choice:
             return self._of_choice(hole, hole.choice[0])
         found = self.value(Text.of(hole.parameter)) if hole.parameter else None
         if found is not None:
-            how = f"parameter {hole.parameter}, set in {_place_of(found)}"
+            how = IsGiven(hole.parameter, _place_of(found))
             if hole.reason != OfParameter(hole.parameter):
                 # The value decides, but it is not what stands there.
-                return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, how
+                return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, (how,)
             sure = Sure.POSSIBLE if found.value.known is None else Sure.LIKELY if self._place.supposed else Sure.CERTAIN
-            return self._placed(found.value, hole), sure, how
+            return self._placed(found.value, hole), sure, (how,)
         if hole.default is not None:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
-            return self._placed(Text.of(hole.default), hole), Sure.LIKELY, of
-        return Text((hole,)), Sure.POSSIBLE, str(hole.reason)
+            return self._placed(Text.of(hole.default), hole), Sure.LIKELY, (of,)
+        return Text((hole,)), Sure.POSSIBLE, (str(hole.reason),) if hole.reason else ()
 
-    def _of_choice(self, hole: Hole, choice: Choice) -> tuple[Text, Sure, str]:
+    def _of_choice(self, hole: Hole, choice: Choice) -> tuple[Text, Sure, tuple[Why, ...]]:
         decided = decided_by(choice, self)
         if decided.holds is None:
-            return Text((Hole(hole.reason),)), Sure.POSSIBLE, str(hole.reason)
+            return Text((Hole(hole.reason),)), Sure.POSSIBLE, (str(hole.reason),)
         filled = self.fill(choice.then if decided.holds else choice.otherwise)
-        return filled.text, doubt(decided.sure, filled.sure), "; ".join(dict.fromkeys((*decided.how, *filled.how)))
+        return filled.text, doubt(decided.sure, filled.sure), tuple(dict.fromkeys((*decided.how, *filled.how)))
 
     def _namespace(self, reason: Reason) -> Text:
         space = self._place.namespace
@@ -223,7 +224,7 @@ def _proof(fact: ParameterFact, filled: Filled) -> Proof:
     if not fact.name.holes:
         return proof
     sure = Sure.POSSIBLE if filled.text.holes else filled.sure
-    how = "; ".join(dict.fromkeys((*filled.how, *((proof.how,) if proof.how else ()))))
+    how = "; ".join(dict.fromkeys(map(str, (*filled.how, *((proof.how,) if proof.how else ())))))
     return msgspec.structs.replace(proof, sure=sure.value, how=how)
 
 

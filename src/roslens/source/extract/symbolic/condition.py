@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from roslens.model.configuration import Clause
 from roslens.source.extract.symbolic.text import And, Atom, Condition, Conditions, NoException, Not, Or, Written
 
 NO_EXCEPTION = NoException()
@@ -46,6 +47,13 @@ def any_of(*conditions: Condition) -> Condition:
 def as_written(conditions: Iterable[Condition]) -> tuple[str, ...]:
     """Return conditions as reports show them; what is too long is shown in part."""
     return tuple(map(_shown, conditions))
+
+
+def clauses_of(conditions: Iterable[Condition]) -> tuple[Clause, ...]:
+    """Return conditions as what has to hold and what must not, in the words of :func:`as_written`."""
+    return tuple(
+        Clause(_shown(one.of), holds=False) if isinstance(one, Not) else Clause(_shown(one)) for one in conditions
+    )
 
 
 def bounded(condition: Condition) -> Condition:

@@ -44,7 +44,7 @@ def _together(publishers: list[End]) -> list[End]:
     return [
         one
         for one in publishers
-        if any(one is not other and not exclude_each_other(one.conditions, other.conditions) for other in publishers)
+        if any(one is not other and not exclude_each_other(one.clauses, other.clauses) for other in publishers)
     ]
 
 
@@ -53,7 +53,7 @@ def _told(name: str, publishers: list[End]) -> Finding:
     severity, doubt = weighed(RULE.severity, (first.one.proof, second.one.proof), conditions_of(first, second))
     message = (
         f"{len(publishers)} nodes publish commands on {name}: {listed([end.told for end in publishers])}. "
-        f"The last one to speak is obeyed; let a multiplexer choose between them.{doubt}"
+        "The last one to speak is obeyed; let a multiplexer choose between them."
     )
     names = " ".join(sorted(end.node.name for end in publishers))
-    return told(RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names)
+    return told(RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names, doubt=doubt)

@@ -70,6 +70,6 @@ def _told(node: ConfiguredNode, end: End, wait: Wait) -> Finding:
     message = (
         f"{wait.function} of {node.name} waits ({wait.how}, {wait.proof.place}) for service {end.name}, whose client "
         f"({end.one.proof.place}) is in {group} as the callback itself: the answer is never taken. "
-        f"Give the client a callback group of its own.{doubt}"
+        "Give the client a callback group of its own."
     )
-    return told(RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function)
+    return told(RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function, doubt=doubt)

@@ -43,9 +43,9 @@ def _told(kind: str, name: str, type_: str, differing: list[End], *, together: b
         severity, doubt = weighed_apart(doubt)
     message = (
         f"{bad.told} and {good.told} use {kind} {name} with different definitions of {type_}: "
-        f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}.{doubt}"
+        f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}."
     )
-    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_)
+    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_, doubt=doubt)
 
 
 def _short(end: End) -> str:

@@ -72,6 +72,8 @@ def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...])
     only = f" It is there because `{along}` brings it along." if along else ""
     message = (
         f"{end.told} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
-        f"`{owner}`.{only} Add `<depend>{owner}</depend>`.{doubt}"
+        f"`{owner}`.{only} Add `<depend>{owner}</depend>`."
     )
-    return told(RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner)
+    return told(
+        RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner, doubt=doubt
+    )

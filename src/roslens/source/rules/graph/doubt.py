@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from itertools import product
+from collections.abc import Iterable
 
 import msgspec
 
-from roslens.model.configuration import Proof
+from roslens.model.configuration import Clause, Proof
 from roslens.model.finding import Severity
 
 _STEPS = {"certain": 0, "likely": 1, "possible": 2}
 _BY_RANK = (Severity.NOTE, Severity.WARNING, Severity.ERROR)
-_NEGATIONS = ("not ", "unless ")
 _APART = "no launch file says that these nodes run together, and under these names"
 
 
@@ -71,15 +69,7 @@ def doubt_of(proofs: Iterable[Proof | None], conditions: Iterable[str] = ()) -> 
     return max(steps, default=0) * 2 + bool(list(conditions))
 
 
-def exclude_each_other(first: Sequence[str], second: Sequence[str]) -> bool:
-    """Return whether a condition of one is the opposite of one of the other, as far as it is written so."""
-    return any(_opposite(one, other) or _opposite(other, one) for one, other in product(first, second))
-
-
-def _opposite(one: str, other: str) -> bool:
-    plain = one.removeprefix("if ").strip()
-    for negation in _NEGATIONS:
-        if other.startswith(negation):
-            rest = other.removeprefix(negation).strip()
-            return rest in (plain, f"({plain})") or f"({rest})" == plain
-    return False
+def exclude_each_other(first: Iterable[Clause], second: Iterable[Clause]) -> bool:
+    """Return whether a condition of one is the opposite of one of the other."""
+    asked = {(one.text, one.holds) for one in first}
+    return any((one.text, not one.holds) in asked for one in second)

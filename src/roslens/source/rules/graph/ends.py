@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Unresolved
+from roslens.model.configuration import Clause, Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Unresolved
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other
 
@@ -66,6 +66,11 @@ class End(msgspec.Struct, frozen=True):
         return (*self.node.conditions, *self.one.conditions)
 
     @property
+    def clauses(self) -> tuple[Clause, ...]:
+        """What must hold, and what must not, for it to be there."""
+        return (*self.node.clauses, *self.one.clauses)
+
+    @property
     def entity(self) -> str:
         """Id of the topic, service or action."""
         return f"{KIND[self.role]}:{self.name}"
@@ -94,26 +99,22 @@ def conditions_of(first: End, second: End) -> tuple[str, ...]:
     """
     if first.node.name == second.node.name:
         return (*first.conditions, *second.conditions)
-    shared = {_plain(one) for one in first.one.conditions} & {_plain(one) for one in second.one.conditions}
+    shared = {one.text for one in first.one.clauses} & {one.text for one in second.one.clauses}
     return (*_of(first, shared), *_of(second, shared))
 
 
 def exclude(first: End, second: End) -> bool:
     """Return whether two ends of one node are there under opposite conditions."""
     same = (first.node.name, first.node.proof.place) == (second.node.name, second.node.proof.place)
-    return same and exclude_each_other(first.conditions, second.conditions)
+    return same and exclude_each_other(first.clauses, second.clauses)
 
 
 def _of(end: End, shared: set[str]) -> Iterator[str]:
     yield from end.node.conditions
-    for one in end.one.conditions:
+    for words, one in zip(end.one.conditions, end.one.clauses, strict=True):
         # What the preprocessor decides is the same for all that is built together.
-        own = _plain(one) in shared and "#" not in one
-        yield f"{one} in {end.node.name}" if own else one
-
-
-def _plain(condition: str) -> str:
-    return condition.removeprefix("not ")
+        own = one.text in shared and "#" not in one.text
+        yield f"{words} in {end.node.name}" if own else words
 
 
 def ends(configuration: Configuration) -> list[End]:

@@ -61,9 +61,8 @@ def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Su
     message = (
         f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
         f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
-        f"{doubt}"
     )
-    return told(RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name)
+    return told(RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name, doubt=doubt)
 
 
 def _unbuilt(name: str, sources: tuple[str, ...]) -> str:
@@ -73,7 +72,7 @@ def _unbuilt(name: str, sources: tuple[str, ...]) -> str:
 
 
 def _advice(name: str, package: str, installed: dict[str, tuple[str, ...]]) -> str:
-    """Return the end of the sentence: what was likely meant, who has it, or what there is."""
+    """Return the end of the constraint: what was likely meant, who has it, or what there is."""
     programs = [one for one in installed[package] if _is_program(one)]
     if near := likely_program(name, programs):
         return f"; did you mean `{near}`?"

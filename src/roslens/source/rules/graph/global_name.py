@@ -51,9 +51,9 @@ def _told(end: End, *others: End) -> Finding:
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
         f"{end.told} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
-        f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file.{doubt}"
+        f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given)
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given, doubt=doubt)
 
 
 def _also(others: Sequence[End]) -> str:

@@ -49,7 +49,7 @@ def _collide(first: ConfiguredNode, second: ConfiguredNode, nodes: list[Configur
         units = Counter((node.unit, node.defined) for node in nodes if node.proof.place == first.proof.place)
         if (first.unit, first.defined) != (second.unit, second.defined) or min(units.values()) < 2:
             return False
-    return not exclude_each_other(first.conditions, second.conditions)
+    return not exclude_each_other(first.clauses, second.clauses)
 
 
 def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, *, ros1: bool) -> Finding:
@@ -62,9 +62,9 @@ def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, 
     more = f" {count} nodes have this name." if count > 2 else ""
     message = (
         f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "
-        f"{effect}.{more} Give one of them another name or namespace.{doubt}"
+        f"{effect}.{more} Give one of them another name or namespace."
     )
-    return told(RULE, message, second.proof, entity=f"node:{name}", severity=severity)
+    return told(RULE, message, second.proof, entity=f"node:{name}", severity=severity, doubt=doubt)
 
 
 def _what(node: ConfiguredNode) -> str:

@@ -77,7 +77,7 @@ def _is_known_to_be_open(of_name: list[End]) -> bool:
 
 
 def _is_chosen(end: End) -> bool:
-    return end.one.remapped is not None or (end.one.given != end.name and "set in " in end.one.proof.how)
+    return end.one.remapped is not None or (end.one.given != end.name and end.one.by_parameter)
 
 
 def _told(
@@ -105,7 +105,7 @@ def _told(
         message += f" It is given as `{end.one.given}`."
     if not surroundings.together:
         severity, doubt = weighed_apart(doubt)
-    return told(RULE, f"{message}{doubt}", end.one.proof, entity=end.entity, severity=severity, context=end.role.value)
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.role.value, doubt=doubt)
 
 
 def _missing(view: View) -> str:

@@ -50,7 +50,7 @@ def _told(node: ConfiguredNode, owner: ConfiguredNode, ones: list[tuple[Configur
     last = one.name.rpartition("/")[2]
     message = (
         f"{node.name} ({proof.place}) reads `{one.name}`{more}, private to {owner.name}{too}. "
-        f"Read `~{last}` if it is meant to be its own.{doubt}"
+        f"Read `~{last}` if it is meant to be its own."
     )
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, proof, entity=entity, severity=severity, context=owner.name)
+    return told(RULE, message, proof, entity=entity, severity=severity, context=owner.name, doubt=doubt)

@@ -46,7 +46,9 @@ def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding
     who = listed([one.node, *one.also])
     message = (
         f"{one.given.place} gives {one.proof.path} to {who}, but it is keyed to {whose}{keys}: "
-        f"all of it is ignored.{hint} Key it to {own}`/**`{perhaps}.{doubt}"
+        f"all of it is ignored.{hint} Key it to {own}`/**`{perhaps}."
     )
     entity, also = f"node:{one.node}", tuple(f"node:{name}" for name in one.also)
-    return told(RULE, message, one.proof, entity=entity, severity=severity, context=one.proof.path, also=also)
+    return told(
+        RULE, message, one.proof, entity=entity, severity=severity, context=one.proof.path, also=also, doubt=doubt
+    )

@@ -112,7 +112,7 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
     )
     message = (
         f"parameter `{one.set.name}` is set ({proof.place}), but {node} ({code.place}) reads `{one.read.name}`, which "
-        f"nobody sets: the value has no effect. {advice}.{doubt}"
+        f"nobody sets: the value has no effect. {advice}."
     )
     entity = f"parameter:{node}:{one.set.name}"
-    return told(RULE, message, proof, entity=entity, severity=severity, context=one.read.name)
+    return told(RULE, message, proof, entity=entity, severity=severity, context=one.read.name, doubt=doubt)

@@ -98,6 +98,6 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: 
     how = "set to" if one.set_by is not None else "by default"
     where = f"{code.place} allows" if one.set_by is not None else "its declaration allows"
     effect = "the nearest end is used" if ros1 else "the node does not start"
-    message = f"parameter `{one.name}` of {node.name} is {how} `{value}`; {where} {wanted}: {effect}.{doubt}"
+    message = f"parameter `{one.name}` of {node.name} is {how} `{value}`; {where} {wanted}: {effect}."
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}")
+    return told(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}", doubt=doubt)

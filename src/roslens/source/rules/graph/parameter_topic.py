@@ -75,6 +75,14 @@ def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *,
     unread = "" if one.access else f" {node.name} is not known to use the parameter."
     message = (
         f"parameter `{one.name}` is set to `{one.value}`, a topic that nobody has: there is no node and no name in "
-        f"`{space}`.{unread} Correct the name, or start who has the topic.{doubt}"
+        f"`{space}`.{unread} Correct the name, or start who has the topic."
     )
-    return told(RULE, message, proof, entity=f"parameter:{node.name}:{one.name}", severity=severity, context=one.name)
+    return told(
+        RULE,
+        message,
+        proof,
+        entity=f"parameter:{node.name}:{one.name}",
+        severity=severity,
+        context=one.name,
+        doubt=doubt,
+    )

@@ -67,10 +67,12 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
     effect = "the default is used" if ros1 else "the node does not start"
     message = (
         f"parameter `{one.name}` of {node.name} is set as {one.set_type}{shown}; {code.place} "
-        f"{one.access or 'reads'} it as {one.type}: {effect}. {_advice(one)}{doubt}"
+        f"{one.access or 'reads'} it as {one.type}: {effect}. {_advice(one)}"
     )
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}")
+    return told(
+        RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}", doubt=doubt
+    )
 
 
 def _set_value(one: ConfiguredParameter) -> str | None:

@@ -172,10 +172,10 @@ def _told(
     where = f" ({node.defined.place})" if node.defined is not None else ""
     message = (
         f"parameter{'s' if others else ''} {_named(group)} set for {node.name}{where}, which never {verb} "
-        f"{_it(known, others)}. {advice}{doubt}"
+        f"{_it(known, others)}. {advice}"
     )
     entity = f"parameter:{node.name}:{one.name}"
-    found = told(RULE, message, proof, entity=entity, severity=severity, context=proof.path)
+    found = told(RULE, message, proof, entity=entity, severity=severity, context=proof.path, doubt=doubt)
     same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
     return msgspec.structs.replace(found, others=same)
 

@@ -83,6 +83,6 @@ def _told(kind: str, end: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (end.one.proof,), end.conditions)
     message = (
         f"only {end.told} itself uses both ends of {kind} {end.name}, and no other file of the workspace names it. "
-        f"Call it `~/{_last(end.name)}`, if nothing outside of the workspace uses it.{doubt}"
+        f"Call it `~/{_last(end.name)}`, if nothing outside of the workspace uses it."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity)
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, doubt=doubt)

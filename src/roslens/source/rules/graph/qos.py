@@ -50,7 +50,7 @@ def _of_topic(name: str, all_ends: list[End], *, together: bool) -> Iterator[Fin
     fed: set[Key] = set()
     for subscription in (end for end in all_ends if end.role is Role.SUBSCRIPTION):
         for publisher in publishers:
-            if exclude_each_other(publisher.conditions, subscription.conditions):
+            if exclude_each_other(publisher.clauses, subscription.clauses):
                 continue
             lacking = tuple(sorted(_lacking(publisher, subscription)))
             if lacking:
@@ -93,7 +93,15 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     more = f" The same between {rest} more pair{'s' if rest > 1 else ''}: {listed(others)}." if rest else ""
     message = (
         f"{subscription.told} requests {requested} on {name}, {publisher.told} offers {offered}: {loss} "
-        f"(it asks {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription.{doubt}"
+        f"(it asks {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription."
     )
     context = " ".join((*(one.policy for one in lacking), subscription.node.name, publisher.node.name))
-    return told(RULE, message, subscription.one.proof, entity=subscription.entity, severity=severity, context=context)
+    return told(
+        RULE,
+        message,
+        subscription.one.proof,
+        entity=subscription.entity,
+        severity=severity,
+        context=context,
+        doubt=doubt,
+    )

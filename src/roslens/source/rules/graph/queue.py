@@ -61,6 +61,6 @@ def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
     more = f" (and {len(short) - 1} more)" if len(short) > 1 else ""
     message = (
         f"{end.told}{more} keeps 1 message of {name}, which {publisher.told} publishes best effort with {rate:g} Hz: "
-        f"messages are lost while a callback runs. Keep more, unless only the newest counts.{doubt}"
+        "messages are lost while a callback runs. Keep more, unless only the newest counts."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name)
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name, doubt=doubt)

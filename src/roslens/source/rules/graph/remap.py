@@ -94,11 +94,13 @@ def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list
     message = (
         f"remapping of `{one.source}` to `{one.target}` holds for {count} nodes, of which none is known to use the "
         f"name. {who} {verbs} outside of it: a remapping holds for what follows it in its group or file. "
-        f"Move it in front of the node, or into it.{doubt}"
+        "Move it in front of the node, or into it."
     )
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(users)
-    return told(RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also))
+    return told(
+        RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
+    )
 
 
 def _key(one: ConfiguredRemap) -> tuple[str, str, str]:
@@ -138,7 +140,9 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
         advice = f"{listed(waiting)} {'waits' if len(waiting) == 1 else 'wait'} for it at `{one.target}`. {advice}"
     who = listed([node.name for node in nodes])
     verb = "uses" if len(nodes) == 1 else "use"
-    message = f"remapping of `{one.source}` to `{one.target}`: {who} {verb} no such name. {advice}{doubt}"
+    message = f"remapping of `{one.source}` to `{one.target}`: {who} {verb} no such name. {advice}"
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(nodes)
-    return told(RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also))
+    return told(
+        RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
+    )

@@ -53,7 +53,7 @@ def _copies(configuration: Configuration) -> list[list[ConfiguredNode]]:
     return [
         nodes
         for nodes in groups.values()
-        if len(nodes) > 1 and not any(exclude_each_other(nodes[0].conditions, one.conditions) for one in nodes[1:])
+        if len(nodes) > 1 and not any(exclude_each_other(nodes[0].clauses, one.clauses) for one in nodes[1:])
     ]
 
 
@@ -83,6 +83,6 @@ def _told(name: str, of_name: list[tuple[ConfiguredNode, ConfiguredEndpoint]], a
     who = listed([each.name for each, _one in of_name])
     message = (
         f"{who} ({one.proof.place}) all publish topic {name}, while they keep {listed(apart)} apart by remapping. "
-        f"Remap `{one.given or name}` for each of them too.{doubt}"
+        f"Remap `{one.given or name}` for each of them too."
     )
-    return told(RULE, message, node.proof, entity=f"topic:{name}", severity=severity)
+    return told(RULE, message, node.proof, entity=f"topic:{name}", severity=severity, doubt=doubt)

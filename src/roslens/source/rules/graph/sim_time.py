@@ -51,9 +51,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
                 real.append(node)
         elif one.value is not None and one.value.lower() == "true" and one.set_by is not None:
             simulated.append((node, one.set_by))
-    real = [
-        node for node in real if any(not exclude_each_other(node.conditions, one.conditions) for one, _ in simulated)
-    ]
+    real = [node for node in real if any(not exclude_each_other(node.clauses, one.clauses) for one, _ in simulated)]
     if simulated and real:
         yield _told(simulated, real, missing_parts(configuration))
 
@@ -76,7 +74,7 @@ def _told(
     others = [f"{one.name} ({one.proof.place})" for one in without]
     message = (
         f"use_sim_time is true for {listed([one.name for one, _ in simulated])} ({proof.place}), but not for "
-        f"{listed(others)}. Set it for all nodes that run together.{doubt}"
+        f"{listed(others)}. Set it for all nodes that run together."
     )
     first, *also = ids_of(without)
-    return told(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also))
+    return told(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also), doubt=doubt)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from roslens.model.configuration import Configuration
 from roslens.source.extract.facts.launched import Launch
 from roslens.source.extract.parameters.assemble_proof import launch_proof
-from roslens.source.extract.symbolic.condition import as_written
+from roslens.source.extract.symbolic.condition import as_written, clauses_of
 from roslens.source.rules.graph.surroundings import Transform
 
 _PROGRAM = "static_transform_publisher"
@@ -27,8 +27,9 @@ def static_transforms(configuration: Configuration, launch: Launch) -> Iterator[
         frames = frames_of([word for word in words if word is not None]) if None not in words else None
         if frames is not None:
             yield Transform(
-                names.get(proof.place, launched.name.pattern), *frames, proof, as_written(launched.conditions)
-            )
+                names.get(proof.place, launched.name.pattern), *frames, proof,
+                as_written(launched.conditions), clauses_of(launched.conditions),
+            )  # fmt: skip
 
 
 def frames_of(words: list[str]) -> tuple[str, str] | None:

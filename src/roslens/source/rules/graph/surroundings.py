@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from roslens.model.configuration import Proof
+from roslens.model.configuration import Clause, Proof
 from roslens.model.source import Package
 
 COMMAND_TOPICS = (
@@ -52,6 +52,7 @@ class Transform(msgspec.Struct, frozen=True, omit_defaults=True):
     child: str
     proof: Proof
     conditions: tuple[str, ...] = ()
+    clauses: tuple[Clause, ...] = ()
 
 
 class Wait(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -6,8 +6,10 @@ from collections.abc import Iterable
 
 from roslens.model.configuration import ConfiguredNode, Proof
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
+from roslens.source.rules.graph.doubt import Doubt
 
 TOOL = "graph"
+_SURE = Doubt()
 
 
 def told(
@@ -19,22 +21,24 @@ def told(
     severity: Severity | None = None,
     context: str = "",
     also: tuple[str, ...] = (),
+    doubt: Doubt = _SURE,
 ) -> Finding:
     """Return an occurrence of a rule at the place that shows it.
 
     Args:
         rule: that is broken.
-        message: what was found, where, what was expected, what to do.
+        message: what was found, where, what was expected, what to do; why it is in doubt stands behind it.
         proof: of what is found fault with.
         entity: text form of its id.
         severity: where doubt lowers it.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
         also: further entities for which it holds alike.
+        doubt: why it may be none.
     """
     return Finding(
         rule.id,
         rule.severity if severity is None else severity,
-        message,
+        f"{message}{doubt}",
         proof.path,
         proof.line,
         proof.column,
@@ -43,6 +47,7 @@ def told(
         tool=TOOL,
         fingerprint=fingerprint(rule.id, entity, f"{proof.path} {context}"),
         also=also,
+        doubts=doubt.reasons,
     )
 
 

@@ -30,7 +30,7 @@ def found(_configuration: Configuration, surroundings: Surroundings) -> Iterator
     for one in surroundings.transforms:
         by_child.setdefault(one.child.lstrip("/"), []).append(one)
     for child, ones in sorted(by_child.items()):
-        pairs = [pair for pair in combinations(ones, 2) if not exclude_each_other(*(one.conditions for one in pair))]
+        pairs = [pair for pair in combinations(ones, 2) if not exclude_each_other(*(one.clauses for one in pair))]
         if pairs:
             # Two parents are worse than the same one twice.
             yield _told(child, *min(pairs, key=lambda pair: pair[0].parent == pair[1].parent))
@@ -46,5 +46,7 @@ def _told(child: str, first: Transform, second: Transform) -> Finding:
             f"frame {child} has two parents: {first.parent} by {first.node} ({first.proof.place}) "
             f"and {second.parent} by {second.node} ({second.proof.place})"
         )
-    message = f"{what}. Remove one of the two.{doubt}"
-    return told(RULE, message, second.proof, entity=f"node:{second.node}", severity=severity, context=child)
+    message = f"{what}. Remove one of the two."
+    return told(
+        RULE, message, second.proof, entity=f"node:{second.node}", severity=severity, context=child, doubt=doubt
+    )

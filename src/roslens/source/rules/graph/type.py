@@ -78,7 +78,7 @@ def _told(
     surroundings: Surroundings,
 ) -> Finding:
     good, bad = pair
-    apart = _APART if exclude_each_other(good.conditions, bad.conditions) else ""
+    apart = _APART if exclude_each_other(good.clauses, bad.clauses) else ""
     if chooser:
         apart = f"{chooser} has it with each of these types, and may choose the one that fits"
     severity, doubt = weighed(
@@ -94,6 +94,14 @@ def _told(
     )
     message = (
         f"{kind} {name} has {len(ranked)} types: {said}. They are never joined. "
-        f"Give all of them one type, or {bad.type} another name.{doubt}"
+        f"Give all of them one type, or {bad.type} another name."
     )
-    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=" ".join(sorted(ranked)))
+    return told(
+        RULE,
+        message,
+        bad.one.proof,
+        entity=bad.entity,
+        severity=severity,
+        context=" ".join(sorted(ranked)),
+        doubt=doubt,
+    )

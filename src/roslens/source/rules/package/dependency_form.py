@@ -2,41 +2,41 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.mistaken import mistaken
+from roslens.source.rules.mistaken import hit_of
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+
+if TYPE_CHECKING:
+    from roslens.source.workspace.mistakes import Mistake
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each dependency that is empty, on the package itself, or there twice."""
-    from roslens.source.workspace.validity import DEPENDENCY
+    from roslens.source.workspace.validity import DEPENDENCY, DOUBLED, ON_ITSELF
 
-    for hit in mistaken(view, "package.dependency_form", DEPENDENCY):
-        yield msgspec.structs.replace(hit, edits=_removed(hit, view))
+    for one in view.mistakes:
+        if one.kind in (DEPENDENCY, ON_ITSELF, DOUBLED):
+            edits = () if one.kind == DEPENDENCY else _removed(one, view)
+            yield msgspec.structs.replace(hit_of("package.dependency_form", one), edits=edits)
 
 
-def _removed(hit: Hit, view: PackageView) -> tuple[Edit, ...]:
+def _removed(one: Mistake, view: PackageView) -> tuple[Edit, ...]:
     """Return what takes away an element that says nothing new, or names the package itself."""
     manifest = view.manifest_edits
-    element = manifest.element_at(hit.line)
+    element = manifest.element_at(one.location.line)
     if element is None or not element.text():
         return ()
-    if "depends on itself" in hit.message:
+    if not one.other or manifest.format == 1 or one.other == element.tag:
         return manifest.removed(element)
-    said = re.search(r"says the same as <(\w+)>", hit.message)
-    if said is None:
-        return ()
-    if manifest.format == 1 or said[1] == element.tag:
-        return manifest.removed(element)
-    others = [one for one in manifest.elements(said[1], element.text()) if one.attributes == element.attributes]
+    others = [each for each in manifest.elements(one.other, element.text()) if each.attributes == element.attributes]
     return manifest.removed(others[0]) if len(others) == 1 else ()
 
 

@@ -1,6 +1,8 @@
 """What the live page costs: the server with several readers, and a browser that shows it.
 
-Usage: live_page.py [connections] [readers] [seconds]. A made-up robot has so many connections, each of which tells once
+Usage: live_page.py [connections] [readers] [seconds] [--all]. Each reader says what it sees as the page does: a hundred
+rows of opened nodes, others than those of the next reader, and forty lines of the picture. With --all none says so, and
+each is told everything. A made-up robot has so many connections, each of which tells once
 a second; its page is served by a process of its own. Told are CPU seconds by seconds of the clock, so that a busy
 machine changes little but the first paint. The browser is Chromium where it is installed, its processes counted by
 itself.
@@ -20,10 +22,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 from threading import Thread
-from urllib.parse import urlsplit
+from urllib.parse import urlencode, urlsplit
+from urllib.request import urlopen
 
 from roslens.cli.page.watch_page import PageSource
 from roslens.dashboard.live.serving import LivePage
+from roslens.dashboard.live.sight import LASTING_S
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory
@@ -38,6 +42,7 @@ TURNS = 4
 """Each connection tells in one of so many turns."""
 HOSTS = 3
 FIRST_PAINTS = 5
+ROWS, LINES = 100, 40
 REFERENCE = b"""
 kind: reference
 name: large
@@ -123,7 +128,7 @@ def robot_served(connections: int) -> None:
     watching.start()
     while made < TURNS:
         time.sleep(0.05)
-    with LivePage(page.newest, detail=page.detail, past=page.past, state=page.state) as live:
+    with LivePage(page.newest, detail=page.detail, past=page.past, state=page.state, sight=page.sight) as live:
         print(live.url, flush=True)
         for _ in sys.stdin:
             found = {
@@ -164,11 +169,11 @@ class Served:
 class Reader(Thread):
     """Reads the stream and counts its bytes."""
 
-    def __init__(self, url: str) -> None:
+    def __init__(self, url: str, name: str = "") -> None:
         super().__init__(daemon=True)
         parts = urlsplit(url)
         self._socket = socket.create_connection((parts.hostname or "", parts.port or 80))
-        self._socket.sendall(f"GET /events HTTP/1.1\r\nHost: {parts.netloc}\r\n\r\n".encode())
+        self._socket.sendall(f"GET /events?reader={name} HTTP/1.1\r\nHost: {parts.netloc}\r\n\r\n".encode())
         self.bytes = 0
         self.start()
 
@@ -184,10 +189,30 @@ class Reader(Thread):
         self._socket.close()
 
 
-def with_readers(served: Served, readers: int, seconds: float) -> None:
+def say_seen(url: str, readers: int) -> None:
+    """Say of each reader what it sees: a hundred rows that follow each other, and lines of the picture."""
+    with urlopen(f"{url}snapshot.json") as answer:
+        found = json.load(answer)
+    rows, version = [row["key"] for row in found["rows"]], found["picture"].get("version", 0)
+    count = len(found["picture"]["links"])
+    for reader in range(readers):
+        begin = reader * len(rows) // readers
+        places = [(reader * count // readers + place) % count for place in range(LINES)]
+        told = {
+            "reader": f"r{reader}", "rows": ".".join(rows[begin : begin + ROWS]), "picture": "1",
+            "links": f"{version}:{'.'.join(map(str, places))}",
+        }  # fmt: skip
+        urlopen(f"{url}sees?{urlencode(told)}").close()
+
+
+def with_readers(served: Served, readers: int, seconds: float, *, everything: bool) -> None:
     """Tell what the server uses while so many read."""
-    reading = [Reader(served.url) for _ in range(readers)]
+    reading = [Reader(served.url, "" if everything else f"r{place}") for place in range(readers)]
     time.sleep(2)
+    if not everything:
+        say_seen(served.url, readers)
+        # What was asked for as a whole is made as a whole for a while.
+        time.sleep(LASTING_S + 2)
     before, told = served.used(), sum(one.bytes for one in reading)
     time.sleep(seconds)
     after, told = served.used(), sum(one.bytes for one in reading) - told
@@ -247,13 +272,16 @@ def main() -> None:
     if sys.argv[1:2] == ["--served"]:
         robot_served(int(sys.argv[2]))
         return
+    everything = "--all" in sys.argv
+    if everything:
+        sys.argv.remove("--all")
     connections, readers, seconds = (
         int(sys.argv[place]) if len(sys.argv) > place else usual for place, usual in ((1, 3000), (2, 10), (3, 20))
     )
     served = Served(connections)
     try:
         print(f"{connections} connections; load of the machine {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
-        with_readers(served, readers, seconds)
+        with_readers(served, readers, seconds, everything=everything)
         if CHROMIUM.exists():
             with_browser(served.url, seconds)
     finally:

@@ -24,6 +24,7 @@ from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
+from roslens.dashboard.live.sight import Sight
 from roslens.dashboard.live.snapshot import Snapshot, names_in
 from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.render import WEB, Renderer
@@ -53,6 +54,7 @@ def create_app(
     past: Past | None = None,
     board: Board | None = None,
     state: Callable[[], Snapshot | None] | None = None,
+    sight: Sight | None = None,
     further: Further | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
@@ -68,6 +70,7 @@ def create_app(
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
         state: returns what `snapshot` returns before it is JSON.
+        sight: is told what readers of it see.
         further: pages beside these.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
@@ -117,7 +120,15 @@ def create_app(
             further=Further(links=further.links),
         )  # fmt: skip
         live = create_live_app(
-            snapshot, facts, detail=detail, graph=graph, past=past, board=board, state=state, stopped=stopped
+            snapshot,
+            facts,
+            detail=detail,
+            graph=graph,
+            past=past,
+            board=board,
+            state=state,
+            sight=sight,
+            stopped=stopped,
         )
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     app = Starlette(
@@ -183,6 +194,7 @@ def serve(
     past: Past | None = None,
     board: Board | None = None,
     state: Callable[[], Snapshot | None] | None = None,
+    sight: Sight | None = None,
     further: Further | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
@@ -200,6 +212,7 @@ def serve(
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
         state: returns what `snapshot` returns before it is JSON.
+        sight: is told what readers of it see.
         further: pages beside these.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
@@ -221,7 +234,7 @@ def serve(
     names = frozenset({host.lower()})
     app = create_app(
         site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, board=board,
-        state=state, further=further, stopped=lambda: bool(stopping), access=access,
+        state=state, sight=sight, further=further, stopped=lambda: bool(stopping), access=access,
     )  # fmt: skip
     local, free = (
         "Leave --host out to listen on this machine only",

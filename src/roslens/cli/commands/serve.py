@@ -141,6 +141,7 @@ def run(options: argparse.Namespace) -> int:
                 past=page.past if page else None,
                 board=page.board if page else None,
                 state=page.state if page else None,
+                sight=page.sight if page else None,
                 further=further or _journal(options, site.name, page),
                 access=door.access,
                 tls=door.tls,

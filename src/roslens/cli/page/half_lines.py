@@ -93,6 +93,22 @@ def half_lines(joined: Iterable[Ends], rows: Iterable[Row]) -> dict[Ends, HalfLi
     return lines
 
 
+def fed_by(rows: Iterable[Row]) -> dict[int, Ends]:
+    """Return of which line each row tells the values, by its place; of several rows the last one tells them."""
+    last: dict[Ends, int] = {}
+    node = ""
+    for place, row in enumerate(rows):
+        if row.kind == "node":
+            node = row.entity
+        elif row.kind == "topic" and node and node != "node:":
+            last[node, row.entity] = place
+        elif row.kind == "connection":
+            topic, _, subscriber = ends_of(row.entity)
+            if subscriber:
+                last[f"topic:{topic}", f"node:{subscriber}"] = place
+    return {place: ends for ends, place in last.items()}
+
+
 def joined_by(graph: Graph) -> tuple[Ends, ...]:
     """Return which node a graph joins to which topic and which topic to which node, each once."""
     return tuple(dict.fromkeys(ends for one in graph.endpoints if (ends := _ends(one)) is not None))

@@ -13,9 +13,8 @@ from roslens.cli.page.row_list import COLUMNS, RowList, row_key, shown_name, sho
 from roslens.cli.page.watch_causes import causes_of
 from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.page.watch_screen import urgency
-from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Snapshot
+from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Picture, Snapshot
 from roslens.live.publish.diagnostics import sentence
-from roslens.live.system.shown_rows import not_judged
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
@@ -43,12 +42,15 @@ def document(
     happened: Iterable[Happening],
     failures: tuple[str, ...] = (),
     row_list: RowList | None = None,
+    drawn: Picture | None = None,
 ) -> Snapshot:
     """Return a system at one instant as the live page shows it, be it now or once.
 
-    Rows of what did not change since ``row_list`` made the ones before are the same again.
+    Rows of what did not change since ``row_list`` made the ones before are the same again. The picture is ``drawn``
+    where that is given, because nobody sees it.
     """
     rows = (row_list or RowList()).of(view)
+    known = set[str]().union(*(row.shown for row in rows))
     return Snapshot(
         version=VERSION,
         time=time,
@@ -57,13 +59,13 @@ def document(
         live=live,
         state=view.worst.value if view.worst else UNJUDGED,
         counts=view.counts,
-        unjudged=not_judged(view),
+        unjudged=len({row.entity for row in rows if row.state == UNJUDGED and not row.entity.endswith(":")}),
         cost=cost,
-        columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
+        columns=tuple(column for column in COLUMNS if column[0] in known),
         rows=rows,
         alerts=_alerts(standing, clock),
         causes=causes_of(standing, shown_text),
-        picture=picture.of(graph, rows, standing),
+        picture=drawn or picture.of(graph, rows, standing),
         happened=tuple(happened),
         failures=failures,
     )

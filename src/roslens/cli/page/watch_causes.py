@@ -12,13 +12,16 @@ _WORSE = (State.ABSENT, State.HIGH, State.LOW, State.UNKNOWN, State.SUSPENDED, S
 
 def causes_of(standing: Sequence[Verdict], shown: Callable[[str], str]) -> CausePicture:
     """Return the graph of the faults that others explain; ``shown`` makes texts from outside fit to be shown."""
+    explained = [one for one in standing if one.why and (one.state.bad or one.wrong)]
+    if not explained:
+        return CausePicture()
     states: dict[str, State] = {}
     for one in standing:
         entity = shown(str(one.entity))
         before = states.get(entity)
         if before is None or _WORSE.index(one.state) < _WORSE.index(before):
             states[entity] = one.state
-    ways = (tuple(_way(one, shown)) for one in standing if one.why and (one.state.bad or one.wrong))
+    ways = (tuple(_way(one, shown)) for one in explained)
     return cause_picture(ways, {entity: state.value for entity, state in states.items()})
 
 

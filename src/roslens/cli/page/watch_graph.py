@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
+from roslens.cli.page.drawn_lines import DrawnLines
 from roslens.cli.page.half_lines import Ends, HalfLine, encodable, half_lines, joined_by, worse
 from roslens.cli.page.whole_lines import whole_lines
 from roslens.dashboard.computation.noise import DEFAULT, kinds_of_noise
@@ -45,16 +46,28 @@ class GraphPicture:
         self._grounds = grounds
         self._sheet = Sheet()
         self._joined: tuple[Graph, tuple[Ends, ...]] | None = None
+        self._drawn: DrawnLines | None = None
+        self._hosts = False
+        self._nodes: Collection[str] = ()
 
     def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
         """Return the picture of what the graph and the tree know; nodes are shown as they are judged themselves."""
-        states = _states(graph, rows, verdicts)
+        judged = _judged_nodes(verdicts)
+        if self._drawn is not None:
+            grounds = None if self._hosts else self._grounds(self._nodes)
+            if self._drawn.follow(graph, rows, judged, grounds):
+                return self._drawn.picture
+        return self._anew(graph, rows, judged)
+
+    def _anew(self, graph: Graph, rows: Sequence[Row], judged: Mapping[str, str]) -> Picture:
+        states = _states(graph, rows, judged)
         if self._joined is None or self._joined[0] is not graph:
             self._joined = graph, joined_by(graph)
         halves = half_lines(self._joined[1], rows)
         topics, left_out = _topics(rows, halves)
         nodes = _nodes(graph, rows, halves)
         hosts = _hosts(rows)
+        self._hosts, self._nodes = bool(hosts), nodes
         grounds = None if hosts else self._grounds(nodes)
         as_lines = grounds.many if grounds else len(nodes) + len(topics) > MANY
         if len(nodes) + (0 if as_lines else len(topics)) > MOST_DRAWN:
@@ -82,9 +95,12 @@ class GraphPicture:
             _link(place_of[start], place_of[end], *lines[start, end], path, word)
             for (start, end), path, word in zip(ends, plan.paths, plan.words, strict=True)
         )
-        return Picture(
+        picture = Picture(
             self._sheet.version, plan.width, plan.height, items, links, left_out, boxes=plan.boxes, as_lines=as_lines
         )
+        told = [(pair, lines[pair][1]) for pair in ends]
+        self._drawn = DrawnLines(graph, rows, judged, grounds, picture, halves, told)
+        return picture
 
     def _item(self, entity: str, part: Part, place: tuple[float, float], states: Mapping[str, str]) -> Item:
         kind, _, name = entity.partition(":")
@@ -145,7 +161,17 @@ def _bad(state: str) -> bool:
     return state != UNJUDGED and State(state).bad
 
 
-def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> dict[str, str]:
+def _judged_nodes(verdicts: Iterable[Verdict]) -> dict[str, str]:
+    """Return nodes that are bad by verdicts, with the worst state of each."""
+    found: dict[str, str] = {}
+    for one in verdicts:
+        if one.state is not State.OK and one.state.bad and one.entity.kind is EntityKind.NODE:
+            entity = encodable(str(one.entity))
+            found[entity] = worse(found.get(entity, UNJUDGED), one.state.value)
+    return found
+
+
+def _states(graph: Graph, rows: Iterable[Row], judged: Mapping[str, str]) -> dict[str, str]:
     there = {encodable(f"node:{one.name}") for one in graph.nodes}
     found: dict[str, str] = {}
     for row in rows:
@@ -154,10 +180,8 @@ def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> d
             # Of a node that was there nothing is known but that.
             state = worse("unknown", state)
         found[row.entity] = worse(found.get(row.entity, UNJUDGED), state)
-    for one in verdicts:
-        if one.entity.kind is EntityKind.NODE and one.state.bad:
-            entity = encodable(str(one.entity))
-            found[entity] = worse(found.get(entity, UNJUDGED), one.state.value)
+    for entity, state in judged.items():
+        found[entity] = worse(found.get(entity, UNJUDGED), state)
     return found
 
 

@@ -13,8 +13,10 @@ from roslens.cli.page.board_page import BoardPage, Looked
 from roslens.cli.page.page_document import bounded, document, event_line, told_of, verdict_line
 from roslens.cli.page.past_page import PastPage
 from roslens.cli.page.row_list import RowList, shown_name, shown_text
+from roslens.cli.page.topics_seen import topics_seen
 from roslens.cli.page.watch_detail import detail_of
 from roslens.cli.page.watch_graph import GraphPicture
+from roslens.dashboard.live.sight import Sight
 from roslens.dashboard.live.snapshot import Happening, Snapshot
 from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.graph_json import graph_bytes
@@ -30,17 +32,25 @@ if TYPE_CHECKING:
 _PACE_S = 0.25
 _IDLE_PACE_S = 5.0
 _WANTED_S = 5.0
-_MOST_SHARE = 0.05
+_MOST_SHARE = 0.08
 _SLOWEST_S = 4.0
 """A large system is shown more slowly, so that showing it costs no more than this share of the time."""
 _KEPT = 50
+_PICTURE_S = 10.0
+"""A picture that nobody sees is drawn again after so long, for who comes next."""
 
 
 class PageSource:
     """Makes a snapshot of a session when one is due, and hands it to the page as bytes.
 
     Snapshots are made by who runs the session; :meth:`newest` may be called from any thread. While nobody asks for
-    them they are made less often.
+    them they are made less often. While all who read say what they see, only values of that are of the present, and
+    others at most as old as a round (:data:`roslens.live.rate.glance.ROUND_S`); states always are.
+
+    Attributes:
+        sight: what readers see.
+        past: of what is shown; None where nothing is kept.
+        board: its references, and notes on its alerts.
     """
 
     def __init__(
@@ -62,6 +72,8 @@ class PageSource:
         self._steady = steady
         self._picture = GraphPicture(shown_name)
         self._rows = RowList()
+        self._drawn = -math.inf
+        self.sight = Sight(steady)
         self._happened: deque[Happening] = deque(maxlen=_KEPT)
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
@@ -144,18 +156,23 @@ class PageSource:
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
         begun = self._steady()
-        looked = _look(session, now)
+        # Of what ended nothing newer will come.
+        seen = self.sight.seen() if self._live else None
+        looked = _look(session, now, topics_seen(seen, self._shown) if seen is not None else None)
+        draw = seen is None or seen.picture or begun - self._drawn >= _PICTURE_S
+        if draw:
+            self._drawn = begun
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
-        self._shown = self._snapshot(looked, cost)
+        self._shown = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
         self._made = self._steady()
         self._took = self._made - begun
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
-        return self._snapshot(_look(session, now), cost)
+        return self._snapshot(_look(session, now, None), cost, draw=True)
 
-    def _snapshot(self, looked: Looked, cost: str) -> Snapshot:
+    def _snapshot(self, looked: Looked, cost: str, *, draw: bool) -> Snapshot:
         found = document(
             looked.view,
             looked.standing,
@@ -169,6 +186,7 @@ class PageSource:
             happened=sorted(self._happened, key=lambda one: one.time)[::-1],
             failures=tuple(reversed(self._failures)),
             row_list=self._rows,
+            drawn=None if draw or self._shown is None else self._shown.picture,
         )
         shown, muted = self.board.sorted(found.alerts, looked.time)
         return bounded(msgspec.structs.replace(found, alerts=shown, muted=muted))
@@ -185,7 +203,14 @@ class PageSource:
             yield Happening(note.time, when, note.kind.value, "", "reference", "", text)
 
 
-def _look(session: Session, now: float) -> Looked:
-    """Return values that never change: who asks for details in another thread reads them while the next are made."""
+def _look(session: Session, now: float, topics: Collection[str] | None) -> Looked:
+    """Return values that never change: who asks for details in another thread reads them while the next are made.
+
+    Those of ``topics`` are of the present, or all of them.
+    """
     monitor = session.monitor
-    return Looked(session.tree(now), monitor.standing(), session.graph(), monitor.reference, now)
+    if topics is None:
+        view, standing = session.tree(now), monitor.standing()
+    else:
+        view, standing = session.glance(now, topics)
+    return Looked(view, standing, session.graph(), monitor.reference, now)

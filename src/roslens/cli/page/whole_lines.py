@@ -46,6 +46,14 @@ def whole_lines(
     return lines, loose, many
 
 
+def joined(pair: Ends, by: Collection[str], halves: Mapping[Ends, HalfLine]) -> HalfLine:
+    """Return what is known of the line between two nodes by these topics."""
+    lines: dict[Ends, WholeLine] = {}
+    for topic in by:
+        _join(lines, pair, topic, halves[pair[0], topic], halves[topic, pair[1]])
+    return lines[pair].line
+
+
 def _join(lines: dict[Ends, WholeLine], pair: Ends, topic: str, give: HalfLine, take: HalfLine) -> None:
     state = worse(give.state, take.state)
     known = lines.get(pair)

@@ -57,7 +57,7 @@ def serve(
     access, tls = (door.access, door.tls) if door else (None, None)
     page = LivePage(
         source.newest, detail=source.detail, graph=source.graph, past=source.past, board=source.board,
-        state=source.state,
+        state=source.state, sight=source.sight,
         host=host, port=port, access=access, tls=tls, further=further,
     )  # fmt: skip
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)

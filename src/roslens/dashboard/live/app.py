@@ -26,6 +26,8 @@ from roslens.dashboard.live.changes import held
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign, json_or_nothing, refused, unreadable
+from roslens.dashboard.live.sight import Sight
+from roslens.dashboard.live.sight_routes import SightRoutes
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.live.telling import Telling
 from roslens.dashboard.render import TEMPLATES, WEB
@@ -38,6 +40,8 @@ MOST_READERS = 32
 """Streams at a time; each reader holds a connection."""
 _LOOK_S = 0.1
 _BEAT_S = 1.0
+_SOON_S = 1.0
+_LONGEST_READER = 40
 _BEAT = b"event: beat\ndata:\n\n"
 _KEYS = (
     ("j k", "next and previous row"),
@@ -87,7 +91,8 @@ def no_graph() -> bytes:
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
-    state: Callable[[], Snapshot | None] | None = None, stopped: Callable[[], bool] = lambda: False,
+    state: Callable[[], Snapshot | None] | None = None, sight: Sight | None = None,
+    stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -100,12 +105,14 @@ def create_live_app(
         past: of what is shown; None where nothing is kept.
         board: references and notes on alerts.
         state: returns what `snapshot` returns before it is JSON; by default that is read again.
+        sight: is told what readers see, where snapshots are made of that.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
     templates = _Templates(facts, past is not None, board is not None)
     telling = Telling(state or _Read(snapshot))
-    streams = _Streams(telling, facts.pace_s, stopped)
+    seeing = SightRoutes(sight)
+    streams = _Streams(telling, facts.pace_s, stopped, seeing.sight)
     memory = PastRoutes(past, templates.compared) if past is not None else None
 
     async def show(request: Request) -> Response:
@@ -124,12 +131,15 @@ def create_live_app(
         at = request.query_params.get("at", "")
         if at and memory is not None:
             return json_or_nothing(await memory.snapshot(at))
+        seeing.sight.take_all()
         return Response(snapshot(), media_type="application/json")
 
     async def about(request: Request) -> Response:
         if refusal := foreign(request):
             return refusal
         entity, at = request.query_params.get("select", ""), request.query_params.get("at", "")
+        if not at:
+            await seeing.wait_for(entity, streams.next)
         # That nothing is known of an entity is no error: it may have gone since it was chosen.
         return json_or_nothing(await memory.detail(entity, at) if at and memory is not None else detail(entity))
 
@@ -141,8 +151,9 @@ def create_live_app(
             return refusal
         if streams.readers >= MOST_READERS:
             return PlainTextResponse(f"{MOST_READERS} readers are served already.\n", status_code=503)
+        reader = request.query_params.get("reader", "")[:_LONGEST_READER]
         return StreamingResponse(
-            streams.read(request.headers.get("last-event-id") or request.query_params.get("after", "")),
+            streams.read(request.headers.get("last-event-id") or request.query_params.get("after", ""), reader),
             media_type="text/event-stream",
             headers={"cache-control": "no-store", "x-accel-buffering": "no"},
         )
@@ -152,6 +163,7 @@ def create_live_app(
             Route("/", show),
             Route("/snapshot.json", twin),
             Route("/events", events),
+            *seeing.routes(),
             Route("/detail.json", about),
             Route("/graph.json", whole),
             *facts.further.routes,
@@ -186,19 +198,30 @@ class _Read:
 class _Streams:
     """Hands pieces to readers; who reads slowly gets what it lacks when it is ready for it."""
 
-    def __init__(self, telling: Telling, pace_s: float, stopped: Callable[[], bool]) -> None:
+    def __init__(self, telling: Telling, pace_s: float, stopped: Callable[[], bool], sight: Sight) -> None:
         self._telling = telling
         self._pace_s = pace_s
         self._stopped = stopped
+        self._sight = sight
         self.readers = 0
 
-    async def read(self, mark: str) -> AsyncIterator[bytes]:
+    async def next(self) -> None:
+        """Wait for the next snapshot, where one comes soon."""
+        clock = asyncio.get_running_loop().time
+        number, end = self._telling.look(), clock() + _SOON_S
+        while self._telling.newest_lives() and self._telling.look() == number and clock() < end:
+            await asyncio.sleep(_LOOK_S / 2)
+
+    async def read(self, mark: str, reader: str) -> AsyncIterator[bytes]:
         """Yield what is new to who holds what ``mark`` says, and a beat each second in which nothing is."""
         clock = asyncio.get_running_loop().time
         telling = self._telling
         telling.look()
         number, sent_at = telling.number_of(mark), clock() - self._pace_s
         self.readers += 1
+        # Who comes again before it was noticed that it went is another one, and so is each without a name.
+        stream = object()
+        self._sight.enter(stream, reader)
         try:
             yield b"retry: 1000\n\n"
             while not self._stopped():
@@ -212,6 +235,7 @@ class _Streams:
                 await asyncio.sleep(min(_LOOK_S, self._pace_s))
         finally:
             self.readers -= 1
+            self._sight.leave(stream)
 
 
 def _embeddable(text: bytes) -> Markup:

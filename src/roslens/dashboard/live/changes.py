@@ -86,11 +86,15 @@ def _in_picture(before: Picture, after: Picture) -> tuple[tuple[tuple[int, str],
         return None
     items, links = [], []
     for place, (was_item, item) in enumerate(zip(before.items, after.items, strict=True)):
+        if was_item is item:
+            continue
         if _PLACE_OF_ITEM(was_item) != _PLACE_OF_ITEM(item):
             return None
         if was_item.state != item.state:
             items.append((place, item.state))
     for place, (was_link, link) in enumerate(zip(before.links, after.links, strict=True)):
+        if was_link is link:
+            continue
         if _PLACE_OF_LINK(was_link) != _PLACE_OF_LINK(link):
             return None
         if _OF_LINK(was_link) != _OF_LINK(link):

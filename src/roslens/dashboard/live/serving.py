@@ -13,6 +13,7 @@ from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
+from roslens.dashboard.live.sight import Sight
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.patient_protocol import PatientProtocol
 
@@ -26,7 +27,7 @@ class LivePage:
     def __init__(
         self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing,
         graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
-        state: Callable[[], Snapshot | None] | None = None,
+        state: Callable[[], Snapshot | None] | None = None, sight: Sight | None = None,
         host: str = "127.0.0.1", port: int = 0, access: Access | None = None, tls: Tls | None = None,
         further: Further | None = None,
     ) -> None:  # fmt: skip
@@ -39,6 +40,7 @@ class LivePage:
             past: of what is shown; None where nothing is kept.
             board: references and notes on alerts.
             state: returns what `snapshot` returns before it is JSON.
+            sight: is told what readers see.
             host: name or address to listen on.
             port: to listen on; 0 takes a free one.
             access: who may view and who may act; by default everybody may view and nobody act.
@@ -63,6 +65,7 @@ class LivePage:
                     past=past,
                     board=board,
                     state=state,
+                    sight=sight,
                     stopped=self._stopping.is_set,
                 ),
                 log_level="error",

@@ -85,6 +85,10 @@ class Telling:
         """Return the newest snapshot as a page holds it; one of nothing before the first."""
         return held(self._newest or NOTHING)
 
+    def newest_lives(self) -> bool:
+        """Return whether a newer snapshot will come."""
+        return self._newest is not None and self._newest.live
+
     def whole(self) -> bytes:
         """Return all of the newest snapshot."""
         if not self._whole and self._newest is not None:

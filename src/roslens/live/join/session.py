@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Protocol, cast
 
 import msgspec
@@ -18,6 +18,7 @@ from roslens.live.join.one_stretch import OneStretch
 from roslens.live.join.seen import Seen
 from roslens.live.join.service_calls import ServiceCalls
 from roslens.live.join.waiting import Waiting
+from roslens.live.rate.glance import Glance
 from roslens.live.rate.monitor import Monitor
 from roslens.live.system.halted import Halted
 from roslens.live.system.tree import SystemView
@@ -114,6 +115,7 @@ class Session:
         self._graphs = GraphUnion()
         self._seen = Seen()
         self._graph_changed = False
+        self._whole: Graph | None = None
         self._clocks = HostClocks()
         self._names = GidNames()
         self._stretches = OneStretch()
@@ -169,6 +171,7 @@ class Session:
         self._now = now
         whole = self._graphs.whole() if self._graph_changed else None
         if whole is not None:
+            self._whole = whole
             self._names.take_graph(whole, now)
             self._hosts = {node.name: node.host for node in whole.nodes if node.host}
             self._processes.add_graph("", whole)
@@ -217,7 +220,9 @@ class Session:
 
     def graph(self) -> Graph:
         """Return what is there now, as far as any observer knows."""
-        return self._graphs.whole()
+        if self._graph_changed or self._whole is None:
+            return self._graphs.whole()
+        return self._whole
 
     def seen(self) -> tuple[Subject, ...]:
         """Return everything that was there at any time since the watch began."""
@@ -226,6 +231,10 @@ class Session:
     def tree(self, now: float) -> SystemView:
         """Return the system with its worst states and latest values."""
         return self.monitor.tree(now)
+
+    def glance(self, now: float, looked_at: Collection[str]) -> Glance:
+        """Return tree and verdicts, with values of the present of these topics and of what is not fine."""
+        return self.monitor.glance(now, looked_at)
 
     def _parted(self, verdicts: Iterable[Verdict]) -> tuple[tuple[Verdict, ...], tuple[Verdict, ...]]:
         """Return verdicts whose state changed, and bad ones of which only the cause did."""

@@ -101,13 +101,13 @@ class Lookout:
                 self._queue.put(one)
         return changed
 
-    def look_again(self, now: float) -> list[Judged]:
-        """Bring values to the present that nobody had to look at; return what changed."""
+    def look_again(self, now: float, topics: Iterable[Topic] | None = None) -> list[Judged]:
+        """Bring values of ``topics``, or of all, to the present that nobody had to look at; return what changed."""
         self._plan(self.waiting, now)
         changed: list[Judged] = []
         if self.suspended:
             return changed
-        for topic in self._world.topics.values():
+        for topic in self._world.topics.values() if topics is None else topics:
             for one in chain.from_iterable(topic.connections.values()):
                 if one.looked < now and one.judged and not one.planless:
                     changed += judge_connection(one, now)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import chain
 
 from roslens.judge.reference.expectation import Reference
 from roslens.live.explain.explained import Explained
 from roslens.live.rate.existence import Existence
+from roslens.live.rate.glance import Glance, Glances
 from roslens.live.rate.hearing import Hearing
 from roslens.live.rate.lookout import Lookout
 from roslens.live.rate.plans import plan, required
@@ -20,7 +21,6 @@ from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.state_checks import StateChecks
 from roslens.live.system.connection import Connection
-from roslens.live.system.live_tree import LiveTree
 from roslens.live.system.sampled import Sampled, finite
 from roslens.live.system.tree import SystemView
 from roslens.live.system.world import World
@@ -60,7 +60,7 @@ class Monitor:
             ValueError: a pattern of the reference is none.
         """
         self._world = World()
-        self._tree = LiveTree(self._world)
+        self._glances = Glances(self._world)
         self._clock = ClockWatch(start)
         self._began = start
         self._held = self._settling = False
@@ -322,7 +322,13 @@ class Monitor:
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
         self._moved += self._lookout.look_again(self._clock.now)
-        return self._tree.view(self._standing(), now)
+        return self._glances.tree.view(self._standing(), now)
+
+    def glance(self, now: float, looked_at: Collection[str]) -> Glance:
+        """Return tree and verdicts; values of topics that nobody looks at may be some seconds old, states never."""
+        topics = self._glances.topics(looked_at, now)
+        self._moved += self._lookout.look_again(self._clock.now, topics)
+        return self._glances.at(self._standing(), now, topics)
 
     def _entities(self) -> Iterator[Measured]:
         return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 
 from roslens.live.standing.standing import Standing
 from roslens.live.system.readings import Readings
+from roslens.live.system.topic import Topic
 from roslens.live.system.tree import Plan, SystemView
 from roslens.live.system.world import World
 from roslens.model.entity import EntityId
@@ -23,12 +24,15 @@ class LiveTree:
         self._shape: _Shape | None = None
         self._states: dict[EntityId, list[State]] = {}
 
-    def view(self, standing: Iterable[Standing], now: float) -> SystemView:
-        """Return the tree at ``now``; an entity below several others counts once in what is above them all."""
+    def view(self, standing: Iterable[Standing], now: float, topics: Sequence[Topic] | None = None) -> SystemView:
+        """Return the tree at ``now``; an entity below several others counts once in what is above them all.
+
+        Values of traffic are read anew where ``topics`` have it, by default everywhere.
+        """
         states: dict[EntityId, list[State]] = {}
         for one in standing:
             states.setdefault(one.entity, []).append(one.state.state)
-        read = self._readings.refresh(now)
+        read = self._readings.refresh(now, topics)
         if self._plan is None or self._shape is None or not self._shape.fits(self._world, states):
             if self._plan is not None:
                 self._plan.dissolve()

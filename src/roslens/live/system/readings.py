@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import chain
 
 from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
@@ -19,6 +20,8 @@ from roslens.model.tally import Observer
 _TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
 _WORDS = {one: one.value for one in Observer}
 _NOTHING: Told = ({}, "")
+_OUTDATED = -1
+"""In place of how many connections a topic had when it was read."""
 
 
 class Readings:
@@ -40,12 +43,21 @@ class Readings:
         """Return the latest values of an entity, and how they were observed."""
         return self._told.get(entity, _NOTHING)
 
-    def refresh(self, now: float) -> list[EntityId]:
-        """Bring everything to ``now`` on the monitor's clock; return of what the values are others than before."""
+    def refresh(self, now: float, topics: Sequence[Topic] | None = None) -> list[EntityId]:
+        """Bring everything to ``now`` on the monitor's clock; return of what the values are others than before.
+
+        Of traffic only that of ``topics`` is read, where these are given.
+        """
         changed: list[EntityId] = []
         self._forget()
-        touched = self._read_connections(now, changed)
-        self._read_topics(touched, now, changed)
+        if topics is None:
+            every: Iterable[Topic] = self._world.topics.values()
+            connections: Iterable[Connection] = self._world.connections.values()
+        else:
+            every = topics
+            connections = chain.from_iterable(chain.from_iterable(one.connections.values()) for one in topics)
+        touched = self._read_connections(connections, now, changed)
+        self._read_topics(every, touched, now, changed)
         self._read_samples(now, changed)
         return changed
 
@@ -64,11 +76,11 @@ class Readings:
             del self._samples[entity]
             self._told.pop(entity, None)
 
-    def _read_connections(self, now: float, changed: list[EntityId]) -> set[str]:
+    def _read_connections(self, connections: Iterable[Connection], now: float, changed: list[EntityId]) -> set[str]:
         """Read the connections that may tell something else; return the topics of these."""
         touched = set()
         marks = self._connections
-        for one in self._world.connections.values():
+        for one in connections:
             mark = marks.get(one)
             if mark is not None and mark.holds(one, now):
                 continue
@@ -78,13 +90,14 @@ class Readings:
             marks[one] = _Mark(one)
         return touched
 
-    def _read_topics(self, touched: set[str], now: float, changed: list[EntityId]) -> None:
-        world, known = self._world, self._topics
-        graph, self._graph = self._graph, world.graph
-        every = graph is not world.graph
-        for name, topic in world.topics.items():
-            ends = sum(map(len, topic.connections.values()))
-            if every or name in touched or known.get(name) != ends:
+    def _read_topics(self, topics: Iterable[Topic], touched: set[str], now: float, changed: list[EntityId]) -> None:
+        if self._graph is not self._world.graph:
+            # Each is read again when it is looked at next.
+            self._graph, self._topics = self._world.graph, dict.fromkeys(self._topics, _OUTDATED)
+        known = self._topics
+        for topic in topics:
+            name, ends = topic.name, sum(map(len, topic.connections.values()))
+            if name in touched or known.get(name) != ends:
                 known[name] = ends
                 self._take(topic.id, _of_topic(topic, now), changed)
 

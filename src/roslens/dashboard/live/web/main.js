@@ -14,6 +14,7 @@ import { Picture } from "./picture.js";
 import { Plots } from "./plots.js";
 import { Sparks } from "./sparks.js";
 import { sign, word } from "./states.js";
+import { Sees } from "./sees.js";
 import { listen } from "./stream.js";
 import { Tree } from "./tree.js";
 import { Way } from "./way.js";
@@ -169,7 +170,8 @@ function readAddress() {
 
 readAddress();
 onReturn(readAddress);
-listen(first, mark, heardOf, heard);
+const sees = new Sees(tree, picture, detail);
+listen(first, mark, sees.reader, heardOf, heard, () => sees.opened());
 
 search.addEventListener("input", settled(filter, 80));
 search.addEventListener("keydown", (event) => event.key === "Escape" && (search.value ? (search.value = "", filter()) : search.blur()));

@@ -14,6 +14,8 @@ const MANY = 60;
 const MARK = 20;
 const DIAMOND = 8;
 const NAMED = 40;
+/** So far beyond the edge a line has words that reach into the picture. */
+const MARGIN = 100;
 /** A picture of which no name could be read begins with the part of it that is worst, at this zoom. */
 const LEGIBLE = 0.9;
 const GRAVE = ["absent", "high", "low", "unknown"];
@@ -31,6 +33,8 @@ export class Picture {
     for (const name of ["wheel", "pointerdown"]) canvas.addEventListener(name, () => { this.left = true; });
     canvas.addEventListener("click", (event) => this.click(event));
     canvas.addEventListener("keydown", (event) => this.key(event));
+    this.seen = true;
+    new IntersectionObserver((found) => { this.seen = found.at(-1).isIntersecting; }).observe(canvas);
     new ResizeObserver(() => this.left || this.open()).observe(canvas);
   }
 
@@ -181,6 +185,20 @@ export class Picture {
       shown.title.textContent = [[`${start.name} → ${end.name}: ${word(state)}`, ...told].filter(Boolean).join(", "), ...topics].join("\n");
     }
     sweep(this.lines, there);
+  }
+
+  /** The places of the lines whose words can be read now, at most so many. */
+  wordsSeen(most) {
+    if (!this.seen || this.camera.k < FAR || !this.links) return [];
+    const room = this.camera.size();
+    const { k, x, y } = this.camera;
+    const found = [];
+    for (let at = 0; at < this.links.length && found.length < most; at += 1) {
+      const [wordX, wordY] = this.links[at][2].word || [0, 0];
+      const [left, top] = [x + k * wordX, y + k * wordY];
+      if (left > -MARGIN && left < room.width + MARGIN && top > -MARGIN && top < room.height + MARGIN) found.push(at);
+    }
+    return found;
   }
 
   select(entity, reveal) {

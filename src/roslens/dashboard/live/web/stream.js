@@ -7,9 +7,10 @@ const AGAIN_MS = 2000;
 
 /**
  * Calls `told(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live",
- * "unsure", "lost" or "stuck" as it goes. `first` is what the page holds, `mark` what the monitor calls it.
+ * "unsure", "lost" or "stuck" as it goes. `first` is what the page holds, `mark` what the monitor calls it, `reader`
+ * what the monitor calls this page; `opened()` says that it does so from now on.
  */
-export function listen(first, mark, told, heard) {
+export function listen(first, mark, reader, told, heard, opened) {
   let last = performance.now();
   let fresh = last;
   let { live } = first;
@@ -41,7 +42,8 @@ export function listen(first, mark, told, heard) {
   }
 
   function open() {
-    source = new EventSource(mark ? `events?after=${encodeURIComponent(mark)}` : "events");
+    source = new EventSource(`events?reader=${reader}${mark ? `&after=${encodeURIComponent(mark)}` : ""}`);
+    source.addEventListener("open", opened);
     source.addEventListener("state", (event) => take(event, (whole) => whole));
     source.addEventListener("change", (event) => {
       if (follows(event.lastEventId)) take(event, (change) => apply(state, change));

@@ -219,6 +219,13 @@ export class Tree {
     return [...new Set(this.shown.slice(from, Math.min(last, this.shown.length)).map((one) => one.row.entity))].slice(0, most);
   }
 
+  /** The keys of the rows around what can be seen, at most so many. */
+  keysSeen(most) {
+    const [first, last] = this.near();
+    const from = Math.max(first, 0);
+    return this.shown.slice(from, Math.min(last, from + most)).map((one) => one.row.key);
+  }
+
   /** Show how rows went; `line` makes a picture of values. */
   spark(values, line) {
     this.shown.forEach(({ row }, at) => {

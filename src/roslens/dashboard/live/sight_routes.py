@@ -1,0 +1,45 @@
+"""What readers see, over HTTP: a page tells it, and who asks about something that nobody saw waits for its values."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Awaitable, Callable
+
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import Route
+
+from roslens.dashboard.live.past_routes import foreign
+from roslens.dashboard.live.sight import Sight, seen_of
+
+
+class SightRoutes:
+    """Takes what pages tell.
+
+    Attributes:
+        sight: what is seen.
+    """
+
+    def __init__(self, sight: Sight | None) -> None:
+        """Tell ``sight``; None where everything is made, whoever sees it."""
+        self._partial = sight is not None
+        self.sight = sight or Sight(time.monotonic)
+
+    def routes(self) -> list[Route]:
+        """Return where what is."""
+        return [Route("/sees", self.sees)]
+
+    async def sees(self, request: Request) -> Response:
+        """Take what a page says that it sees."""
+        if refusal := foreign(request):
+            return refusal
+        told = request.query_params.get
+        seen = seen_of(told("rows", ""), told("links", ""), told("select", ""), told("picture", ""))
+        if seen is None:
+            return PlainTextResponse("Expected keys of rows and places of links, not too many.\n", status_code=400)
+        return Response(status_code=204 if self.sight.tell(told("reader", ""), seen) else 404)
+
+    async def wait_for(self, entity: str, newer: Callable[[], Awaitable[None]]) -> None:
+        """Let what is known of an entity be of the present; ``newer`` waits for the next snapshot."""
+        if self.sight.ask(entity) and self._partial:
+            await newer()

@@ -1,0 +1,100 @@
+"""Who looks at some topics sees every state as it is, and values of these as if everything were looked at."""
+
+from random import Random
+
+import msgspec
+import pytest
+from live.test_live_tree import SECONDS, Watched, history
+
+from roslens.live.rate.glance import ROUND_S
+from roslens.live.system.connection_name import connection_ends
+from roslens.model.entity import EntityKind
+
+
+def topic_of(entity):
+    if entity.kind is EntityKind.TOPIC:
+        return entity.name
+    return connection_ends(entity)[0] if entity.kind is EntityKind.CONNECTION else ""
+
+
+def states(view):
+    """Return what stands where and how, without values."""
+    below = [states(one) for one in view.children]
+    return view.id, view.name, view.state, view.worst, view.counts, view.below, below
+
+
+def values(view, topics):
+    """Return the values of topics, their connections, and of everything that is no traffic."""
+    found, waiting = {}, [view]
+    while waiting:
+        part = waiting.pop()
+        kind, _, name = part.id.partition(":")
+        traffic = name if kind == "topic" else name.split(" > ")[1] if kind == "connection" else None
+        if traffic is None or traffic in topics:
+            found[part.id] = part.values, part.observer
+        waiting += part.children
+    return found
+
+
+def judged(verdicts, topics):
+    """Return verdicts whole, as far as they are not fine, or of topics."""
+    return [
+        msgspec.to_builtins(one) for one in verdicts if one.state.value != "ok" or topic_of(one.entity) in {"", *topics}
+    ]
+
+
+def held(seed):
+    draw = Random(seed)
+    partly, wholly = Watched(), Watched()
+    events, now = history(draw), 0.0
+    said = [[], []]
+    while now < SECONDS + 3:
+        now += draw.choice([0.05, 0.25, 0.25, 1.1])
+        while events and events[0][0] <= now:
+            time, _, what, value = events.pop(0)
+            partly.take(time, what, value)
+            wholly.take(time, what, value)
+        for one, told in zip((partly, wholly), said, strict=True):
+            told += [(v.entity, v.expectation, v.state, v.since, v.cause) for v in one.monitor.tick(now)]
+        if draw.random() < 0.8:
+            known = sorted(partly.monitor.world.topics)
+            looked_at = {name for name in known if draw.random() < 0.4} | {"/nothing"}
+            found = partly.monitor.glance(now, looked_at)
+            view, verdicts = wholly.monitor.tree(now), wholly.monitor.standing()
+            assert states(found.view) == states(view), f"seed {seed} at {now:.2f} s"
+            assert values(found.view, looked_at) == values(view, looked_at), f"seed {seed} at {now:.2f} s"
+            assert judged(found.standing, looked_at) == judged(verdicts, looked_at), f"seed {seed} at {now:.2f} s"
+            key = [(one.entity, one.expectation, one.state, one.since, one.cause) for one in verdicts]
+            assert [(one.entity, one.expectation, one.state, one.since, one.cause) for one in found.standing] == key
+        if draw.random() < 0.1:
+            assert partly.monitor.standing() == wholly.monitor.standing()
+            assert msgspec.to_builtins(partly.monitor.tree(now)) == msgspec.to_builtins(wholly.monitor.tree(now))
+    assert said[0] == said[1]
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_it_is_as_if_everything_were_looked_at(seed):
+    held(seed)
+
+
+def test_everything_has_its_turn_within_a_round():
+    watched = Watched()
+    events = history(Random(3))
+    while events:
+        time, _, what, value = events.pop(0)
+        watched.take(time, what, value)
+        watched.monitor.tick(time)
+    monitor = watched.monitor
+    now = monitor._clock.now
+    glances = monitor._glances
+    glances.topics((), now)
+    turns = set()
+    for step in range(1, 42):
+        turns.update(one.name for one in glances._in_turn(now + step * ROUND_S / 40))
+    assert turns == set(monitor.world.topics)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("seed", range(1000, 3000))
+def test_wide_search(seed):
+    held(seed)

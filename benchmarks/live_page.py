@@ -1,7 +1,7 @@
 """What the live page costs: the server with several readers, and a browser that shows it.
 
-Usage: live_page.py [connections] [readers] [seconds] [--all]. Each reader says what it sees as the page does: a hundred
-rows of opened nodes, others than those of the next reader, and forty lines of the picture. With --all none says so, and
+Usage: live_page.py [connections] [readers] [seconds] [--all]. Each reader says what it sees as the page does: 45 rows
+of opened nodes, others than those of the next reader, and forty lines of the picture. With --all none says so, and
 each is told everything. A made-up robot has so many connections, each of which tells once
 a second; its page is served by a process of its own. Told are CPU seconds by seconds of the clock, so that a busy
 machine changes little but the first paint. The browser is Chromium where it is installed, its processes counted by
@@ -42,7 +42,8 @@ TURNS = 4
 """Each connection tells in one of so many turns."""
 HOSTS = 3
 FIRST_PAINTS = 5
-ROWS, LINES = 100, 40
+ROWS, LINES = 45, 40
+"""What a reader sees on a screen of 1440 by 900: rows, with five beside them, and lines of the picture."""
 REFERENCE = b"""
 kind: reference
 name: large
@@ -190,7 +191,7 @@ class Reader(Thread):
 
 
 def say_seen(url: str, readers: int) -> None:
-    """Say of each reader what it sees: a hundred rows that follow each other, and lines of the picture."""
+    """Say of each reader what it sees: rows that follow each other, and lines of the picture."""
     with urlopen(f"{url}snapshot.json") as answer:
         found = json.load(answer)
     rows, version = [row["key"] for row in found["rows"]], found["picture"].get("version", 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -19,12 +20,13 @@ from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event, Graph
-from roslens.model.verdict import Verdict
+from roslens.model.verdict import State, Verdict
 
 if TYPE_CHECKING:
     from roslens.live.system.tree import SystemView
 
 _GRAVITY = {severity.value: severity.rank for severity in Severity}
+_SHOWN = attrgetter("shown")
 _PROCESS = f"{EntityKind.PROCESS.value}:"
 
 
@@ -50,7 +52,7 @@ def document(
     where that is given, because nobody sees it.
     """
     rows = (row_list or RowList()).of(view)
-    known = set[str]().union(*(row.shown for row in rows))
+    known = set[str]().union(*map(_SHOWN, rows))
     return Snapshot(
         version=VERSION,
         time=time,
@@ -63,7 +65,8 @@ def document(
         cost=cost,
         columns=tuple(column for column in COLUMNS if column[0] in known),
         rows=rows,
-        alerts=_alerts(standing, clock),
+        # What is fine is no alert, and nothing explains it.
+        alerts=_alerts([one for one in standing if one.state is not State.OK], clock),
         causes=causes_of(standing, shown_text),
         picture=drawn or picture.of(graph, rows, standing),
         happened=tuple(happened),

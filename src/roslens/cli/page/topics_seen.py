@@ -27,7 +27,12 @@ def topics_seen(seen: Seen, shown: Snapshot | None) -> frozenset[str]:
 
 def _of_link(picture: Picture, place: int) -> Iterator[str]:
     link = picture.links[place]
-    for entity in (*link.by, picture.items[link.start].entity, picture.items[link.end].entity):
+    # A line of several topics has no rate; how old the oldest of them is it tells in turn.
+    for entity in (
+        *(link.by if len(link.by) == 1 else ()),
+        picture.items[link.start].entity,
+        picture.items[link.end].entity,
+    ):
         yield from _topic_of(entity)
 
 

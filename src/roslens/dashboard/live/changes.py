@@ -14,6 +14,7 @@ from roslens.dashboard.live.snapshot import Picture, Row, Snapshot
 
 _LARGE = ("rows", "picture")
 _WHOLE = tuple(name for name in Snapshot.__struct_fields__ if name not in _LARGE)
+_KEY = attrgetter("key")
 _BESIDES_VALUES = attrgetter("entity", "name", "kind", "depth", "state", "observer", "worst", "below")
 _PLACE_OF_ITEM = attrgetter("entity", "name", "kind", "x", "y", "label", "w", "h")
 _PLACE_OF_LINK = attrgetter("start", "end", "path", "by", "word")
@@ -50,10 +51,12 @@ def held(snapshot: Snapshot) -> Snapshot:
 
 def change(before: Snapshot, after: Snapshot) -> Change | None:
     """Return what makes ``after`` of ``before``; None where only all of it can be told."""
-    old = {row.key: row for row in before.rows}
-    order = tuple(row.key for row in after.rows)
-    if len(old) != len(before.rows) or len(set(order)) != len(order):
+    order = tuple(map(_KEY, after.rows))
+    former = tuple(map(_KEY, before.rows))
+    moved = former != order
+    if len(set(former)) != len(former) or (moved and len(set(order)) != len(order)):
         return None
+    old = dict(zip(former, before.rows, strict=True)) if moved else {}
     parts = {name: getattr(after, name) for name in _WHOLE if getattr(after, name) != getattr(before, name)}
     drawn = _in_picture(before.picture, after.picture)
     if drawn is None:
@@ -61,15 +64,14 @@ def change(before: Snapshot, after: Snapshot) -> Change | None:
     items, links = drawn or ((), ())
     keys = tuple(key for key, _ in after.columns)
     whole, cells = [], []
-    for place, row in enumerate(after.rows):
-        was = old.get(row.key)
+    pairs = zip(map(old.get, order) if moved else before.rows, after.rows, strict=True)
+    for place, (was, row) in enumerate(pairs):
         if was is row:
             continue
         if was is None or _BESIDES_VALUES(was) != _BESIDES_VALUES(row):
             whole.append(_held(row))
         elif was.shown != row.shown:
             cells.append((place, *map(row.shown.get, keys)))
-    moved = len(old) != len(order) or any(key != one for key, one in zip(old, order, strict=True))
     return Change(parts, order if moved else None, tuple(whole), tuple(cells), items, links)
 
 

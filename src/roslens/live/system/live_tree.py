@@ -23,26 +23,39 @@ class LiveTree:
         self._plan: Plan | None = None
         self._shape: _Shape | None = None
         self._states: dict[EntityId, list[State]] = {}
+        self._judged: list[Standing] = []
+        self._found: list[State] = []
 
     def view(self, standing: Iterable[Standing], now: float, topics: Sequence[Topic] | None = None) -> SystemView:
         """Return the tree at ``now``; an entity below several others counts once in what is above them all.
 
         Values of traffic are read anew where ``topics`` have it, by default everywhere.
         """
-        states: dict[EntityId, list[State]] = {}
-        for one in standing:
-            states.setdefault(one.entity, []).append(one.state.state)
+        states = self._states_of(list(standing))
         read = self._readings.refresh(now, topics)
-        if self._plan is None or self._shape is None or not self._shape.fits(self._world, states):
+        if self._plan is None or self._shape is None or not self._shape.fits(self._world, states, self._states):
             if self._plan is not None:
                 self._plan.dissolve()
             self._plan = Plan(_Placed(self._world, self._readings), states)
             self._shape = _Shape(self._world, states)
         else:
             before = self._states
-            self._plan.change(read, [entity for entity, found in states.items() if before[entity] != found])
+            same = states is before
+            moved = () if same else [entity for entity, found in states.items() if before[entity] != found]
+            self._plan.change(read, moved)
         self._states = states
         return self._plan.view(self._readings.of, states)
+
+    def _states_of(self, judged: list[Standing]) -> dict[EntityId, list[State]]:
+        """Return how each entity stands: the same object as before where nothing of that changed."""
+        found = [one.state.state for one in judged]
+        if judged == self._judged and found == self._found:
+            return self._states
+        self._judged, self._found = judged, found
+        states: dict[EntityId, list[State]] = {}
+        for one in judged:
+            states.setdefault(one.entity, []).append(one.state.state)
+        return states
 
 
 class _Shape:
@@ -55,14 +68,14 @@ class _Shape:
         self._connections = set(world.connections)
         self._judged = set(states)
 
-    def fits(self, world: World, states: dict[EntityId, list[State]]) -> bool:
-        """Return whether a system is still of this shape."""
+    def fits(self, world: World, states: Collection[EntityId], before: Collection[EntityId]) -> bool:
+        """Return whether a system is still of this shape; ``before`` are the entities that were judged last."""
         return (
             world.graph is self._graph
             and world.sampled.keys() == self._sampled
             and world.topics.keys() == self._topics
             and world.connections.keys() == self._connections
-            and states.keys() == self._judged
+            and (states is before or set(states) == self._judged)
         )
 
 

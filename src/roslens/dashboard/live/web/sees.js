@@ -20,7 +20,7 @@ export class Sees {
   async look() {
     if (!this.open || this.asking || document.hidden) return;
     const words = this.picture.wordsSeen(MOST);
-    const seen = { reader: this.reader, rows: this.tree.keysSeen(MOST).join("."), select: this.detail.entity, picture: this.picture.seen ? "1" : "" };
+    const seen = { reader: this.reader, rows: this.tree.keysSeen().slice(0, MOST).join("."), select: this.detail.entity, picture: this.picture.seen ? "1" : "" };
     if (words.length) seen.links = `${this.picture.version}:${words.join(".")}`;
     const now = new URLSearchParams(seen).toString();
     if (now === this.told) return;

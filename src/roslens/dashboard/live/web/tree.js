@@ -9,6 +9,7 @@ const OPEN_TOPICS = 40;
 const OPEN_NODES = 300;
 const SHORT = 150;
 const ROW_HEIGHT = 28;
+const BESIDE = 5;
 const OBSERVED = { inside: "counted inside the node", protocol: "told by the middleware", tap: "received by a tap", recording: "from the recording", agent: "sampled on its host", scripted: "scripted" };
 const BAD = new Set(["suspended", "unknown", "low", "high", "absent"]);
 
@@ -219,11 +220,14 @@ export class Tree {
     return [...new Set(this.shown.slice(from, Math.min(last, this.shown.length)).map((one) => one.row.entity))].slice(0, most);
   }
 
-  /** The keys of the rows around what can be seen, at most so many. */
-  keysSeen(most) {
-    const [first, last] = this.near();
-    const from = Math.max(first, 0);
-    return this.shown.slice(from, Math.min(last, from + most)).map((one) => one.row.key);
+  /** The keys of the rows that can be seen, and of a few beside them. */
+  keysSeen() {
+    const size = this.shown.length;
+    if (!size) return [];
+    const box = this.body.getBoundingClientRect();
+    const height = box.height / size || ROW_HEIGHT;
+    const from = Math.max(0, Math.floor(-box.top / height) - BESIDE);
+    return this.shown.slice(from, Math.max(0, Math.ceil((innerHeight - box.top) / height) + BESIDE)).map((one) => one.row.key);
   }
 
   /** Show how rows went; `line` makes a picture of values. */

@@ -442,3 +442,24 @@ def test_what_changed_makes_the_next_snapshot_in_the_page_too(follow: Open) -> N
     for snapshots, found in zip(walks, made, strict=True):
         for expected, text in zip(snapshots[1:], found, strict=True):
             assert msgspec.json.decode(text, type=Snapshot) == held(expected)
+
+
+def test_the_monitor_is_told_what_can_be_seen_and_makes_that(visitor_of: Callable[[str], Any]) -> None:
+    robot = large_robot(400)
+    topic = "/part0/topic0"
+    key = next(one.key for one in robot.page.state().rows if one.entity == f"topic:{topic}")
+    with LivePage(robot.page.newest, detail=robot.page.detail, state=robot.page.state, sight=robot.page.sight) as live:
+        page = visitor_of(live.url).open()
+        with page.expect_response(lambda one: one.status == 204 and key in one.url):
+            page.fill("#q", topic)
+        seen = robot.page.sight.seen()
+        assert key in seen.rows
+        assert len(seen.rows) < 100
+        robot.rates[topic] = 37
+        robot.run(12)
+        row = page.locator(f'#tree tr[data-key="{key}"]')
+        expect(row).to_contain_text("37 Hz")
+        with page.expect_response(lambda one: one.status == 204 and "select=topic" in one.url):
+            row.click()
+        assert robot.page.sight.seen().entities == {f"topic:{topic}"}
+        expect(page.locator("#detail")).to_contain_text("37 Hz")

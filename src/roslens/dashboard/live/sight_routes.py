@@ -37,7 +37,10 @@ class SightRoutes:
         seen = seen_of(told("rows", ""), told("links", ""), told("select", ""), told("picture", ""))
         if seen is None:
             return PlainTextResponse("Expected keys of rows and places of links, not too many.\n", status_code=400)
-        return Response(status_code=204 if self.sight.tell(told("reader", ""), seen) else 404)
+        if self.sight.tell(told("reader", ""), seen):
+            return Response(status_code=204)
+        # No error: its stream may be about to come back.
+        return PlainTextResponse("No stream of this reader is open.\n")
 
     async def wait_for(self, entity: str, newer: Callable[[], Awaitable[None]]) -> None:
         """Let what is known of an entity be of the present; ``newer`` waits for the next snapshot."""

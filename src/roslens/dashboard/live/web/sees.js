@@ -27,8 +27,8 @@ export class Sees {
     this.asking = true;
     try {
       const answer = await fetch(`sees?${now}`);
-      // Who is not known is told of again, once its stream is there.
-      if (answer.status !== 404) this.told = now;
+      // Who is not known yet says it again.
+      if (answer.status !== 200) this.told = now;
     } catch {
       // The page says by itself that nothing is heard of the monitor.
     }

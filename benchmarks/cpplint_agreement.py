@@ -17,7 +17,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 from pathlib import Path
 
-from roslens.source.rules.standards import CPPLINT, answers
+from roslens.source.rules.published.standards import CPPLINT, answers
 from roslens.source.rules.table import native_rules
 
 ROOT = Path(__file__).parent.parent

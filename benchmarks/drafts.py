@@ -45,7 +45,7 @@ from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 SECOND = 1_000_000_000
 TYPE = "std_msgs/msg/String"

@@ -33,7 +33,7 @@ from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
 CHROMIUM = Path(shutil.which("chromium") or shutil.which("chromium-headless-shell") or "/usr/bin/chromium")

@@ -17,7 +17,7 @@ from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Expectation, Reference, Selector, Timing, Told
 from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityKind
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame
 
 CONNECTIONS = 2000

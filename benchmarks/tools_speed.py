@@ -40,7 +40,7 @@ def copied(corpus: Path, target: Path) -> list[str]:
 
 def by_hand(name: str, root: Path, files: list[str], scratch: Path) -> list[str]:
     """Return the one call of a tool on all files of its languages."""
-    from roslens.source.tools.programs import find_program
+    from roslens.source.tools.running.programs import find_program
     from roslens.source.tools.table import tool_named
     from roslens.source.tools.tool import Request
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from roslens.plugins.options import resolve_options
-from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import Request
 
 OUTPUT = Path(__file__).parent / "fixtures" / "tool_output"

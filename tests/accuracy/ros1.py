@@ -20,7 +20,7 @@ from accuracy.observing import NotThereError, kept, observe
 from accuracy.processes import Processes
 from accuracy.system import System
 from roslens.live.adapters.child import clean_environment
-from roslens.live.adapters.ros1.tcpros import TcprosError, connect, decode_header, encode_header
+from roslens.live.adapters.ros1.wire.tcpros import TcprosError, connect, decode_header, encode_header
 from roslens.model.graph import Endpoint, Graph, Role
 
 _CALLER = "/roslens_accuracy"

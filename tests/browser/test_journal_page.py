@@ -19,7 +19,7 @@ from roslens.dashboard.journal.questions import Questions
 from roslens.dashboard.journal.routes import journal_links, journal_routes
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.serving import LivePage
-from roslens.store.journal import Journal
+from roslens.store.journals.journal import Journal
 
 KEY = "k" * 32
 

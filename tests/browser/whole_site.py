@@ -25,7 +25,7 @@ from roslens.dashboard.listener import Tls
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.server import create_app
 from roslens.model.graph import Graph, Node
-from roslens.store.journal import Journal
+from roslens.store.journals.journal import Journal
 from roslens.store.runs import StoredRun
 
 KEY, VIEW_KEY = "k" * 32, "v" * 32

@@ -4,8 +4,8 @@ import os
 import pytest
 
 from roslens.cli.react.ask_terminal import AskTerminal
+from roslens.model.acting.reaction import ActionCall, Because, Decision
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, Because, Decision
 
 
 def decision(number):

@@ -14,8 +14,8 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.history.history_text import sparkline
-from roslens.store.history import History
-from roslens.store.series import Point
+from roslens.store.live.history import History
+from roslens.store.live.series import Point
 
 START = 1_769_846_400
 SCAN = EntityId(EntityKind.TOPIC, "/scan")

@@ -49,7 +49,7 @@ def test_what_makes_no_sense_is_refused_before_anything_begins(reference, words,
 
 def test_what_was_done_before_a_monitor_began_again_counts_on(tmp_path):
     from roslens.cli.react.react_live import _done_before
-    from roslens.store.journal import Journal
+    from roslens.store.journals.journal import Journal
 
     path, now = tmp_path / "journal.jsonl", time.time()
     action = {"kind": "restart", "target": {"kind": "node", "name": "/a"}, "arguments": {}}

@@ -11,7 +11,7 @@ from roslens.cli.watch.watch_reload import ReferenceFiles
 from roslens.live.join.session import Session, Step
 from roslens.live.react.prepared import Prepared
 from roslens.live.react.reactor import Reactor
-from roslens.model.order import VERSION, Reply, Verb
+from roslens.model.acting.order import VERSION, Reply, Verb
 
 HEAD = "kind: reference\nname: r\nconstraints: [{node: /a, expected: always}]\nreactions:\n"
 SNAPSHOT = "- {id: one, when: {node: /a, is: gone}, do: [{snapshot: {}}]}\n"

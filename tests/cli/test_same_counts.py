@@ -19,7 +19,7 @@ from roslens.cli.main import main
 from roslens.cli.workplace.workplace import open_store
 from roslens.dashboard.routes import PAGES
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Table
+from roslens.dashboard.tables.table import Table
 from roslens.dashboard.view import Limits, Query, Request, View
 from roslens.report.run.fix_first import FURTHEST
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.store.history import History
+from roslens.store.live.history import History
 
 ROBOT = Path(__file__).parents[2] / "examples" / "robot"
 ROVER = str(ROBOT / "rover.yaml")

@@ -8,7 +8,7 @@ from roslens.cli.page.watch_detail import OBSERVED, detail_of
 from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.tally import Observer
+from roslens.model.traffic.tally import Observer
 from roslens.model.verdict import Link, State, Verdict
 
 SCAN = EntityId(EntityKind.TOPIC, "/scan")

@@ -12,9 +12,9 @@ from roslens.judge.reference.expectation import Presence, PresenceMode, Referenc
 from roslens.live.join.session import Session
 from roslens.live.observe.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import PERIOD_S
+from roslens.model.acting.outgoing import MAX_BYTES, OutgoingReader
 from roslens.model.entity import EntityKind
 from roslens.model.errors import UsageError
-from roslens.model.outgoing import MAX_BYTES, OutgoingReader
 
 pytestmark = pytest.mark.timed
 

@@ -11,7 +11,7 @@ from roslens.cli.watch.watch_reload import ReferenceFiles
 from roslens.live.join.note import NoteKind
 from roslens.live.join.session import Session
 from roslens.model.errors import DocumentError
-from roslens.model.tally import Moments, Tally
+from roslens.model.traffic.tally import Moments, Tally
 from roslens.model.verdict import State
 from roslens.model.wire import VERSION, Frame
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslens.live.act import actions
-from roslens.model.action_kind import ACTION_KINDS, By
+from roslens.model.acting.action_kind import ACTION_KINDS, By
 
 FOLDER = Path(actions.__file__).parent
 TESTS = Path(__file__).parents[1]

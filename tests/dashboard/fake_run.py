@@ -13,7 +13,7 @@ from types import ModuleType
 import msgspec
 
 from roslens.dashboard.site import Site
-from roslens.dashboard.source_text import blob_id
+from roslens.dashboard.sources.source_text import blob_id
 from roslens.judge.quality.fold import fold_parts, fold_steps
 from roslens.judge.quality.quality_model import load_model, rules_of
 from roslens.judge.quality.thresholds import judge_entities

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.dashboard.colours import colour
+from roslens.dashboard.sources.colours import colour
 
 
 def pieces(text: str, language: str) -> list[tuple[str, str]]:

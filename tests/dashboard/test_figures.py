@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.dashboard.figures import compact, number, plural, share
+from roslens.dashboard.charts.figures import compact, number, plural, share
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from roslens.dashboard.finding_list import FindingList, filter_of, list_findings, role_of, select
 from roslens.dashboard.site import Site
+from roslens.dashboard.tables.finding_list import FindingList, filter_of, list_findings, role_of, select
 from roslens.dashboard.view import Limits, Query, Request
 from roslens.model.finding import Finding, Severity
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.dashboard.histogram import MOST_BARS, figures_of, histogram_of
+from roslens.dashboard.charts.histogram import MOST_BARS, figures_of, histogram_of
 
 VALUES = st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=60) | st.lists(
     st.integers(0, 400).map(float), min_size=1, max_size=60

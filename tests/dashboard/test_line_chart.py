@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from roslens.dashboard.line_chart import HEIGHT, MOST_POINTS, WIDTH, line_chart
+from roslens.dashboard.charts.line_chart import HEIGHT, MOST_POINTS, WIDTH, line_chart
 from roslens.model.trend import TrendEvent, TrendPoint
 
 

@@ -1,6 +1,6 @@
 """The metrics of a package: where it stands in the field."""
 
-from roslens.dashboard.metric_rows import metrics_table
+from roslens.dashboard.tables.metric_rows import metrics_table
 from roslens.judge.quality.field import load_field
 from roslens.model.entity import Entity, EntityKind
 

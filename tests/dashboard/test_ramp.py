@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.dashboard.ramp import ramp_of
+from roslens.dashboard.charts.ramp import ramp_of
 from roslens.model.quantity import Better
 
 

@@ -1,6 +1,6 @@
 """Where dots stand, and which of them are named."""
 
-from roslens.dashboard.scatter import HEIGHT, LABELLED, WIDTH, scatter_of
+from roslens.dashboard.charts.scatter import HEIGHT, LABELLED, WIDTH, scatter_of
 
 
 def test_axes_are_decades():

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslens.dashboard.set_aside_table import set_aside_table
 from roslens.dashboard.site import Site
+from roslens.dashboard.tables.set_aside_table import set_aside_table
 from roslens.model.finding import Finding, Severity
 from roslens.model.set_aside import Disposition, SetAside
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslens.dashboard.source_rows import CodeLine, excerpt_html, source_html
-from roslens.dashboard.source_text import Excerpt
+from roslens.dashboard.sources.source_rows import CodeLine, excerpt_html, source_html
+from roslens.dashboard.sources.source_text import Excerpt
 from roslens.model.finding import Finding, Severity
 
 NASTY = "</code><script>alert('a & \"b\"')"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.dashboard.source_text import LONGEST_LINE, Sources, blob_id, lines_of
+from roslens.dashboard.sources.source_text import LONGEST_LINE, Sources, blob_id, lines_of
 from roslens.model.source import Language, SourceFile
 
 CODE = b"int a;\r\n// \xc3\xa9\nint b = 1;\n\nreturn b;\n"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from roslens.dashboard.table import Cell, Column, Table, next_sort, shown, sort_rows, to_csv, to_json
+from roslens.dashboard.tables.table import Cell, Column, Table, next_sort, shown, sort_rows, to_csv, to_json
 
 COLUMNS = (Column("name", "Name"), Column("size", "Size", "number", decimals=1))
 

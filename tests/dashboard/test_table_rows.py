@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.table import Cell, Column, Table
-from roslens.dashboard.table_rows import rows_html, ticks
+from roslens.dashboard.tables.table import Cell, Column, Table
+from roslens.dashboard.tables.table_rows import rows_html, ticks
 
 HOSTILE = "<img src=x onerror=alert(1)>'\"&"
 

@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 from dashboard.conftest import Client
 
-from roslens.dashboard.finding_list import filter_of, list_findings
 from roslens.dashboard.gate_line import GateLine
 from roslens.dashboard.server import create_app
 from roslens.dashboard.since_run import SinceRun
 from roslens.dashboard.site import Site
+from roslens.dashboard.tables.finding_list import filter_of, list_findings
 from roslens.dashboard.view import Limits, Query, Request
 from roslens.store.runs import StoredRun
 

@@ -233,8 +233,8 @@ def _frame_seeds() -> list[bytes]:
     from roslens.model.entity import EntityId, EntityKind
     from roslens.model.failure import Failure
     from roslens.model.graph import Change, Event, Graph, Process
-    from roslens.model.sample import Sample
-    from roslens.model.tally import Moments, Tally
+    from roslens.model.traffic.sample import Sample
+    from roslens.model.traffic.tally import Moments, Tally
     from roslens.model.wire import VERSION, Frame, encode_frame
 
     host = EntityId(EntityKind.HOST, "base")
@@ -272,8 +272,8 @@ def _requests(content: bytes) -> None:
     """What a stranger may send to an agent that acts, and what lies in a journal: the first byte says which."""
     from roslens.live.agent.message_line import LineError, MessageReader
     from roslens.live.agent.signed_request import Believing, RefusedError, _code
-    from roslens.model.order import Order, OrderError, OrderReader, Reply
-    from roslens.store.journal_entry import EntryError, read
+    from roslens.model.acting.order import Order, OrderError, OrderReader, Reply
+    from roslens.store.journals.journal_entry import EntryError, read
 
     way, body = content[0] % 6 if content else 0, content[1:]
     key = b"k" * 32
@@ -303,9 +303,9 @@ def _requests(content: bytes) -> None:
 def _request_seeds() -> list[bytes]:
     from roslens.live.agent.message_line import message
     from roslens.live.agent.signed_request import _ENCODER, Signed, sign
-    from roslens.model.host_request import HostRequest
-    from roslens.model.order import VERSION, Order, Reply, Verb, encode_order
-    from roslens.store.journal_entry import written
+    from roslens.model.acting.host_request import HostRequest
+    from roslens.model.acting.order import VERSION, Order, Reply, Verb, encode_order
+    from roslens.store.journals.journal_entry import written
 
     asked = Signed(1, "arm", b"c" * 16, 3, HostRequest("r/1.0", "restart", "/driver", 77, ("/b",), {"grace": 2.0}))
     _, entry = written(0, 1.0, "decided", {"decision": "r/1.0", "because": [{"value": 3.5}]}, "")

@@ -9,7 +9,7 @@ import msgspec
 import yaml
 
 from graph_findings.judgements import ROOT
-from roslens.source.tools.tool_checks import checks_of
+from roslens.source.tools.checks.tool_checks import checks_of
 
 TABLE = ROOT / "tests" / "fixtures" / "tool_findings" / "sample.yaml"
 

@@ -3,7 +3,7 @@ import pytest
 from roslens.judge.pages.action_pages import action_page, action_pages
 from roslens.judge.reading.read_reference import load_reference
 from roslens.live.window.signals import BY_KEY
-from roslens.model.action_kind import ACTION_KINDS
+from roslens.model.acting.action_kind import ACTION_KINDS
 
 HEAD = """\
 kind: reference

@@ -4,11 +4,11 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.window.signals import BY_KEY
-from roslens.model.condition import About, AllOf, AnyOf, AtLeast, Matching, Not, OverTime, Stated
+from roslens.model.acting.condition import About, AllOf, AnyOf, AtLeast, Matching, Not, OverTime, Stated
+from roslens.model.acting.reaction import ActionCall, EscalationStep, Mode
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Severity
-from roslens.model.reaction import ActionCall, EscalationStep, Mode
 from roslens.model.selector import Selector
 
 HEAD = "kind: reference\nname: robot\n"

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from killed.place import Place, place, wait_for, write_workspace
-from roslens.store.history import History
+from roslens.store.live.history import History
 from roslens.store.runs import Store
 
 BEFORE, AFTER = 2, 3

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from random import Random
 
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 
 
 def of(values: list[float]) -> Moments:

@@ -22,7 +22,7 @@ from roslens.live.inside.sequence import SETTLE_NS
 from roslens.live.join.waiting import SHORTEST_S
 from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityKind
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 from roslens.model.verdict import State
 
 WINDOW_S = 1.0

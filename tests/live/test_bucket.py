@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.window.bucket import Bucket, Sums, joined
-from roslens.model.tally import NOTHING, Moments, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Tally
 
 VALUES = st.lists(st.floats(0.001, 10), min_size=1, max_size=5)
 

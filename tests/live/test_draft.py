@@ -17,7 +17,7 @@ from roslens.live.drafting.draft_presence import There
 from roslens.live.drafting.draft_text import draft_text
 from roslens.live.join.session import Session
 from roslens.live.window.signals import BY_KEY
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
 

@@ -11,7 +11,7 @@ from roslens.live.drafting.draft_session import DraftSession
 from roslens.live.drafting.draft_text import draft_text
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
-from roslens.model.tally import BY_GID, Moments, Tally
+from roslens.model.traffic.tally import BY_GID, Moments, Tally
 from roslens.model.wire import VERSION, Frame
 
 

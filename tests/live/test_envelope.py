@@ -14,8 +14,8 @@ from roslens.live.rate import lookout as lookout_file
 from roslens.live.rate.monitor import Monitor
 from roslens.live.window.plausible_tally import plausible_tally
 from roslens.live.window.round import Round
-from roslens.model.tally import Moments, Observer, Tally
-from roslens.model.tally_columns import row_of
+from roslens.model.traffic.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally_columns import row_of
 from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame
 
 QUANTITIES = {

@@ -8,7 +8,7 @@ from roslens.judge.reference.expectation import Expectation, Reference, Selector
 from roslens.live.replay.replay import SHORTEST_STEP_S, STEP_S, usual_step
 from roslens.live.window.bucket import Bucket
 from roslens.model.entity import EntityKind
-from roslens.model.tally import Moments, Tally
+from roslens.model.traffic.tally import Moments, Tally
 
 GAPS = [(9.93, 10.14), (11.66, 11.9), (14.05, 14.27), (15.37, 15.58), (16.2, 16.38)]
 

@@ -3,7 +3,7 @@ import pytest
 
 from roslens.live.join.gid_names import KEPT_S, MOST_WAITING, WAIT_S, GidNames
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.tally import BY_GID, Tally
+from roslens.model.traffic.tally import BY_GID, Tally
 
 GID = "010faaaa09000000000000000000120" + "3"
 

@@ -4,8 +4,8 @@ from hypothesis import strategies as st
 
 from roslens.live.window.host_clocks import HostClocks
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.sample import Sample
-from roslens.model.tally import NOTHING, Moments, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import NOTHING, Moments, Tally
 
 
 def moments(values):

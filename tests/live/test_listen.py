@@ -13,8 +13,8 @@ from roslens.live.agent.work import Agent
 from roslens.live.observe.listen import MOST_UNPROVEN, MOST_UNPROVEN_OF_A_HOST, PROOF_S, SILENT_S, Listener
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
 from roslens.model.wire import Frame
 
 pytestmark = pytest.mark.timed

@@ -16,8 +16,8 @@ from roslens.live.window.signals import BY_KEY
 from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Observer
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Observer
 from roslens.model.verdict import State
 
 REFERENCE = """

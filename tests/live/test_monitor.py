@@ -18,8 +18,8 @@ from roslens.live.window.window import MAX_BUCKETS
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.verdict import State
 from roslens.model.wire import VERSION, Frame
 

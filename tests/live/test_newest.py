@@ -11,8 +11,8 @@ from roslens.live.window.newest import MOST_GONE, keep_newest
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Tally
 from roslens.model.wire import VERSION, Frame
 
 SWEEP_S = 30.0

@@ -2,7 +2,7 @@ from roslens.live.join.node_processes import NodeProcesses
 from roslens.live.window.newest import MOST_GONE
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 
 def graph(*nodes):

@@ -2,7 +2,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.join.one_stretch import OneStretch
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 
 def tally(start, end, count=1, publisher="/a"):

@@ -8,7 +8,7 @@ from roslens.live.join.seen import Seen
 from roslens.live.system.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 BEFORE = Graph("ros2", (Node("/a", "one"),), (Endpoint("/a", Role.PUBLISHER, "/x", "t/T"),), ("one",))
 AFTER = Graph("ros2", (Node("/b", "two"),), (), ("two",), (Process("two", 7),))

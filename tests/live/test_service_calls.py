@@ -2,7 +2,7 @@ import pytest
 
 from roslens.live.join.service_calls import EVERY_S, STALE_S, ServiceCalls
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 ADD = EntityId(EntityKind.SERVICE, "/add")
 

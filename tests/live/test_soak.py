@@ -22,8 +22,8 @@ from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Tally
 from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame
 
 pytestmark = pytest.mark.heavy

@@ -8,8 +8,8 @@ from roslens.live.window.signals import BY_KEY
 from roslens.live.window.traffic import MEASURES
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
 from roslens.model.verdict import State
 
 REFERENCE = """

@@ -10,8 +10,8 @@ from live.random_traffic import of
 
 from roslens.live.window.round import Round
 from roslens.live.window.window import Window
-from roslens.model.tally import NOTHING, Observer, Tally
-from roslens.model.tally_columns import row_of
+from roslens.model.traffic.tally import NOTHING, Observer, Tally
+from roslens.model.traffic.tally_columns import row_of
 
 
 def following(draw: Random, many: int):

@@ -5,7 +5,7 @@ import itertools
 import pytest
 
 from roslens.live.window.window import RANK, Window
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally import Moments, Observer, Tally
 
 SECOND = Moments(1, 0.5, 0.25, 0.5, 0.5)
 

@@ -37,8 +37,8 @@ from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 from roslens.model.verdict import Verdict
 
 TICK_S = 0.1

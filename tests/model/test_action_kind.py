@@ -1,6 +1,6 @@
 import msgspec
 
-from roslens.model.action_kind import ACTION_KINDS, ArgumentType, By, action_kind
+from roslens.model.acting.action_kind import ACTION_KINDS, ArgumentType, By, action_kind
 from roslens.model.entity import EntityKind
 
 

@@ -5,7 +5,7 @@ import pytest
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
 from roslens.model.qos import Qos
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 from roslens.model.wire import VERSION, Frame, WireError, decode_frame, encode_frame
 
 HOST = EntityId(EntityKind.HOST, "base")

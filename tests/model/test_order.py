@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.model.order import MAX_BYTES, VERSION, Order, OrderError, OrderReader, Reply, Verb, encode_order
+from roslens.model.acting.order import MAX_BYTES, VERSION, Order, OrderError, OrderReader, Reply, Verb, encode_order
 
 ORDER = Order(VERSION, "r/1.0", Verb.DO, "publish", "", {"fields": {"data": [True, 1.5, "a"]}})
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.model.outgoing import (
+from roslens.model.acting.outgoing import (
     MAX_BYTES,
     VERSION,
     ConnectionStatistics,

@@ -3,9 +3,9 @@
 import msgspec
 import pytest
 
-from roslens.model.condition import About, AllOf, AnyOf, AtLeast, Not, OverTime, Stated
+from roslens.model.acting.condition import About, AllOf, AnyOf, AtLeast, Not, OverTime, Stated
+from roslens.model.acting.reaction import ActionCall, Because, Decision, EscalationStep, Mode, Reaction
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, Because, Decision, EscalationStep, Mode, Reaction
 from roslens.model.selector import Selector
 
 SILENT = Stated(Selector(EntityKind.TOPIC, "/scan"), states=("absent",), time=OverTime(for_s=2.0))

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.model.tally import NOTHING, Moments
+from roslens.model.traffic.tally import NOTHING, Moments
 
 SERIES = st.lists(st.floats(0, 1e3), min_size=1, max_size=30)
 

@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
-from roslens.model.tally_columns import Columns, TallyColumns, columns_of, fits, names_of, row_of, tally_of
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally_columns import Columns, TallyColumns, columns_of, fits, names_of, row_of, tally_of
 from roslens.model.wire import VERSION, Frame, WireError, decode_frame, encode_frame
 
 NAME = st.text(st.characters(exclude_characters="\n", exclude_categories=["Cs"]), max_size=5)

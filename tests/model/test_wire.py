@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph, Node
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame, FrameReader, WireError, decode_frame, encode_frame
 
 FRAME = Frame(

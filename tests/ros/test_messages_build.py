@@ -10,9 +10,16 @@ from xml.etree.ElementTree import parse
 import pytest
 
 from roslens.live.adapters.child import clean_environment
-from roslens.live.adapters.ros1.definition import known_definitions
 from roslens.live.adapters.ros1.publishing import MonitorPublisher
-from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, encode_outgoing
+from roslens.live.adapters.ros1.wire.definition import known_definitions
+from roslens.model.acting.outgoing import (
+    VERSION,
+    ConnectionStatistics,
+    Outgoing,
+    RatedSignal,
+    RatedSignals,
+    encode_outgoing,
+)
 
 PACKAGE = Path(__file__).parents[2] / "ros" / "roslens_msgs"
 RATED = "roslens_msgs/RatedSignals"
@@ -102,7 +109,7 @@ def test_rosidl_makes_messages_that_go_there_and_back(ros2_python, messages2):
     code = (
         "import json, sys\nfrom rclpy.serialization import deserialize_message, serialize_message\n"
         "from roslens.live.adapters.ros2.publishing import rated_signals\n"
-        "from roslens.model.outgoing import OutgoingReader\n"
+        "from roslens.model.acting.outgoing import OutgoingReader\n"
         "from roslens_msgs.msg import RatedSignal, RatedSignals\n"
         "(frame,) = OutgoingReader().feed(sys.stdin.buffer.read())\n"
         "message = deserialize_message(serialize_message(rated_signals(frame.time, frame.rated)), RatedSignals)\n"

@@ -6,7 +6,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import StoreError
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
-from roslens.store.history import KEPT_VERDICTS_S, History
+from roslens.store.live.history import KEPT_VERDICTS_S, History
 
 SCAN = EntityId(EntityKind.TOPIC, "/scan")
 NOW = 1_700_000_000.0

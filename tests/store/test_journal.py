@@ -7,9 +7,9 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from roslens.model.errors import StoreError
-from roslens.store.journal import Journal
-from roslens.store.journal_entry import MOST_BYTES
-from roslens.store.read_journal import JournalReader, verify
+from roslens.store.journals.journal import Journal
+from roslens.store.journals.journal_entry import MOST_BYTES
+from roslens.store.journals.read_journal import JournalReader, verify
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import pytest
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
 from roslens.model.verdict import State, Verdict
-from roslens.store.history import History
+from roslens.store.live.history import History
 from roslens.store.past import recall as module
 from roslens.store.past.moment import Moment
 from roslens.store.past.recall import Recall

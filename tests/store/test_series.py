@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.store.series import TIERS, DownSampler, Tier, tier_for
+from roslens.store.live.series import TIERS, DownSampler, Tier, tier_for
 
 TWO = (Tier(1, 10), Tier(10, 100))
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from roslens.cli.page.watch_screen import time_of_day
 from roslens.report.history.journal_text import journal_line
-from roslens.store.read_journal import JournalReader
+from roslens.store.journals.read_journal import JournalReader
 from testbed import robot_ros1, robot_ros2
 from testbed.action_table import FAKED
 from testbed.clock import library

@@ -10,35 +10,29 @@ from typing import NoReturn
 from roslens import __version__
 from roslens.cli.commands import (
     accept,
-    agent,
     check,
     clean,
     compare,
     completion,
     doctor,
-    env,
     evidence,
     explain,
     fetch,
     graph,
     history,
     init,
-    journal,
     lsp,
     percentile,
     plugins,
-    react,
     reference,
     report,
     roles,
-    run,
     serve,
     study,
-    top,
     trend,
     trust,
-    watch,
 )
+from roslens.cli.commands.live import agent, env, journal, react, run, top, watch
 from roslens.cli.terminal.boundary import guarded
 
 COMMANDS = {

@@ -26,10 +26,10 @@ def pages() -> Mapping[str, str]:
     from roslens.source.rules.graph import plugin as graph
     from roslens.source.rules.graph.page import graph_rules_page
     from roslens.source.rules.pages import rule_pages
-    from roslens.source.rules.standards import standards_page
+    from roslens.source.rules.published.standards import standards_page
     from roslens.source.rules.table import native_rules
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
-    from roslens.source.tools.page import tool_page, tools_page
+    from roslens.source.tools.checks.page import tool_page, tools_page
     from roslens.source.tools.used import TOOLS
 
     known = {**QUANTITIES, **{quantity.key: quantity for quantity in CCCC_QUANTITIES}}

@@ -17,7 +17,7 @@ from roslens.dashboard.routes import PAGES
 from roslens.dashboard.script_bundle import ENTRIES, bundle
 from roslens.dashboard.side_by_side import each
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Table, to_csv
+from roslens.dashboard.tables.table import Table, to_csv
 from roslens.dashboard.view import FOLDER, Limits, Request
 from roslens.model.errors import UsageError
 from roslens.report.writing.left_behind import OLD, PARTIAL, beside, sweep

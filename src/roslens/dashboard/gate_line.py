@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.dashboard.figures import plural
+from roslens.dashboard.charts.figures import plural
 from roslens.judge.quality.gate import GateResult
 from roslens.model.finding import Severity
 

@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 
 import msgspec
 
-from roslens.dashboard.figures import compact
+from roslens.dashboard.charts.figures import compact
 from roslens.dashboard.layout.lay_out import DRAWN_UP_TO, Layout, Node, lay_out
 from roslens.dashboard.measured import Measured, measured_on
 from roslens.dashboard.site import Site

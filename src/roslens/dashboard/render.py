@@ -11,12 +11,12 @@ from markupsafe import Markup
 
 import roslens
 from roslens.dashboard.address import FileLinks, Links, PageRef
-from roslens.dashboard.figures import number, plural, share
+from roslens.dashboard.charts.figures import number, plural, share
 from roslens.dashboard.pages.help import KEYS
 from roslens.dashboard.site import Site
-from roslens.dashboard.source_rows import excerpt_html, source_html
-from roslens.dashboard.table import next_sort
-from roslens.dashboard.table_rows import rows_html, ticks
+from roslens.dashboard.sources.source_rows import excerpt_html, source_html
+from roslens.dashboard.tables.table import next_sort
+from roslens.dashboard.tables.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
 
 TEMPLATES = Path(__file__).with_name("templates")

@@ -31,7 +31,7 @@ from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.review_routes import review_routes
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import to_csv
+from roslens.dashboard.tables.table import to_csv
 from roslens.dashboard.view import Query, Request, View
 from roslens.model.errors import StoreError
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.review import Review
-from roslens.dashboard.source_text import ReadSource, Sources
+from roslens.dashboard.sources.source_text import ReadSource, Sources
 from roslens.dashboard.totals import FilePlace, RuleTotal
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.select import EVERY

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.table import Table, to_json
+from roslens.dashboard.tables.table import Table, to_json
 
 
 class Limits(msgspec.Struct, frozen=True):

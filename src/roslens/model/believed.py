@@ -17,7 +17,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Event, Graph, Node, Process
 from roslens.model.qos import Qos
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 MOST_CHARACTERS = 65_536
 """Of a name or a text: what is longer is no name of ROS, and nothing that anybody would read."""

@@ -2,7 +2,7 @@
 
 A frame is four bytes of length (big-endian), then a MessagePack array whose first element is the version of the
 format. What cannot be read is an error with a reason; it never becomes a record. Tallies go by columns
-(``model/tally_columns.py``), which are read in half the time of records; version 1 had records.
+(``model/traffic/tally_columns.py``), which are read in half the time of records; version 1 had records.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from roslens.model.believed import (
 )
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
-from roslens.model.tally_columns import Columns, TallyColumns, columns_of, fits
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
+from roslens.model.traffic.tally_columns import Columns, TallyColumns, columns_of, fits
 
 VERSION = 2
 MAX_FRAME_BYTES = 16_000_000

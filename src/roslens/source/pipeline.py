@@ -35,8 +35,8 @@ from roslens.source.repositories import repositories_of
 from roslens.source.set_aside_in_run import whole_run
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.shaping import known_quantities, manifests_of, shaping_key
-from roslens.source.tools.layout import RULE as LAYOUT
-from roslens.source.tools.stage_of_run import tool_stage
+from roslens.source.tools.running.layout import RULE as LAYOUT
+from roslens.source.tools.running.stage_of_run import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
@@ -54,7 +54,7 @@ if TYPE_CHECKING:
     from roslens.source.history.process_stage import LookBack, Past
     from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.measure.finished_package import FinishedPackage, Finishing
-    from roslens.source.tools.tool_stage import ToolStage
+    from roslens.source.tools.running.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
 

@@ -4,7 +4,7 @@ import json
 import pytest
 
 from roslens.cli.main import main
-from roslens.store.journal import Journal
+from roslens.store.journals.journal import Journal
 
 
 @pytest.fixture

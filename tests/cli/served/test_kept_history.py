@@ -13,7 +13,7 @@ from roslens.cli.main import main
 from roslens.cli.served.kept_history import history_beside
 from roslens.live.past.keeper import Keeper
 from roslens.model.errors import StoreError, UsageError
-from roslens.store.history import History
+from roslens.store.live.history import History
 
 
 @pytest.fixture

@@ -20,10 +20,10 @@ from roslens.cli.react.react_live import questions_of
 from roslens.cli.served.reacting import reacting_beside, refusals_to
 from roslens.dashboard.server import create_app
 from roslens.live.react.actor import CarriedOut
+from roslens.model.acting.reaction import Decision
 from roslens.model.graph import Graph, Node
-from roslens.model.reaction import Decision
 from roslens.model.wire import VERSION, Frame
-from roslens.store.read_journal import JournalReader
+from roslens.store.journals.read_journal import JournalReader
 
 REFERENCE = """\
 kind: reference

@@ -16,9 +16,9 @@ from roslens.dashboard.journal.questions import Questions
 from roslens.dashboard.journal.routes import journal_links, journal_routes
 from roslens.dashboard.live.app import Facts, create_live_app
 from roslens.dashboard.live.further import Further
+from roslens.model.acting.reaction import ActionCall, Because, Decision
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, Because, Decision
-from roslens.store.journal import Journal
+from roslens.store.journals.journal import Journal
 
 KEY, VIEW_KEY = "k" * 32, "v" * 32
 NASTY = '<script>alert("x")</script>'

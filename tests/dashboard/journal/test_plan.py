@@ -13,7 +13,7 @@ from roslens.dashboard.live.further import Further
 from roslens.dashboard.server import create_app
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.window.signals import BY_KEY
-from roslens.store.journal import Journal
+from roslens.store.journals.journal import Journal
 
 REFERENCE = """
 kind: reference

@@ -12,8 +12,8 @@ from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
 REFERENCE = """

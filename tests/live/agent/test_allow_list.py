@@ -1,8 +1,8 @@
 import pytest
 
 from roslens.live.agent.allow_list import EXAMPLE, AllowList, read_allow_list
+from roslens.model.acting.host_request import HostRequest
 from roslens.model.errors import DocumentError
-from roslens.model.host_request import HostRequest
 
 
 def request(kind, node="/camera/left", **arguments):

@@ -13,7 +13,7 @@ from roslens.judge.patterns.pattern import Pattern
 from roslens.live.agent.allow_list import AllowedCommand, AllowedNodes, AllowList
 from roslens.live.agent.host_hand import HostHand
 from roslens.live.agent.process_record import ProcessRecords, record
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 pytestmark = pytest.mark.timed
 

@@ -19,7 +19,7 @@ from roslens.live.agent.link import (
     told_time,
 )
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 from roslens.model.wire import VERSION, Frame
 
 KEY = b"a key of more than sixteen bytes"

@@ -14,8 +14,8 @@ from roslens.live.agent.host_hand import Done
 from roslens.live.agent.request_gate import RequestGate
 from roslens.live.agent.request_line import RequestLine
 from roslens.live.react.far_agents import FarAgents
+from roslens.model.acting.host_request import HostRequest
 from roslens.model.errors import UsageError
-from roslens.model.host_request import HostRequest
 
 pytestmark = [
     pytest.mark.timed,

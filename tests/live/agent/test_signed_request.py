@@ -12,7 +12,7 @@ from roslens.live.agent.signed_request import (
     _code,
     sign,
 )
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 KEY, OTHER = b"k" * 32, b"o" * 32
 REQUEST = HostRequest("r/1.0", "restart", "/driver", 77, ("/b",), {"grace": 2.0})

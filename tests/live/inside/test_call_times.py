@@ -4,7 +4,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.call_times import MOST_SERVICES, CallTimes
 from roslens.live.inside.counters import Called
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 
 TIMES = Moments(2, 0.3, 0.05, 0.1, 0.2)
 

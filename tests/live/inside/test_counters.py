@@ -15,7 +15,7 @@ from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.counters import CounterReader, joined
 from roslens.live.inside.sequence import SETTLE_NS, Sequence
 from roslens.live.inside.snapshot import difference, snapshot
-from roslens.model.tally import Observer
+from roslens.model.traffic.tally import Observer
 
 GID = bytes(range(16))
 SECOND = 1_000_000_000

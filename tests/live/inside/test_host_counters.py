@@ -7,7 +7,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters, counter_folders, place_of
 from roslens.live.inside.slots import VARIABLE
-from roslens.model.tally import BY_GID
+from roslens.model.traffic.tally import BY_GID
 
 GID = bytes(range(1, 17))
 

@@ -1,7 +1,7 @@
 import os
 
 from roslens.live.publish.asked import when_asked
-from roslens.model.outgoing import VERSION, Outgoing, encode_outgoing
+from roslens.model.acting.outgoing import VERSION, Outgoing, encode_outgoing
 
 FRAME = Outgoing(VERSION, 1.0, ())
 

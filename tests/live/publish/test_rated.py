@@ -4,9 +4,9 @@ from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Reference, Selector, Told
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals
 from roslens.live.system.connection_name import connection_id
+from roslens.model.acting.outgoing import ConnectionStatistics, RatedSignal
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.outgoing import ConnectionStatistics, RatedSignal
 from roslens.model.verdict import State, Verdict
 
 SCAN = EntityId(EntityKind.TOPIC, "/scan")

@@ -4,8 +4,8 @@ import pytest
 from roslens.live.join.session import Step
 from roslens.live.react.actor import ANSWER_WITHIN_S, Actor, CarriedOut
 from roslens.live.react.gate import Gate, Limits
+from roslens.model.acting.reaction import ActionCall, Checked, Decision, Mode, Result, Verification
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, Checked, Decision, Mode, Result, Verification
 
 STOP = {"topic": "/stop", "type": "std_msgs/Bool", "how": "repeated"}
 

@@ -9,11 +9,11 @@ import pytest
 
 from roslens.live.react.all_hands import AllHands
 from roslens.live.react.node_places import NodePlaces
-from roslens.model.condition import Stated
+from roslens.model.acting.condition import Stated
+from roslens.model.acting.order import VERSION, Reply, Verb
+from roslens.model.acting.reaction import ActionCall, Decision, EscalationStep, Reaction
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.order import VERSION, Reply, Verb
-from roslens.model.reaction import ActionCall, Decision, EscalationStep, Reaction
 from roslens.model.selector import Selector
 
 ENDS = (

@@ -5,8 +5,8 @@ import pytest
 
 from roslens.live.react.gate import Answer, Gate, Limits, recalled, target_of
 from roslens.live.react.maintenance import parse_window
+from roslens.model.acting.reaction import ActionCall, Decision, Mode
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, Decision, Mode
 
 NOON = time.mktime((2026, 3, 2, 12, 0, 0, 0, 0, -1))  # a Monday
 

@@ -14,7 +14,7 @@ from live.time_line import Played, read
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.react.reactor import Reactor
 from roslens.live.window.signals import BY_KEY
-from roslens.model.reaction import Decision, Outcome, Result
+from roslens.model.acting.reaction import Decision, Outcome, Result
 
 RASH = """
 kind: reference

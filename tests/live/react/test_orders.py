@@ -7,7 +7,7 @@ import pytest
 from roslens.live.act.orders import Orders
 from roslens.live.act.ros import ActionError
 from roslens.live.act.told_line import serve
-from roslens.model.order import VERSION, Order, OrderReader, Reply, Verb, encode_order
+from roslens.model.acting.order import VERSION, Order, OrderReader, Reply, Verb, encode_order
 
 WAIT_S = 20.0
 STOP = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}

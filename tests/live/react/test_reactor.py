@@ -15,8 +15,8 @@ from roslens.live.join.session import Step
 from roslens.live.react.reactor import Reactor
 from roslens.live.react.wellness import BEGINNING_S
 from roslens.live.window.signals import BY_KEY
+from roslens.model.acting.reaction import Checked, Decision, Outcome, Result, Verification
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import Checked, Decision, Outcome, Result, Verification
 from roslens.model.verdict import State, Verdict
 
 REACTIONS = load_reference(

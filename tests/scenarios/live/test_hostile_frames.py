@@ -22,8 +22,8 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
 from roslens.model.qos import Qos
-from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Moments, Tally
 from roslens.model.verdict import State
 from roslens.model.wire import VERSION, Frame, WireError, encode_frame
 

@@ -16,7 +16,7 @@ import pytest
 from ros2_domain import own_domain
 
 from roslens.live.adapters.child import clean_environment
-from roslens.store.read_journal import JournalReader, verify
+from roslens.store.journals.read_journal import JournalReader, verify
 
 pytestmark = [pytest.mark.real, pytest.mark.timed]
 

@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.source.fix.edited_content import edited
-from roslens.source.rules.manifest_edits import ManifestEdits, joined
+from roslens.source.rules.edits.manifest_edits import ManifestEdits, joined
 
 
 def with_added(text, tag="depend", name="tf2"):

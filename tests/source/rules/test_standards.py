@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from roslens.source.rules.standards import CPPLINT, PAPER, answers, asked, standards_page
+from roslens.source.rules.published.standards import CPPLINT, PAPER, answers, asked, standards_page
 from roslens.source.rules.table import native_rules
 
 RULES = native_rules()

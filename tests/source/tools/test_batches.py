@@ -3,8 +3,8 @@
 import pytest
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.tools.batches import MOST_RETRIES, Batches, batches
-from roslens.source.tools.run_tool import Ended, ToolError, ToolHangError
+from roslens.source.tools.running.batches import MOST_RETRIES, Batches, batches
+from roslens.source.tools.running.run_tool import Ended, ToolError, ToolHangError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding
 
 

@@ -4,7 +4,7 @@ import pytest
 from recorded_tools import OUTPUT, reading, request
 
 from roslens.source.tools.cpplint import plugin
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.run_tool import Ended, ToolError
 
 
 def test_a_file_that_it_does_not_name_was_not_looked_at():

@@ -2,7 +2,7 @@
 
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Location, Package
-from roslens.source.tools.layout import layout_folded
+from roslens.source.tools.running.layout import layout_folded
 
 PACKAGE = Package("arm", "arm", "src/arm", Location("src/arm/package.xml"))
 

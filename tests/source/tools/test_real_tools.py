@@ -8,7 +8,7 @@ import pytest
 from recorded_tools import SOURCES
 
 from roslens.cli.main import main
-from roslens.source.tools.programs import find_program
+from roslens.source.tools.running.programs import find_program
 from roslens.source.tools.table import tool_named
 from roslens.source.tools.used import TOOLS
 

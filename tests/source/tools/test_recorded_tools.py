@@ -7,10 +7,10 @@ import pytest
 from recorded_tools import OUTPUT, ROOT, ended, request
 
 from roslens.model.source import Language, Role, SourceFile
+from roslens.source.tools.checks.tool_checks import checks_of, rule_of
 from roslens.source.tools.clang_tidy import Build
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.run_tool import Ended, ToolError
 from roslens.source.tools.table import tool_named
-from roslens.source.tools.tool_checks import checks_of, rule_of
 from roslens.source.tools.used import TOOLS
 
 BESIDE = {"clang_tidy": Build({}, own_checks=False)}

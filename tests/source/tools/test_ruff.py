@@ -4,7 +4,7 @@ import pytest
 from recorded_tools import request
 
 from roslens.source.tools.ruff import plugin
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.run_tool import Ended, ToolError
 
 
 @pytest.mark.parametrize("output", [b"", b'{"a": 1}', b'[{"filename": 3}]'], ids=["nothing", "object", "types"])

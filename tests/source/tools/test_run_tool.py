@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from roslens.source.tools.run_tool import ToolError, ToolRunner, ended_how
+from roslens.source.tools.running.run_tool import ToolError, ToolRunner, ended_how
 
 SHELL = "/bin/sh"
 

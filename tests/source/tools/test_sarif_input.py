@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from roslens.model.finding import Severity
-from roslens.source.tools import sarif_input
-from roslens.source.tools.sarif_input import SarifError, read_sarif, tool_name
+from roslens.source.tools.sarif import sarif_input
+from roslens.source.tools.sarif.sarif_input import SarifError, read_sarif, tool_name
 
 ROOT = "/robot"
 

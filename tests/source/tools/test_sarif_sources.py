@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.source.tools.run_tool import ToolRunner
+from roslens.source.tools.running.run_tool import ToolRunner
 
 MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">A</maintainer><license>MIT</license></package>
@@ -96,7 +96,7 @@ def test_files_that_cannot_be_imported_are_failures(check, tmp_path):
 
 
 def test_a_file_that_is_too_large_is_not_read(check, tmp_path, monkeypatch):
-    monkeypatch.setattr("roslens.source.tools.sarif_sources.MOST_BYTES", 10)
+    monkeypatch.setattr("roslens.source.tools.sarif.sarif_sources.MOST_BYTES", 10)
     file = tmp_path / "r.sarif"
     file.write_text(sarif())
     code, report = check("--import", str(file))

@@ -11,8 +11,8 @@ from roslens.model.source import Language, Role, SourceFile
 from roslens.source.fix.edited_content import edited
 from roslens.source.keys import content_hash
 from roslens.source.settings import SourceSettings, ToolSettings
-from roslens.source.tools.run_tool import Ended, ToolError
-from roslens.source.tools.tool_edits import with_tool_edits
+from roslens.source.tools.running.run_tool import Ended, ToolError
+from roslens.source.tools.running.tool_edits import with_tool_edits
 
 CPP = b"// gr\xc3\xb6\xc3\x9fe\nint  a;\nint b ;int c ;\n"
 PYTHON = b'x = "\xc3\xa9"; y = f"a"\nimport os\n'
@@ -36,7 +36,7 @@ class Played:
 def told(tmp_path, monkeypatch):
     """Return a function that returns findings with the fixes that a tool tells, and failures."""
     program = type("Program", (), {"path": "/usr/bin/tool"})
-    monkeypatch.setattr("roslens.source.tools.tool_edits.find_program", lambda *_: program)
+    monkeypatch.setattr("roslens.source.tools.running.tool_edits.find_program", lambda *_: program)
     files = {}
     for path, language, content in (("a.cpp", Language.CPP, CPP), ("n.py", Language.PYTHON, PYTHON)):
         (tmp_path / path).write_bytes(content)

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.source.tools.programs import Program
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.programs import Program
+from roslens.source.tools.running.run_tool import Ended, ToolError
 
 MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">A</maintainer><license>MIT</license></package>
@@ -46,9 +46,9 @@ class Played:
 def played(monkeypatch):
     monkeypatch.setattr(Played, "calls", [], raising=False)
     monkeypatch.setattr(Played, "fails", {}, raising=False)
-    monkeypatch.setattr("roslens.source.tools.tool_stage.ToolRunner", Played)
+    monkeypatch.setattr("roslens.source.tools.running.tool_stage.ToolRunner", Played)
     here = {"cpplint": Program("/usr/bin/cpplint", "1")}
-    monkeypatch.setattr("roslens.source.tools.tool_stage.find_program", lambda name, root: here.get(name))
+    monkeypatch.setattr("roslens.source.tools.running.tool_stage.find_program", lambda name, root: here.get(name))
     return Played
 
 
@@ -203,7 +203,7 @@ def test_code_of_others_is_left_out(check, played, workspace: Path):
 
 
 def test_the_tools_are_listed(workspace, played, monkeypatch, capsys):
-    monkeypatch.setattr("roslens.source.tools.programs.find_program", lambda name, root: None)
+    monkeypatch.setattr("roslens.source.tools.running.programs.find_program", lambda name, root: None)
     assert main(["plugins", str(workspace), "--format", "json"]) == 0
     tools = json.loads(capsys.readouterr().out)["tools"]
     assert {"cpplint", "clang_tidy", "ament_copyright"} <= {tool["name"] for tool in tools}

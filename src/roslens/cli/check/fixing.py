@@ -20,7 +20,7 @@ from roslens.model.finding import Finding
 from roslens.source.fix.last_fix import FILE_NAME, LastFix, keep_last_fix, take_back
 from roslens.source.fix.mended_files import Left, Mended, mended
 from roslens.source.fix.write_files import write_files
-from roslens.source.tools.tool_edits import with_tool_edits
+from roslens.source.tools.running.tool_edits import with_tool_edits
 
 if TYPE_CHECKING:
     from roslens.cli.check.check_scope import Scope

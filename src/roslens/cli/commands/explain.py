@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _of_tool(identity: str) -> RuleInfo | None:
     """Return the rule of a foreign tool that no data file names, by what its family is."""
-    from roslens.source.tools.tool_checks import rule_of
+    from roslens.source.tools.checks.tool_checks import rule_of
     from roslens.source.tools.used import TOOLS
 
     tool, _, check = identity.partition(".")

@@ -141,7 +141,7 @@ def _extract(
     of_signal: Callable[[str], bool],
 ) -> Extract:  # fmt: skip
     from roslens.report.history.history_rows import Extract
-    from roslens.store.read_history import read_history
+    from roslens.store.live.read_history import read_history
 
     def wanted(entity: str, signal: str) -> bool:
         return of_entity(entity) and of_signal(signal)

@@ -26,7 +26,7 @@ from roslens.store.handled import HandledAlerts
 if TYPE_CHECKING:
     from roslens.dashboard.computation.picture import Grounds
     from roslens.live.join.session import Session, Step
-    from roslens.model.reaction import Reaction
+    from roslens.model.acting.reaction import Reaction
     from roslens.store.past.recall import Recall
 
 _PACE_S = 0.25

@@ -8,7 +8,7 @@ import select
 import sys
 from typing import TextIO
 
-from roslens.model.reaction import Decision
+from roslens.model.acting.reaction import Decision
 from roslens.report.history.journal_text import action_text
 
 _YES, _NO = ("y", "yes"), ("n", "no")

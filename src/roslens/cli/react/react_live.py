@@ -38,8 +38,8 @@ if TYPE_CHECKING:
     from roslens.live.react.gate import Limits
     from roslens.live.react.node_places import NodePlaces
     from roslens.live.react.ros_line import RosLine
-    from roslens.model.reaction import Decision
-    from roslens.store.journal import Journal
+    from roslens.model.acting.reaction import Decision
+    from roslens.store.journals.journal import Journal
 
 _READY_WITHIN_S = 30.0
 _PLACES_EVERY_S = 1.0
@@ -53,7 +53,7 @@ def react_live(options: argparse.Namespace) -> int:
         UsageError: the options make no sense, or no ROS is observed in which anything could be done.
         DocumentError: the reference has no reactions, or calls for what cannot be done.
     """
-    from roslens.store.journal import Journal
+    from roslens.store.journals.journal import Journal
 
     limits, files = limits_of(options), files_with_reactions(options)
     if options.mode == "ask" and not sys.stdin.isatty() and options.serve is None:
@@ -105,7 +105,7 @@ def limits_of(options: argparse.Namespace) -> Limits:
     """
     from roslens.live.react.gate import Limits
     from roslens.live.react.maintenance import parse_window
-    from roslens.model.reaction import Mode
+    from roslens.model.acting.reaction import Mode
 
     for name in ("at_most", "most_restarts"):
         if getattr(options, name) < 0:
@@ -124,8 +124,8 @@ def _done_before(path: Path, within_s: float) -> Iterator[tuple[Decision, float]
     """Yield what was done before this process began, and how many seconds ago: a monitor that crashes counts on."""
     import msgspec
 
-    from roslens.model.reaction import ActionCall, Decision
-    from roslens.store.read_journal import JournalReader
+    from roslens.model.acting.reaction import ActionCall, Decision
+    from roslens.store.journals.read_journal import JournalReader
 
     now = time.time()
     reader = JournalReader(path)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.live.further import Further
     from roslens.live.join.session import Session, Step
     from roslens.live.react.actor import Asker
-    from roslens.model.reaction import Decision, Reaction
+    from roslens.model.acting.reaction import Decision, Reaction
 
 _REFUSED = 400
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from roslens.live.join.session import Session, Step
     from roslens.live.react.prepared import Prepared
     from roslens.live.react.reactor import Reactor
-    from roslens.model.reaction import Reaction
+    from roslens.model.acting.reaction import Reaction
 
 _READY_WITHIN_S = 30.0
 

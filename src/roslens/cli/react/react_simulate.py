@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
     from roslens.live.join.session import Step
     from roslens.live.react.simulation import Simulation
-    from roslens.model.reaction import Because, Decision
+    from roslens.model.acting.reaction import Because, Decision
 
 EXAMPLES = """\
   roslens react --simulate robot.yaml --bag drive.mcap                what would have been done, when and why

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from roslens.model.acting.reaction import Reaction
     from roslens.model.graph import Graph
-    from roslens.model.reaction import Reaction
 
 
 def reactions_table(reactions: Sequence[Reaction]) -> str:

@@ -85,7 +85,7 @@ def reacting_beside(options: argparse.Namespace, title: str, questions: Question
     from roslens.cli.watch.watch_serve import page_of
     from roslens.cli.workplace.user_folder import state_folder
     from roslens.live.join.session import Step
-    from roslens.store.journal import Journal
+    from roslens.store.journals.journal import Journal
 
     given = options.journal
     path = given if given is not None and given != Path() else state_folder(os.environ) / "journal.jsonl"

@@ -29,7 +29,7 @@ from roslens.model.failure import Failure
 if TYPE_CHECKING:
     from roslens.cli.watch.watch_reload import ReferenceFiles
     from roslens.live.observe.child_source import Publishes
-    from roslens.store.history import History
+    from roslens.store.live.history import History
 
 _REDRAW_S = 1.0
 _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\x1b[H", "\x1b[K", "\x1b[J"
@@ -221,7 +221,7 @@ def _history(options: argparse.Namespace) -> Iterator[History | None]:
     if options.history is None:
         yield None
         return
-    from roslens.store.history import History
+    from roslens.store.live.history import History
 
     with History.open(options.history) as history:
         yield history

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from roslens.live.observe.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import Turns
+from roslens.model.acting.outgoing import OutgoingError, encode_outgoing
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
-from roslens.model.outgoing import OutgoingError, encode_outgoing
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference

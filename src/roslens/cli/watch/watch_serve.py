@@ -15,7 +15,7 @@ from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.dashboard.live.serving import LivePage
 from roslens.live.past.keeper import MOST_VALUES, Keeper, in_memory
 from roslens.model.errors import UsageError
-from roslens.store.history import History
+from roslens.store.live.history import History
 
 if TYPE_CHECKING:
     from roslens.cli.page.door import Door

@@ -23,8 +23,8 @@ def known(configuration: Configuration) -> Known:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
     from roslens.source.rules.table import native_rules
-    from roslens.source.tools.layout import RULE as LAYOUT
-    from roslens.source.tools.tool_rules import mapped_rules
+    from roslens.source.tools.checks.tool_rules import mapped_rules
+    from roslens.source.tools.running.layout import RULE as LAYOUT
     from roslens.source.workspace.silence import RULES
 
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)

@@ -27,8 +27,8 @@ def found_tools(root: str, *, ask: bool) -> Iterator[FoundTool]:
         root: of the workspace, in which no program is looked for.
         ask: whether each is started to tell its version.
     """
-    from roslens.source.tools.programs import check_age, find_program, version_of
-    from roslens.source.tools.run_tool import ToolError, ToolRunner
+    from roslens.source.tools.running.programs import check_age, find_program, version_of
+    from roslens.source.tools.running.run_tool import ToolError, ToolRunner
     from roslens.source.tools.table import tool_named
     from roslens.source.tools.used import TOOLS
 

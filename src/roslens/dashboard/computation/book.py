@@ -8,7 +8,7 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.noise import IMPLICIT
 from roslens.dashboard.computation.picture import ComputationGraph, Left, computation_graph
 from roslens.dashboard.computation.system import Element, Kind, System
-from roslens.dashboard.table import Cell
+from roslens.dashboard.tables.table import Cell
 from roslens.model.configuration import Configuration, Proof
 
 

@@ -8,7 +8,7 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
 from roslens.dashboard.computation.endpoint_rows import conditions_cell, endpoint_table
 from roslens.dashboard.computation.system import Element, Kind, System
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.configuration import ConfiguredNode, ConfiguredParameter, Proof
 from roslens.model.graph import Role

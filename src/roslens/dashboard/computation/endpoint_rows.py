@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from roslens.dashboard.computation.book import Book, ref_of
 from roslens.dashboard.computation.system import VERB, End, System
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredEndpoint
 from roslens.model.qos import Qos
 

@@ -14,7 +14,7 @@ from roslens.dashboard.computation.noise import DEFAULT, NONE, PRESETS, presets_
 from roslens.dashboard.computation.picture import Left, style_of
 from roslens.dashboard.computation.system import KIND_OF_ROLE, Kind, System
 from roslens.dashboard.computation.unstarted_rows import unstarted_table
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 
 _ENDPOINTS = ("node", "does", "name", "type", "qos", "place", "conditions", "sure", "callback", "more")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
 from roslens.dashboard.computation.system import System
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredNode
 
 NAME = "nodes"

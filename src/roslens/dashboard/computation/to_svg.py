@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
+from roslens.dashboard.charts.figures import plural
 from roslens.dashboard.computation.noise import DEFAULT, PRESETS
 from roslens.dashboard.computation.picture import Drawing, Left, Line, Mark, computation_graph, style_of
 from roslens.dashboard.computation.system import Element, Kind, System
-from roslens.dashboard.figures import plural
 from roslens.dashboard.plan.ground import Box
 from roslens.dashboard.render import WEB
 from roslens.model.configuration import Configuration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.dashboard.computation.book import Book
 from roslens.dashboard.computation.endpoint_rows import conditions_cell
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredEndpoint, ConfiguredNode
 from roslens.model.unstarted import REASONS
 from roslens.report.graph.unstarted_text import VERBS, unit_name

@@ -12,8 +12,8 @@ import msgspec
 
 from roslens.model.errors import StoreError
 from roslens.report.history.journal_text import action_text, because_text, rest_text
-from roslens.store.journal_entry import Entry
-from roslens.store.read_journal import JournalReader, Verified, verify
+from roslens.store.journals.journal_entry import Entry
+from roslens.store.journals.read_journal import JournalReader, Verified, verify
 
 PAGE = 200
 """Entries at a time."""

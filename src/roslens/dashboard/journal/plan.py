@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.dashboard.journal.journal_view import JournalRow
 from roslens.judge.reference.condition_words import condition_words
-from roslens.model.reaction import EscalationStep, Reaction
+from roslens.model.acting.reaction import EscalationStep, Reaction
 from roslens.report.history.journal_text import action_text
 
 

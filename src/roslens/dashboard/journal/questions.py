@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from roslens.model.reaction import Decision
+from roslens.model.acting.reaction import Decision
 from roslens.report.history.journal_text import action_text
 
 MOST_OPEN = 200

@@ -21,7 +21,7 @@ from roslens.dashboard.journal.journal_view import PAGE, JournalView
 from roslens.dashboard.journal.plan import Countermeasure, plan_of
 from roslens.dashboard.journal.questions import Questions
 from roslens.dashboard.render import TEMPLATES
-from roslens.model.reaction import Reaction
+from roslens.model.acting.reaction import Reaction
 
 HERE = Path(__file__).parent
 _FORM = "application/x-www-form-urlencoded"

@@ -15,9 +15,9 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import ref_of
 from roslens.dashboard.computation.difference_picture import SIGNS, WORDS, Standing, difference_picture
 from roslens.dashboard.computation.system import System
-from roslens.dashboard.finding_list import file_ref
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.finding_list import file_ref
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.errors import RoslensError
 from roslens.model.finding import Severity

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from roslens.compare.run_difference import RunDifference
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.finding_list import file_ref
-from roslens.dashboard.line_chart import day
+from roslens.dashboard.charts.line_chart import day
 from roslens.dashboard.pages.history import options
 from roslens.dashboard.past import Past
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.finding_list import file_ref
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.finding import Finding
 

@@ -11,9 +11,9 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import ref_of
 from roslens.dashboard.computation.element_pages import build_node, build_topic
 from roslens.dashboard.computation.system import Kind
-from roslens.dashboard.finding_list import FindingFilter, select
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.finding_list import FindingFilter, select
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.finding import Severity
 

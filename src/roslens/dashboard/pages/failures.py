@@ -5,9 +5,9 @@ from __future__ import annotations
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.finding_list import file_ref
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.finding_list import file_ref
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.failure import Failure
 

@@ -7,12 +7,12 @@ from collections import defaultdict
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.colours import colour
-from roslens.dashboard.entity_tables import classes_table, functions_table
-from roslens.dashboard.finding_list import filter_of, findings_table, select
 from roslens.dashboard.site import Site
-from roslens.dashboard.source_rows import CodeLine
-from roslens.dashboard.table import Table, sort_rows
+from roslens.dashboard.sources.colours import colour
+from roslens.dashboard.sources.source_rows import CodeLine
+from roslens.dashboard.tables.entity_tables import classes_table, functions_table
+from roslens.dashboard.tables.finding_list import filter_of, findings_table, select
+from roslens.dashboard.tables.table import Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding

@@ -5,11 +5,11 @@ from __future__ import annotations
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.figures import number
+from roslens.dashboard.charts.figures import number
+from roslens.dashboard.charts.ramp import Ramp, ramp_of
 from roslens.dashboard.graph_model import Colouring, better_of, colour_title, colour_values, graph_of
-from roslens.dashboard.ramp import Ramp, ramp_of
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.tags import tag_filter
 

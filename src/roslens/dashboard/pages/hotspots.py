@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.finding_list import file_ref
-from roslens.dashboard.scatter import scatter_of
+from roslens.dashboard.charts.scatter import scatter_of
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.finding_list import file_ref
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.process import RepositoryProcess
 

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.figures import number
-from roslens.dashboard.finding_list import file_ref
-from roslens.dashboard.histogram import figures_of, histogram_of
+from roslens.dashboard.charts.figures import number
+from roslens.dashboard.charts.histogram import figures_of, histogram_of
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.finding_list import file_ref
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.judge.ranges.rate import rate
 from roslens.model.entity import EntityKind

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.histogram import figures_of, histogram_of
+from roslens.dashboard.charts.histogram import figures_of, histogram_of
 from roslens.dashboard.measured import Measured, measured_on
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.source import OUTSIDE_PACKAGES

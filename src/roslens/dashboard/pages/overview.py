@@ -8,11 +8,11 @@ from collections.abc import Iterable, Mapping
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.field_column import field_cell, field_column
-from roslens.dashboard.figures import plural
-from roslens.dashboard.line_chart import day
+from roslens.dashboard.charts.figures import plural
+from roslens.dashboard.charts.line_chart import day
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.field_column import field_cell, field_column
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.judge.quality.quality_model import rule_id
 from roslens.model.entity import EntityKind

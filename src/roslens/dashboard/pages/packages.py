@@ -5,11 +5,11 @@ from __future__ import annotations
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.layout.tiers import cycles_of, needs_of, tiers_of
 from roslens.dashboard.measured import measured_on
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.field_column import field_cell, field_column
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity

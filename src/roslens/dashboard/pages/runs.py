@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 
 _COLUMNS = (

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 
 MOST = 50

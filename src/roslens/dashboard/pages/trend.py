@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.line_chart import day, line_chart
+from roslens.dashboard.charts.line_chart import day, line_chart
 from roslens.dashboard.pages.history import WHOLE, digits_of, options, revision_of
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.trend import Trend
 

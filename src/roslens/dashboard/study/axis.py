@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from roslens.dashboard.figures import compact
+from roslens.dashboard.charts.figures import compact
 
 
 class Axis(msgspec.Struct, frozen=True):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from roslens.model.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType
+from roslens.model.acting.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType
 from roslens.model.entity import EntityKind
 
 _INTRODUCTION = (
     "What [reactions](../reactions.md) may call for, and who carries it out. `roslens react` does none of it unless "
-    "its `--mode` says so. This page is made from `src/roslens/model/action_kind.py`; `make docs` writes it anew."
+    "its `--mode` says so. This page is made from `src/roslens/model/acting/action_kind.py`; `make docs` writes it."
 )
 
 

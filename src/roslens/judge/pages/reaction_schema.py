@@ -8,11 +8,11 @@ from roslens.judge.reading.read_condition_tree import BEING_WORDS, FORMS, OTHER_
 from roslens.judge.reading.read_state_check import LIFECYCLE
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, NAMED_CONDITION_KEYS, REACTION_KEYS, STEP_KEYS
 from roslens.judge.reference.reference_keys import KINDS, NARROWING
-from roslens.model.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType
-from roslens.model.condition import Matching
+from roslens.model.acting.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType
+from roslens.model.acting.condition import Matching
+from roslens.model.acting.reaction import Mode
 from roslens.model.finding import Severity
 from roslens.model.quantity import Quantity
-from roslens.model.reaction import Mode
 
 _WORD: dict[str, object] = {"type": ["string", "number", "boolean"]}
 _AMOUNT: dict[str, object] = {"type": ["string", "number"]}

@@ -14,7 +14,7 @@ from roslens.judge.reference.reaction_keys import (
 )
 from roslens.judge.reference.reference_keys import SELECTOR_KEYS
 from roslens.judge.reference.template import FIELDS
-from roslens.model.action_kind import ACTION_KINDS
+from roslens.model.acting.action_kind import ACTION_KINDS
 
 EXAMPLE = """\
 kind: reference

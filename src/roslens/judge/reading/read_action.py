@@ -15,9 +15,9 @@ from roslens.judge.reference.name_scope import put_under
 from roslens.judge.reference.reaction_keys import STEP_KEYS
 from roslens.judge.reference.reference_document import Scope
 from roslens.judge.reference.template import fields_in
-from roslens.model.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType, action_kind
+from roslens.model.acting.action_kind import ACTION_KINDS, ActionKind, Argument, ArgumentType, action_kind
+from roslens.model.acting.reaction import ActionCall, EscalationStep
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import ActionCall, EscalationStep
 from roslens.plugins.nearest import did_you_mean
 
 DO_KEYS = {**{kind.key: kind.summary for kind in ACTION_KINDS}, **STEP_KEYS}

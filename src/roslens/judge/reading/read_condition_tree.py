@@ -17,7 +17,7 @@ from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, STATEMENT_KEYS, TREE_KEYS
 from roslens.judge.reference.reference_document import Scope
 from roslens.judge.reference.reference_keys import KINDS
-from roslens.model.condition import (
+from roslens.model.acting.condition import (
     NO_TIME,
     About,
     AllOf,

@@ -14,10 +14,10 @@ from roslens.judge.reference.condition_contradiction import always, excluding, s
 from roslens.judge.reference.reaction_keys import CONDITION_KEYS, NAMED_CONDITION_KEYS, REACTION_KEYS
 from roslens.judge.reference.reference_document import DeclaredReaction, Scope
 from roslens.judge.reference.template import fields_in
-from roslens.model.condition import Condition, Matching, Not, Stated
+from roslens.model.acting.condition import Condition, Matching, Not, Stated
+from roslens.model.acting.reaction import COOL_DOWN_S, SETTLED_S, Mode, Reaction
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import DocumentError
-from roslens.model.reaction import COOL_DOWN_S, SETTLED_S, Mode, Reaction
 from roslens.plugins.nearest import did_you_mean
 
 MOST_STEPS = 20

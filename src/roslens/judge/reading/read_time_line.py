@@ -13,11 +13,11 @@ from roslens.judge.reading.read_common_keys import reading
 from roslens.judge.reading.read_condition_tree import BEING_WORDS, seconds
 from roslens.judge.reading.read_state_check import LIFECYCLE
 from roslens.judge.reference.reference_keys import KINDS
-from roslens.model.action_kind import ACTION_KINDS
-from roslens.model.condition import Being
+from roslens.model.acting.action_kind import ACTION_KINDS
+from roslens.model.acting.condition import Being
+from roslens.model.acting.reaction import Result
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.reaction import Result
 from roslens.model.verdict import State
 from roslens.plugins.nearest import did_you_mean
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from itertools import combinations
 
 from roslens.judge.patterns.pattern import Pattern
-from roslens.model.condition import About, AllOf, AnyOf, Being, Condition, Not, Stated
+from roslens.model.acting.condition import About, AllOf, AnyOf, Being, Condition, Not, Stated
 from roslens.model.verdict import State
 
 _BAD = frozenset(state.value for state in State if state.bad)

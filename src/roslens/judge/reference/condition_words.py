@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.model.condition import AllOf, AnyOf, AtLeast, Condition, Not, OverTime, Stated
+from roslens.model.acting.condition import AllOf, AnyOf, AtLeast, Condition, Not, OverTime, Stated
 
 
 def condition_words(condition: Condition) -> str:

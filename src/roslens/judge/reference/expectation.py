@@ -8,9 +8,9 @@ from typing import TypeVar
 import msgspec
 
 from roslens.judge.ranges.range import Range
+from roslens.model.acting.reaction import Reaction
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
-from roslens.model.reaction import Reaction
 from roslens.model.selector import Selector as Selector
 
 

@@ -8,8 +8,8 @@ import msgspec
 
 from roslens.judge.reference.reaction_fights import refuse_fights
 from roslens.judge.reference.reference_document import ReferenceDocument
+from roslens.model.acting.reaction import Reaction
 from roslens.model.errors import DocumentError
-from roslens.model.reaction import Reaction
 from roslens.plugins.nearest import did_you_mean
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import combinations
 
+from roslens.model.acting.reaction import ActionCall, Reaction
 from roslens.model.entity import EntityId
 from roslens.model.errors import DocumentError
-from roslens.model.reaction import ActionCall, Reaction
 
 _RUNS = frozenset({"start", "restart", "load"})
 _ENDS = frozenset({"stop", "kill", "unload"})

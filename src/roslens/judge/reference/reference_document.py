@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import msgspec
 
 from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Presence, StateCheck, Timing
+from roslens.model.acting.reaction import Reaction
 from roslens.model.finding import Severity
 from roslens.model.quantity import Quantity
-from roslens.model.reaction import Reaction
 
 Sentence = Expectation | Presence | FieldCheck | AgeChain | StateCheck
 

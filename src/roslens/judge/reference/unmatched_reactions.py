@@ -8,9 +8,9 @@ from roslens.judge.reference.condition_contradiction import statements
 from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.judge.reference.unmatched import Subject
+from roslens.model.acting.reaction import Reaction
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
-from roslens.model.reaction import Reaction
 from roslens.plugins.nearest import nearest_few
 
 

@@ -6,7 +6,7 @@ import signal
 
 from roslens.live.act.host import Host, Known
 from roslens.live.act.ros import ActionError
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 KILLED_WITHIN_S = 5.0
 

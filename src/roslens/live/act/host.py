@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Protocol
 
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 
 class Known(Protocol):

@@ -13,8 +13,8 @@ from typing import Any
 import msgspec
 
 from roslens.live.act.ros import ActionError, Ros
-from roslens.model.action_kind import By, action_kind
-from roslens.model.order import VERSION, Order, Reply, Verb
+from roslens.model.acting.action_kind import By, action_kind
+from roslens.model.acting.order import VERSION, Order, Reply, Verb
 
 _AT_ONCE = 16
 _MOST_REPEATED = 50

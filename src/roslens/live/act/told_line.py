@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 
 from roslens.live.act.orders import Orders
-from roslens.model.order import Order, OrderError, OrderReader, Reply, encode_order
+from roslens.model.acting.order import Order, OrderError, OrderReader, Reply, encode_order
 
 _PIECE = 65_536
 

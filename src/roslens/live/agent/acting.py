@@ -14,7 +14,7 @@ from roslens.live.agent.host_hand import Done, HostHand
 from roslens.live.agent.process_record import ProcessRecords
 from roslens.live.agent.request_gate import RequestGate
 from roslens.live.agent.request_line import RequestLine
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 
 class Writing(Protocol):

@@ -11,10 +11,10 @@ import msgspec
 from roslens.judge.documents.document import Section, read_document
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.amount import parse_amount
-from roslens.model.action_kind import ACTION_KINDS, By
+from roslens.model.acting.action_kind import ACTION_KINDS, By
+from roslens.model.acting.host_request import HostRequest
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
-from roslens.model.host_request import HostRequest
 
 KEYS = {"nodes": "what may be done to which nodes", "commands": "programs that may be run, by name"}
 _NODE_KEYS = {

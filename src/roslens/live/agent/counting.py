@@ -9,8 +9,8 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.graph import Process
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
 
 
 class Counters(Protocol):

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from roslens.live.agent.kept_open import KeptOpen
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 Number = TypeVar("Number", int, float)
 GpuReader = Callable[[], Mapping[str, float]]

@@ -20,8 +20,8 @@ from roslens.live.act.host import Carrying, Known
 from roslens.live.act.ros import ActionError
 from roslens.live.agent.allow_list import AllowList
 from roslens.live.agent.process_record import ProcessRecords, Recorded
-from roslens.model.action_kind import By, action_kind
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.action_kind import By, action_kind
+from roslens.model.acting.host_request import HostRequest
 
 _AT_ONCE = 8
 _LOOK_S = 0.1

@@ -16,7 +16,7 @@ import msgspec
 from roslens.live.agent.kept_open import KeptOpen
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 IN_TURN = 10
 """The dear values of a process are read at every tenth sweep."""

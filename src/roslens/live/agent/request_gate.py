@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from roslens.live.agent.signed_request import Believing, RefusedError
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 MOST_REQUESTS = 20
 """Requests that are believed in :data:`PER_S` seconds; those that follow are refused."""

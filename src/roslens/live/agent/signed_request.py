@@ -13,8 +13,8 @@ from collections import deque
 
 import msgspec
 
-from roslens.model.action_kind import By, action_kind
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.action_kind import By, action_kind
+from roslens.model.acting.host_request import HostRequest
 
 VERSION = 1
 CHALLENGE_BYTES = 16

@@ -17,8 +17,8 @@ from roslens.live.agent.link import Channel, LinkError, Outbox, asked_time, read
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 SHORTEST_WAIT_S, LONGEST_WAIT_S = 0.5, 10.0

@@ -9,7 +9,7 @@ from roslens.live.drafting.draft import Observed
 from roslens.live.drafting.draft_presence import Attendance, types_in
 from roslens.live.join.session import Session, Step
 from roslens.live.window.voice import Voice
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 LOOK_S = 1.0
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 
 class Track(msgspec.Struct, frozen=True):

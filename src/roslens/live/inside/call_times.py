@@ -13,8 +13,8 @@ from itertools import pairwise
 from roslens.live.inside import slots
 from roslens.live.inside.counters import Called
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.sample import Sample
-from roslens.model.tally import NOTHING, Moments, Observer
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import NOTHING, Moments, Observer
 
 _COUNTED = {slots.ASKED: "calls", slots.REQUESTED: "client_calls"}
 _TIMED = {slots.REPLIED: "response_time", slots.HEARD: "client_response_time"}

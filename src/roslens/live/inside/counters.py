@@ -13,7 +13,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.opened_file import CutOffError, OpenedFile, open_file
 from roslens.live.inside.snapshot import Snapshot, difference, lost_by
 from roslens.model.failure import Failure
-from roslens.model.tally import Observer, Tally
+from roslens.model.traffic.tally import Observer, Tally
 
 _LOOK_S = 0.9
 """How long what changes rarely need not be looked at again."""

@@ -10,8 +10,8 @@ from roslens.live.inside import slots
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import CounterReader, joined
 from roslens.model.failure import Failure
-from roslens.model.sample import Sample
-from roslens.model.tally import BY_GID, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import BY_GID, Tally
 
 SHARED = Path("/dev/shm")  # noqa: S108 - folders in it are looked at before use
 BOOT = Path("/proc/sys/kernel/random/boot_id")

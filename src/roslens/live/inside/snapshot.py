@@ -7,7 +7,7 @@ from typing import NamedTuple, SupportsBytes
 
 from roslens.live.inside import slots
 from roslens.live.inside.sequence import SETTLE_NS
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 
 _COUNTERS = struct.Struct("=14q" + "qdd" * 4 + "q")
 _BANK = struct.Struct("=8d")

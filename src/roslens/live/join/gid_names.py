@@ -12,7 +12,7 @@ from collections import deque
 import msgspec
 
 from roslens.model.graph import Graph
-from roslens.model.tally import BY_GID, Tally
+from roslens.model.traffic.tally import BY_GID, Tally
 
 WAIT_S = 5.0
 """How long a tally waits for the name of its publisher."""

@@ -10,7 +10,7 @@ import msgspec
 from roslens.live.window.newest import MOST_GONE, keep_newest
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 
 class NodeProcesses:

@@ -12,7 +12,7 @@ import msgspec
 
 from roslens.live.inside.counters import merged
 from roslens.live.window.newest import keep_newest
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 _STEP_S = 5.0
 """What ends so long before the last is of a clock that was set back."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from roslens.live.window.newest import MOST_GONE
 from roslens.model.entity import EntityId
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 
 EVERY_S = 1.0
 STALE_S = 2.5

@@ -27,7 +27,7 @@ from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 

@@ -12,7 +12,7 @@ from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
-from roslens.model.sample import Sample
+from roslens.model.traffic.sample import Sample
 from roslens.model.wire import VERSION, Frame
 
 

@@ -27,7 +27,7 @@ def ros1_parameter(name: str, master: str) -> tuple[Any, str]:
     """
     from roslens.live.adapters.ros1.master import Master
     from roslens.live.adapters.ros1.resolve import Resolver
-    from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+    from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
 
     uri = master or os.environ.get("ROS_MASTER_URI") or _MASTER
     server = Master(uri, "/roslens_reference", Resolver(), WAIT_S)

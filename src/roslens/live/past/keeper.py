@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.model.entity import EntityId
-from roslens.store.history import History
+from roslens.store.live.history import History
+from roslens.store.live.series import Tier
 from roslens.store.past.moment import Moment
-from roslens.store.series import Tier
 
 if TYPE_CHECKING:
     from roslens.live.join.session import Session, Step

@@ -6,7 +6,7 @@ import os
 import threading
 from collections.abc import Callable
 
-from roslens.model.outgoing import Outgoing, OutgoingError, OutgoingReader
+from roslens.model.acting.outgoing import Outgoing, OutgoingError, OutgoingReader
 
 _PIECE = 1 << 16
 

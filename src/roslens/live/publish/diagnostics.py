@@ -14,9 +14,9 @@ from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.expectation import StateOf
 from roslens.live.explain.node_faults import GONE, STOPPED
 from roslens.live.window.signals import BY_KEY
+from roslens.model.acting.outgoing import Status
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.outgoing import Status
 from roslens.model.verdict import State, Verdict
 
 OK, WARN, ERROR, STALE = range(4)

@@ -8,9 +8,9 @@ from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Reference
 from roslens.live.system.connection_name import connection_ends
 from roslens.live.window.signals import BY_KEY
+from roslens.model.acting.outgoing import ConnectionStatistics, RatedSignal
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.outgoing import ConnectionStatistics, RatedSignal
 from roslens.model.verdict import State, Verdict
 
 STATES: Mapping[State, int] = {state: number for number, state in enumerate(State)}

@@ -10,9 +10,9 @@ from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.diagnostics import diagnostics
 from roslens.live.publish.placed import Placed
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals
+from roslens.model.acting.outgoing import VERSION, Outgoing, RatedSignals
 from roslens.model.entity import EntityId
 from roslens.model.graph import Graph
-from roslens.model.outgoing import VERSION, Outgoing, RatedSignals
 from roslens.model.verdict import Verdict
 
 PERIOD_S = 1.0

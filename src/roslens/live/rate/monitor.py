@@ -31,9 +31,9 @@ from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
-from roslens.model.tally_columns import TallyColumns, row_of, tally_of
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
+from roslens.model.traffic.tally_columns import TallyColumns, row_of, tally_of
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 

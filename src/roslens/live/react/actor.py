@@ -13,7 +13,7 @@ import msgspec
 from roslens.live.join.session import Step
 from roslens.live.react.gate import Answer, Gate, GateAnswer
 from roslens.live.react.reactor import Reactor
-from roslens.model.reaction import Decision, Mode, Outcome, Result, Verification, repeats
+from roslens.model.acting.reaction import Decision, Mode, Outcome, Result, Verification, repeats
 
 ANSWER_WITHIN_S = 60.0
 """What nobody allowed or refused so long after it was asked is not done."""

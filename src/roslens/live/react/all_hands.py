@@ -16,12 +16,12 @@ from roslens.live.react.node_places import NodePlaces
 from roslens.live.react.prepared import Prepared
 from roslens.live.react.ros_line import RosLine
 from roslens.live.react.rosout_beside import RosoutBeside
-from roslens.model.action_kind import ActionKind, By, action_kind
+from roslens.model.acting.action_kind import ActionKind, By, action_kind
+from roslens.model.acting.host_request import HostRequest
+from roslens.model.acting.order import Verb
+from roslens.model.acting.reaction import ActionCall, Decision, Reaction
 from roslens.model.entity import EntityKind
 from roslens.model.errors import RoslensError
-from roslens.model.host_request import HostRequest
-from roslens.model.order import Verb
-from roslens.model.reaction import ActionCall, Decision, Reaction
 
 _NAME = re.compile(r"[^A-Za-z0-9._-]+")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from roslens.live.react.truth import Truth
-from roslens.model.reaction import Checked, Decision, EscalationStep, Outcome, Result, Verification
+from roslens.model.acting.reaction import Checked, Decision, EscalationStep, Outcome, Result, Verification
 
 _TRIED = (Result.DONE, Result.DRY_RUN)
 _GOES_ON = (Result.FAILED, Result.GAVE_UP)

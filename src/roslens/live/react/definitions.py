@@ -13,9 +13,9 @@ from typing import Any
 
 import msgspec
 
-from roslens.model.action_kind import ArgumentType, action_kind
+from roslens.model.acting.action_kind import ArgumentType, action_kind
+from roslens.model.acting.reaction import ActionCall, Reaction
 from roslens.model.errors import DocumentError
-from roslens.model.reaction import ActionCall, Reaction
 from roslens.plugins.nearest import did_you_mean
 
 _FOLDERS = ("msg", "srv")

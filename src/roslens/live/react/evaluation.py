@@ -9,9 +9,20 @@ from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.react.known import Known
 from roslens.live.react.statement import Said, say
 from roslens.live.react.truth import Truth, all_of, any_of, at_least, negated
-from roslens.model.condition import About, AllOf, AnyOf, AtLeast, Being, Condition, Matching, Not, OverTime, Stated
+from roslens.model.acting.condition import (
+    About,
+    AllOf,
+    AnyOf,
+    AtLeast,
+    Being,
+    Condition,
+    Matching,
+    Not,
+    OverTime,
+    Stated,
+)
+from roslens.model.acting.reaction import Because
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.reaction import Because
 from roslens.model.selector import Selector
 from roslens.model.verdict import State
 

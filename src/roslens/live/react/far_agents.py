@@ -24,7 +24,7 @@ from roslens.live.agent.signed_request import (
 )
 from roslens.live.agent.tls_duplex import TlsDuplex
 from roslens.live.react.actor import CarriedOut
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 _MOST_LINES = 64
 _PATIENCE_S = 5.0

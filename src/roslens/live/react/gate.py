@@ -15,8 +15,8 @@ from enum import Enum
 import msgspec
 
 from roslens.live.react.maintenance import Window, window_now
-from roslens.model.action_kind import action_kind
-from roslens.model.reaction import Decision, Mode
+from roslens.model.acting.action_kind import action_kind
+from roslens.model.acting.reaction import Decision, Mode
 
 _CAREFUL = (Mode.DRY_RUN, Mode.ASK, Mode.ACT)
 """From the most careful mode on."""

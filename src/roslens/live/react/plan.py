@@ -7,9 +7,9 @@ from roslens.judge.reference.condition_contradiction import statements
 from roslens.live.react.evaluation import Chosen, Evaluation
 from roslens.live.react.known import Known
 from roslens.live.react.truth import Truth
-from roslens.model.condition import About, AllOf, AnyOf, Being, Condition, Matching, Stated
+from roslens.model.acting.condition import About, AllOf, AnyOf, Being, Condition, Matching, Stated
+from roslens.model.acting.reaction import Because, Reaction
 from roslens.model.entity import EntityId
-from roslens.model.reaction import Because, Reaction
 
 
 class Plan:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslens.live.react.ros_line import RosLine
-from roslens.model.action_kind import By, action_kind
-from roslens.model.order import Reply
-from roslens.model.reaction import Decision, Reaction
+from roslens.model.acting.action_kind import By, action_kind
+from roslens.model.acting.order import Reply
+from roslens.model.acting.reaction import Decision, Reaction
 
 NO_ROS = "no ROS that has it is observed. Start it in a shell where ROS is set up, or give --ros1 or --ros2 --python"
 _SILENT = "not answered yet"

@@ -16,8 +16,7 @@ from roslens.live.react.plan import Plan
 from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
-from roslens.model.entity import EntityId
-from roslens.model.reaction import (
+from roslens.model.acting.reaction import (
     ActionCall,
     Because,
     Checked,
@@ -28,6 +27,7 @@ from roslens.model.reaction import (
     essence,
     repeats,
 )
+from roslens.model.entity import EntityId
 
 MOST_ENDED = 1_000
 _FORWARDING = {"{entity}", "{host}", "{cause}"}

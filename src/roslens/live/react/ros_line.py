@@ -10,7 +10,7 @@ from typing import Any
 from roslens.children.safe_path import NEUTRAL
 from roslens.live.adapters.child import clean_environment
 from roslens.live.publish.downlink import Downlink
-from roslens.model.order import VERSION, Order, OrderError, OrderReader, Reply, Verb, encode_order
+from roslens.model.acting.order import VERSION, Order, OrderError, OrderReader, Reply, Verb, encode_order
 
 _PAUSE_S = 1.0
 _STOP_S = 3.0

@@ -9,8 +9,8 @@ import msgspec
 
 from roslens.live.react.actor import CarriedOut
 from roslens.live.react.ros_line import RosLine
-from roslens.model.order import OrderError, Reply
-from roslens.model.reaction import Reaction
+from roslens.model.acting.order import OrderError, Reply
+from roslens.model.acting.reaction import Reaction
 
 BEFORE_S = 60.0
 TOPIC = "/rosout"

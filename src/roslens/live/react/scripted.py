@@ -8,7 +8,7 @@ from roslens.judge.reading.read_time_line import Given, TimeLine
 from roslens.live.join.session import Step
 from roslens.live.react.wellness import BEGINNING_S
 from roslens.live.system.halted import Halted
-from roslens.model.condition import Being
+from roslens.model.acting.condition import Being
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
 from roslens.model.verdict import State, Verdict

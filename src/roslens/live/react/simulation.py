@@ -10,8 +10,8 @@ from roslens.judge.reading.read_time_line import Expected, TimeLine
 from roslens.live.join.session import Step
 from roslens.live.react.reactor import Reactor
 from roslens.live.react.scripted import BEFORE_S, scripted_steps
+from roslens.model.acting.reaction import Checked, Decision, Outcome, Reaction, Result
 from roslens.model.entity import EntityId
-from roslens.model.reaction import Checked, Decision, Outcome, Reaction, Result
 
 
 class Compared(msgspec.Struct, frozen=True):

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from roslens.judge.reference.same_value import number_of, same_value
 from roslens.live.react.known import Held, Known
 from roslens.live.react.truth import Truth, all_of, any_of
-from roslens.model.condition import About, Being, Stated
+from roslens.model.acting.condition import About, Being, Stated
+from roslens.model.acting.reaction import Because
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change
-from roslens.model.reaction import Because
 from roslens.model.verdict import State, Verdict
 
 _UNJUDGED = (State.UNKNOWN, State.SUSPENDED)

@@ -14,7 +14,7 @@ from roslens.live.join.session import Session, Step
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 STEP_S = 0.5

@@ -9,7 +9,7 @@ from roslens.live.system.envelope import Envelope
 from roslens.live.window.traffic import MEASURES, percentile_of
 from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
-from roslens.model.tally import Observer, Tally
+from roslens.model.traffic.tally import Observer, Tally
 
 _PAUSE_S = 0.5
 """Seconds after a tally outside its envelope until a connection gets another."""

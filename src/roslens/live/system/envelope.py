@@ -17,7 +17,7 @@ from roslens.live.window.round import Round
 from roslens.live.window.signals import SUMMED
 from roslens.live.window.traffic import bandwidth, message_size, period, rate
 from roslens.live.window.window import EPSILON_S, Window
-from roslens.model.tally_columns import Row
+from roslens.model.traffic.tally_columns import Row
 
 _BEFORE = -EPSILON_S
 _Bounds = tuple[float, float, float]

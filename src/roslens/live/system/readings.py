@@ -15,7 +15,7 @@ from roslens.live.window.traffic import MEASURES
 from roslens.live.window.window import Window
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
-from roslens.model.tally import Observer
+from roslens.model.traffic.tally import Observer
 
 _TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
 _WORDS = {one: one.value for one in Observer}

@@ -10,8 +10,8 @@ from roslens.live.standing.verdict_state import NEVER
 from roslens.live.window.traffic import percentile as percentile_of
 from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId
-from roslens.model.sample import Sample
-from roslens.model.tally import Observer
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Observer
 
 MAX_KEPT = 600
 """Samples of a signal; beyond, every second one is dropped."""

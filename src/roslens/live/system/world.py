@@ -17,7 +17,7 @@ from roslens.live.system.topic import Topic
 from roslens.live.window.newest import MOST_GONE
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 MAX_ENTITIES = 100_000
 """Connections, topics and sampled entities together; more are refused and counted."""

@@ -7,8 +7,8 @@ from typing import Union
 
 import msgspec
 
-from roslens.model.tally import Moments, Tally
-from roslens.model.tally_columns import Row
+from roslens.model.traffic.tally import Moments, Tally
+from roslens.model.traffic.tally_columns import Row
 
 
 class Sums:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 
 def cut(tally: Tally, start: float, count: int, share: float) -> Tally:

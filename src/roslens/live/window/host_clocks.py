@@ -9,8 +9,8 @@ from __future__ import annotations
 import msgspec
 
 from roslens.model.entity import EntityKind
-from roslens.model.sample import Sample
-from roslens.model.tally import NOTHING, Moments, Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import NOTHING, Moments, Tally
 
 USUAL_TOLERANCE_S = 0.01
 """How wrong a time may be of which no constraint says how long it may be."""

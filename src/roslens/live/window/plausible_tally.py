@@ -6,7 +6,7 @@ import math
 
 import msgspec
 
-from roslens.model.tally import NOTHING, Moments, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Tally
 
 MAX_TEXT = 65_536
 """Characters of a name; a longer one is no name of ROS."""

@@ -8,7 +8,7 @@ from operator import attrgetter
 
 from roslens.live.window.bucket import Bucket
 from roslens.live.window.window import Window
-from roslens.model.tally import Moments
+from roslens.model.traffic.tally import Moments
 
 _INSTANT_S = 1e-9
 """No two messages are closer together."""

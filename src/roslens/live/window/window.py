@@ -12,8 +12,8 @@ from collections.abc import Iterable
 from roslens.live.window.bucket import Bucket
 from roslens.live.window.cut_tally import cut
 from roslens.live.window.voice import Voice
-from roslens.model.tally import Observer, Tally
-from roslens.model.tally_columns import Row
+from roslens.model.traffic.tally import Observer, Tally
+from roslens.model.traffic.tally_columns import Row
 
 MAX_BUCKETS = 20
 """Neighbouring tallies are merged rather than to keep more than these."""

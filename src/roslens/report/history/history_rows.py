@@ -10,7 +10,7 @@ import msgspec
 from roslens.model.graph import Event
 from roslens.model.verdict import Verdict
 from roslens.report.writing.csv_table import Table
-from roslens.store.read_history import Kept
+from roslens.store.live.read_history import Kept
 
 
 class Extract(msgspec.Struct, frozen=True):

@@ -9,8 +9,8 @@ from datetime import datetime
 from roslens.model.verdict import Verdict
 from roslens.report.history.history_rows import Extract
 from roslens.report.writing.terminal import Terminal, columns, left, right
-from roslens.store.read_history import Kept
-from roslens.store.series import Point
+from roslens.store.live.read_history import Kept
+from roslens.store.live.series import Point
 
 _BARS = "▁▂▃▄▅▆▇█"
 _ASCII_BARS = "_.-=+*#@"

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from roslens.store.journal_entry import Entry
+from roslens.store.journals.journal_entry import Entry
 
 _QUIET = ("decision", "action", "because", "place", "fields", "bytes")
 

@@ -6,7 +6,7 @@ import os
 
 from roslens.children.fetching_git import fetching_environment, fetching_words
 from roslens.source.fetch.retry import Retry, may_pass
-from roslens.source.tools.run_tool import Ended, ToolError, ToolRunner
+from roslens.source.tools.running.run_tool import Ended, ToolError, ToolRunner
 
 TIME_LIMIT_S = 3600.0
 """For one command: the largest repositories of a distribution take a quarter of an hour on a slow line."""

@@ -20,8 +20,8 @@ from roslens.source.measure.analyse_package import MeasuredPackage
 from roslens.source.metrics.packages import rcv, rqv
 from roslens.source.metrics.size import comment_ratio
 from roslens.source.settings import SourceSettings
-from roslens.source.tools.layout import RULE as LAYOUT
-from roslens.source.tools.layout import layout_folded
+from roslens.source.tools.running.layout import RULE as LAYOUT
+from roslens.source.tools.running.layout import layout_folded
 from roslens.source.tools.witnesses import joined
 from roslens.source.workspace.silence import UNUSED, Nameable, Silence, about_comments
 

@@ -9,12 +9,12 @@ from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.source.rules.edits.placed_edits import with_placed_edits
 from roslens.source.rules.guard_style import guard_style
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.match_file import MOST_HITS
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.place_hits import place_hits
-from roslens.source.rules.placed_edits import with_placed_edits
 from roslens.source.rules.python2_package import as_notes_without_python3
 from roslens.source.rules.rule import TOOL, PackageRule
 from roslens.source.rules.selection import selected

@@ -12,7 +12,7 @@ from roslens.source.rules.views.package_files import PackageFiles
 
 if TYPE_CHECKING:
     from roslens.source.extract.builds.python_setup import Setup
-    from roslens.source.rules.manifest_edits import ManifestEdits
+    from roslens.source.rules.edits.manifest_edits import ManifestEdits
     from roslens.source.rules.views.cmake_view import CmakeView
     from roslens.source.rules.views.dependency_uses import Use
     from roslens.source.rules.views.launch_view import LaunchXml
@@ -81,7 +81,7 @@ class PackageView(PackageFiles, frozen=True, dict=True):
     @cached_property
     def manifest_edits(self) -> ManifestEdits:
         """What can be done about its package.xml."""
-        from roslens.source.rules.manifest_edits import ManifestEdits
+        from roslens.source.rules.edits.manifest_edits import ManifestEdits
 
         path = self.package.manifest.path
         return ManifestEdits(self.read(path) if path else b"", path)

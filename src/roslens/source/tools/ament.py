@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from roslens.intake.bounded_file import TooLargeError, read_bounded
-from roslens.source.tools.run_tool import MOST_BYTES, Ended, ToolError
+from roslens.source.tools.running.run_tool import MOST_BYTES, Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, own_paths
 from roslens.source.tools.xml_output import xml_root
 

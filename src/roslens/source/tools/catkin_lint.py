@@ -6,7 +6,7 @@ from pathlib import PurePosixPath
 
 from roslens.model.source import Language, SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import READ_ROLES, Reading, Request, Tool, ToolFinding, own_paths
 from roslens.source.tools.xml_output import number, xml_root
 

@@ -11,8 +11,8 @@ from typing import Any
 from roslens.model.edit import Edit, edit_at
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended, ToolError
-from roslens.source.tools.settings_files import SettingsFiles
+from roslens.source.tools.running.run_tool import Ended, ToolError
+from roslens.source.tools.running.settings_files import SettingsFiles
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, ToolFix, below_root, own_paths, unreadable
 from roslens.source.tools.xml_output import number, xml_root
 

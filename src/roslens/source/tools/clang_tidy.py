@@ -15,7 +15,7 @@ from roslens.intake.safe_yaml import MOST_BYTES, UnsafeYamlError, load_yaml
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
 from roslens.source.tools.compile_commands import LOADS, Command, as_json, find_databases, merged
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.run_tool import Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
 
 _FINDING = re.compile(

@@ -7,7 +7,7 @@ from xml.sax.saxutils import quoteattr
 
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.running.run_tool import Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root
 from roslens.source.tools.xml_output import number, xml_root
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import (
     Reading,
     Request,

@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
 
 DISABLE = ("C", "R", "I", "import-error", "no-name-in-module", "no-member")

@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.model.edit import Edit, edit_at
 from roslens.plugins.points import Option
-from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, ToolFix, below_root, unreadable
 
 _SYNTAX = "syntax-error"

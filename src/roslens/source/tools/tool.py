@@ -1,8 +1,8 @@
 """What a foreign tool declares: which program, which files it reads, how it is called and how its output is read.
 
 A tool of ours is one file in this folder with an object ``plugin``, and a data file of the same name
-(``.checks.toml``) that says how much each of its checks matters, see :mod:`~roslens.source.tools.tool_checks`.
-:mod:`~roslens.source.tools.tool_stage` runs it: many files a process, nothing that is known.
+(``.checks.toml``) that says how much each of its checks matters, see :mod:`~roslens.source.tools.checks.tool_checks`.
+:mod:`~roslens.source.tools.running.tool_stage` runs it: many files a process, nothing that is known.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import msgspec
 from roslens.model.edit import Edit
 from roslens.model.source import Role, SourceFile
 from roslens.plugins.points import INTERFACE_VERSION, Manifest, Option
-from roslens.source.tools.run_tool import Ended, ToolError, ended_how
+from roslens.source.tools.running.run_tool import Ended, ToolError, ended_how
 
 SCOPE = "tool"
 """Scope of a manifest whose plug-in is a foreign tool."""

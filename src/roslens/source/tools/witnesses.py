@@ -15,7 +15,7 @@ import msgspec
 
 from roslens.model.edit import Edit
 from roslens.model.finding import Finding
-from roslens.source.tools.tool_checks import checks_of, rule_id
+from roslens.source.tools.checks.tool_checks import checks_of, rule_id
 from roslens.source.tools.used import TOOLS, plain
 
 

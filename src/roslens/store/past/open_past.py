@@ -9,10 +9,10 @@ from pathlib import Path
 
 from roslens.model.errors import StoreError
 from roslens.store.connect import Readers, connect
-from roslens.store.history import SCHEMA, WAIT_S
+from roslens.store.live.history import SCHEMA, WAIT_S
+from roslens.store.live.read_history import read_history
 from roslens.store.migrate import migrations
 from roslens.store.past.recall import Recall
-from roslens.store.read_history import read_history
 
 _ADVICE = "Let `roslens watch --history FILE` of this roslens go on with it once"
 

@@ -11,9 +11,9 @@ import msgspec
 from roslens.model.errors import StoreError
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
+from roslens.store.live.series import TIERS
 from roslens.store.past.moment import Moment, unpacked
 from roslens.store.past.stretch import Piece, pieces
-from roslens.store.series import TIERS
 
 BINS = 240
 """Parts of a stretch of time for which marks are counted."""

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import msgspec
 
-from roslens.store.series import TIERS
+from roslens.store.live.series import TIERS
 
 GAP_FACTOR = 2.5
 """Points that are further apart than so many times the usual distance have nothing between them."""

@@ -12,7 +12,7 @@ from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.traffic.tally import Moments, Observer, Tally
 
 KINDS = ("ros1", "ros1_bz2", "ros1_lz4", "mcap", "mcap_zstd", "sqlite")
 ROW = tuple[str, int, bytes]

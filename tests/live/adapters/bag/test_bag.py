@@ -17,7 +17,7 @@ from roslens.live.replay.replay import replay
 from roslens.live.window.signals import BY_KEY
 from roslens.model.errors import UsageError
 from roslens.model.graph import Node, Role
-from roslens.model.tally import Observer
+from roslens.model.traffic.tally import Observer
 from roslens.model.verdict import State
 
 START = 1_700_000_000_000_000_000

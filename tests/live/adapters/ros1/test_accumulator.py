@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.accumulator import Accumulator
 from roslens.live.window.plausible_tally import plausible_tally
-from roslens.model.tally import NOTHING, Observer
+from roslens.model.traffic.tally import NOTHING, Observer
 
 
 def head(sequence, stamp=0.0):

@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.bus import Bus, Reading, grown
 from roslens.live.adapters.ros1.slave import BusStats, Counter, Link
-from roslens.model.tally import NOTHING, Observer
+from roslens.model.traffic.tally import NOTHING, Observer
 
 HOMES = {"http://h:1": "/talker", "http://h:2": "/listener"}
 

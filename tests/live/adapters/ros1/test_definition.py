@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from roslens.live import publish
-from roslens.live.adapters.ros1.definition import Definitions, Field, known_definitions, read_definition
+from roslens.live.adapters.ros1.wire.definition import Definitions, Field, known_definitions, read_definition
 from roslens.live.publish.rated import SEVERITIES, STATES
-from roslens.model.outgoing import ConnectionStatistics, RatedSignal, RatedSignals
+from roslens.model.acting.outgoing import ConnectionStatistics, RatedSignal, RatedSignals
 
 PACKAGE = Path(__file__).parents[4] / "ros" / "roslens_msgs" / "msg"
 STRUCTS = {"RatedSignal": RatedSignal, "ConnectionStatistics": ConnectionStatistics, "RatedSignals": RatedSignals}

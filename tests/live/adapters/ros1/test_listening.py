@@ -8,9 +8,9 @@ import pytest
 from roslens.live.adapters.ros1.budget import Limits
 from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.stream import Source, Use
-from roslens.live.adapters.ros1.tcpros import encode_header
-from roslens.model.tally import Observer
+from roslens.live.adapters.ros1.wire.stream import Source, Use
+from roslens.live.adapters.ros1.wire.tcpros import encode_header
+from roslens.model.traffic.tally import Observer
 
 pytestmark = pytest.mark.timed
 

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from roslens.live.adapters.ros1.master import Master, read_state, read_types
 from roslens.live.adapters.ros1.names import LONGEST_NAME, Oddities, brief
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
 
 pytestmark = pytest.mark.timed
 

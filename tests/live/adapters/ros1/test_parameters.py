@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.parameters import MOST, MOST_UPDATES, RENEW_S, Parameters, grouped, put
-from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
 from roslens.model.graph import Change, Event
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from roslens.live.adapters.ros1.place import is_local
 from roslens.live.adapters.ros1.publisher_updates import UpdateServer, answer_to
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import Caller
+from roslens.live.adapters.ros1.wire.xml_rpc import Caller
 
 pytestmark = pytest.mark.timed
 

@@ -2,10 +2,10 @@ import struct
 
 import pytest
 
-from roslens.live.adapters.ros1.definition import known_definitions
 from roslens.live.adapters.ros1.publishing import MonitorPublisher
-from roslens.live.adapters.ros1.tcpros import connect
-from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
+from roslens.live.adapters.ros1.wire.definition import known_definitions
+from roslens.live.adapters.ros1.wire.tcpros import connect
+from roslens.model.acting.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
 
 pytestmark = pytest.mark.timed
 

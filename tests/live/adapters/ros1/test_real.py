@@ -16,9 +16,9 @@ from pace import slowness
 
 from roslens.live import inside
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError
+from roslens.live.adapters.ros1.wire.xml_rpc import Caller, CallError
 from roslens.model.graph import Change, Role
-from roslens.model.tally import Observer
+from roslens.model.traffic.tally import Observer
 from roslens.model.wire import FrameReader
 
 PYTHON = "/usr/bin/python3"

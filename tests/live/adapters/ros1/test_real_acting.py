@@ -14,10 +14,10 @@ import pytest
 from roslens.children.safe_path import python_words
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError
 from roslens.live.react.ros_line import RosLine
-from roslens.model.action_kind import action_kind
-from roslens.model.order import Verb
+from roslens.model.acting.action_kind import action_kind
+from roslens.model.acting.order import Verb
 
 pytestmark = [
     pytest.mark.real,

@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.slave import Counter, Link, Slave, read_links, read_stats
-from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
 
 pytestmark = pytest.mark.timed
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.statistics import StatisticsError, read_statistics
 from roslens.live.window.plausible_tally import plausible_tally
-from roslens.model.tally import NOTHING, Observer
+from roslens.model.traffic.tally import NOTHING, Observer
 
 
 def packed(names=("/chat", "/talker", "/listener"), window=(100, 0, 102, 500_000_000), counts=(50, 1, 1500), times=()):

@@ -2,9 +2,9 @@ import pytest
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.listening import Taken
-from roslens.live.adapters.ros1.stream import Source, Use
 from roslens.live.adapters.ros1.subscribed_topics import SILENT_ROUNDS, SubscribedTopics
-from roslens.model.tally import Observer, Tally
+from roslens.live.adapters.ros1.wire.stream import Source, Use
+from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
 TEXT = b"\0\0\0\0"

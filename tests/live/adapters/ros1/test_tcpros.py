@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.adapters.ros1.tcpros import (
+from roslens.live.adapters.ros1.wire.tcpros import (
     HeadReader,
     TcprosError,
     connect,

@@ -5,8 +5,8 @@ import time
 
 import pytest
 
-from roslens.live.adapters.ros1.tcpros import TcprosError, connect, decode_header, encode_header
-from roslens.live.adapters.ros1.topic_server import MOST_WAITING, Published, TopicServer
+from roslens.live.adapters.ros1.wire.tcpros import TcprosError, connect, decode_header, encode_header
+from roslens.live.adapters.ros1.wire.topic_server import MOST_WAITING, Published, TopicServer
 
 pytestmark = pytest.mark.timed
 

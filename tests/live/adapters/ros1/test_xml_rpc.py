@@ -8,7 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, read_answer, read_message, split_uri, unwrap
+from roslens.live.adapters.ros1.wire.xml_rpc import (
+    Caller,
+    CallError,
+    Trouble,
+    read_answer,
+    read_message,
+    split_uri,
+    unwrap,
+)
 
 pytestmark = pytest.mark.timed
 

@@ -7,7 +7,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.counters import Called
 from roslens.live.inside.counters import Counted as CountedSlot
 from roslens.model.graph import Change, Role
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 HERE = "78fd"
 

@@ -4,7 +4,7 @@ import types
 import pytest
 
 from roslens.live.adapters.ros2.publishing import MonitorPublisher
-from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
+from roslens.model.acting.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
 
 SIGNAL = RatedSignal("topic", "/scan", "r.rate", "rate", "Hz", 1.0, 25.0, 35.0, 3, 9.0, 2, "", "5 s", "look")
 FRAME = Outgoing(

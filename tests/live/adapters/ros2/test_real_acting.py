@@ -9,8 +9,8 @@ from ros2_domain import own_domain
 
 from roslens.live.adapters.child import clean_environment, ros2_command
 from roslens.live.react.ros_line import RosLine
-from roslens.model.action_kind import action_kind
-from roslens.model.order import Verb
+from roslens.model.acting.action_kind import action_kind
+from roslens.model.acting.order import Verb
 
 pytestmark = [pytest.mark.real, pytest.mark.timed]
 

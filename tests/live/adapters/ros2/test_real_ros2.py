@@ -16,7 +16,7 @@ from roslens.live.adapters.child import Child, clean_environment, find_ros2_pyth
 from roslens.live.inside.environment import environment
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Role
-from roslens.model.tally import NOTHING, Observer
+from roslens.model.traffic.tally import NOTHING, Observer
 
 pytestmark = pytest.mark.real
 

@@ -5,7 +5,7 @@ import pytest
 from roslens.live.adapters.ros2.topic_statistics import TopicStatistics, moments_of
 from roslens.live.window.plausible_tally import plausible_tally
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.tally import NOTHING, Observer
+from roslens.model.traffic.tally import NOTHING, Observer
 
 NAN = float("nan")
 

@@ -5,9 +5,9 @@ import pytest
 
 from roslens.live.act.actions import snapshot
 from roslens.live.act.ros import ActionError
+from roslens.model.acting.reaction import ActionCall, Decision
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node, Process
-from roslens.model.reaction import ActionCall, Decision
 from roslens.model.verdict import State, Verdict
 
 TOPIC = EntityId(EntityKind.TOPIC, "/scan")

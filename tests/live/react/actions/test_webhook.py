@@ -6,7 +6,7 @@ import pytest
 
 from roslens.live.act.actions import webhook
 from roslens.live.act.ros import ActionError
-from roslens.model.reaction import ActionCall, Because, Decision
+from roslens.model.acting.reaction import ActionCall, Because, Decision
 
 pytestmark = pytest.mark.timed
 

@@ -1,7 +1,7 @@
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.deadlock import found
 from roslens.source.rules.graph.surroundings import Surroundings, Wait
+from roslens.source.rules.graph.timing.deadlock import found
 from testbed.configured import configuration, end, node, timer
 
 SITE = Proof("src/a.py", 30)

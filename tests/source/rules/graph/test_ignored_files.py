@@ -2,7 +2,7 @@ from roslens.model.configuration import Unresolved
 from roslens.source.extract.facts.launched import Launch, Launched, Setting
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.symbolic.text import Text
-from roslens.source.rules.graph.ignored_files import ignored_files
+from roslens.source.rules.graph.parameters.ignored_files import ignored_files
 from roslens.source.rules.graph.surroundings import Ignored
 from testbed.configured import configuration, launched, node
 

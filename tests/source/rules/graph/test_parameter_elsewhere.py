@@ -1,6 +1,6 @@
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_elsewhere import found
+from roslens.source.rules.graph.parameters.parameter_elsewhere import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, node, parameter
 

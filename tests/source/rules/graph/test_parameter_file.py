@@ -1,5 +1,5 @@
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_file import found
+from roslens.source.rules.graph.parameters.parameter_file import found
 from roslens.source.rules.graph.surroundings import Ignored, Surroundings
 from testbed.configured import configuration, launched, node
 

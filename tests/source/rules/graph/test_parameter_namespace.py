@@ -1,7 +1,7 @@
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_namespace import found
-from roslens.source.rules.graph.parameter_undeclared import found as undeclared
+from roslens.source.rules.graph.parameters.parameter_namespace import found
+from roslens.source.rules.graph.parameters.parameter_undeclared import found as undeclared
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, launched, node, parameter
 

@@ -2,7 +2,7 @@ import pytest
 
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_range import found, number_of
+from roslens.source.rules.graph.parameters.parameter_range import found, number_of
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, launched, node, parameter
 

@@ -3,7 +3,7 @@ import pytest
 
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_topic import found
+from roslens.source.rules.graph.parameters.parameter_topic import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, launched, node, parameter
 

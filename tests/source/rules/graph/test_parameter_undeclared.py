@@ -1,6 +1,6 @@
 from roslens.model.configuration import Origin, Proof, Unresolved
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.parameter_undeclared import found
+from roslens.source.rules.graph.parameters.parameter_undeclared import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, launched, node, parameter
 

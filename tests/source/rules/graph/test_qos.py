@@ -1,7 +1,7 @@
 from roslens.model.finding import Severity
 from roslens.model.qos import Qos
-from roslens.source.rules.graph.qos import found
 from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.timing.qos import found
 from testbed.configured import LATCHED, RELIABLE, SENSOR, configuration, end, node
 
 

@@ -1,7 +1,7 @@
 from roslens.model.finding import Severity
 from roslens.model.qos import Qos
-from roslens.source.rules.graph.queue import found
 from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.timing.queue import found
 from testbed.configured import SENSOR, configuration, end, node, timer
 
 ONE = Qos("best_effort", "volatile", "keep_last", 1)

@@ -1,7 +1,7 @@
 from roslens.model.configuration import Unresolved
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.sim_time import found
 from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.timing.sim_time import found
 from testbed.configured import configuration, end, launched, parameter
 from testbed.configured import node as any_node
 

@@ -1,6 +1,6 @@
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
-from roslens.source.rules.graph.qos import RULE
+from roslens.source.rules.graph.timing.qos import RULE
 from roslens.source.rules.graph.told import told
 
 

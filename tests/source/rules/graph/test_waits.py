@@ -1,6 +1,6 @@
 from roslens.model.source import Language
 from roslens.source.parsed_file import parse_file
-from roslens.source.rules.graph.waits import waits
+from roslens.source.rules.graph.timing.waits import waits
 from roslens.source.settings import MacroSettings
 
 PYTHON = b"""\

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.live.act.ending import ask_to_end, kill, refuse_shared
 from roslens.live.act.host import Host, seconds
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 
 def act(host: Host, request: HostRequest) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslens.live.act.ending import ask_to_end, kill, refuse_shared
 from roslens.live.act.host import Host, Known, seconds
 from roslens.live.act.ros import ActionError
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 RESPAWN_S = 2.0
 """So long what supervises a process has to start it again before it is started from here."""

@@ -13,9 +13,9 @@ from typing import Any
 import msgspec
 
 from roslens.live.act.ros import ActionError
+from roslens.model.acting.reaction import Decision
 from roslens.model.entity import EntityId
 from roslens.model.graph import Graph
-from roslens.model.reaction import Decision
 from roslens.model.verdict import Verdict
 
 _NAME = re.compile(r"[^A-Za-z0-9._-]+")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.live.act.actions.restart import started_again
 from roslens.live.act.host import Host
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 
 def act(host: Host, request: HostRequest) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslens.live.act.ending import ask_to_end, refuse_shared
 from roslens.live.act.host import Host, seconds
 from roslens.live.act.ros import ActionError
-from roslens.model.host_request import HostRequest
+from roslens.model.acting.host_request import HostRequest
 
 _LOOKED_S = 1.0
 

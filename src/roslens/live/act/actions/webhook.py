@@ -12,8 +12,8 @@ import msgspec
 
 from roslens.live.act.host import seconds
 from roslens.live.act.ros import ActionError
-from roslens.model.action_kind import action_kind
-from roslens.model.reaction import Decision
+from roslens.model.acting.action_kind import action_kind
+from roslens.model.acting.reaction import Decision
 
 
 class _NoRedirect(urllib.request.HTTPRedirectHandler):

@@ -20,7 +20,7 @@ from roslens.live.adapters.bag.topic import BagTopic
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 Reading: TypeAlias = Callable[[], "list[Block]"]
 

@@ -14,7 +14,7 @@ from roslens.live.mutation.fault import SILENT, Fault, FaultKind, Traffic, chang
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 MOST_MESSAGES = 20_000_000
 """24 bytes each."""

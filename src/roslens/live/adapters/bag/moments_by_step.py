@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from roslens.live.adapters.bag.block import Ints
-from roslens.model.tally import Moments
+from roslens.model.traffic.tally import Moments
 
 _SECOND = 1_000_000_000
 _MANY = 64

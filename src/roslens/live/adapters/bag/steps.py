@@ -9,7 +9,7 @@ import numpy as np
 
 from roslens.live.adapters.bag.block import NO_STAMP, Ints
 from roslens.live.adapters.bag.moments_by_step import edges_of, greatest_of, moments_of
-from roslens.model.tally import NOTHING, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Observer, Tally
 
 LONGEST_QUIET = 3600
 LATEST = 1 << 62

@@ -27,7 +27,7 @@ from roslens.live.adapters.ros1.publishing import MonitorPublisher
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
 from roslens.live.adapters.ros1.speak import Speaker
 from roslens.live.adapters.ros1.subscribed_topics import SubscribedTopics
-from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, split_uri
 from roslens.live.publish.asked import when_asked
 
 DEFAULT_MASTER = "http://localhost:11311"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 
 _HEAD = struct.Struct("<III")
 _LEAP = 1_000_000

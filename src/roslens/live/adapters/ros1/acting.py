@@ -13,12 +13,12 @@ from roslens.live.act.orders import Orders
 from roslens.live.act.told_line import serve
 from roslens.live.adapters.ros1.__main__ import DEFAULT_MASTER
 from roslens.live.adapters.ros1.hand import Ros1Hand
-from roslens.live.adapters.ros1.message_form import MessageForms, share_folders
 from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.place import is_local, own_address
 from roslens.live.adapters.ros1.publisher_updates import UpdateServer
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
-from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
+from roslens.live.adapters.ros1.wire.message_form import MessageForms, share_folders
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, split_uri
 
 
 def main(words: list[str]) -> int:

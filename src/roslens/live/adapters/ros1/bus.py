@@ -11,7 +11,7 @@ import msgspec
 
 from roslens.live.adapters.ros1.names import is_observer
 from roslens.live.adapters.ros1.slave import BusStats, Counter, Link
-from roslens.model.tally import Observer, Tally
+from roslens.model.traffic.tally import Observer, Tally
 
 _WRAP = 2**32
 _HALF = 2**31

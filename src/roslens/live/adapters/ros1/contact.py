@@ -11,7 +11,7 @@ from roslens.live.adapters.ros1.names import TOOL, odd
 from roslens.live.adapters.ros1.place import is_local, owns_port
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.slave import Link, Slave
-from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble, split_uri
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble, split_uri
 from roslens.model.failure import Failure
 from roslens.model.graph import Node
 

@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.live.adapters.ros1.master import Master, Registrations, SystemState
 from roslens.live.adapters.ros1.names import TOOL, is_observer
-from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError
 from roslens.model.failure import Failure
 
 TOPIC_OF_ALL = "/rosout"

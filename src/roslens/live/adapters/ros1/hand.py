@@ -12,12 +12,12 @@ from roslens.live.act.keeping import Keeping
 from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros1.hearing import Hearing
 from roslens.live.adapters.ros1.master import Master
-from roslens.live.adapters.ros1.message_form import MessageForms
 from roslens.live.adapters.ros1.publisher_updates import Answer
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.service_call import call_service
-from roslens.live.adapters.ros1.topic_server import Published, TopicServer
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, unwrap
+from roslens.live.adapters.ros1.wire.message_form import MessageForms
+from roslens.live.adapters.ros1.wire.service_call import call_service
+from roslens.live.adapters.ros1.wire.topic_server import Published, TopicServer
+from roslens.live.adapters.ros1.wire.xml_rpc import Caller, CallError, unwrap
 
 FOLLOW_S = 1.0
 _MEET_S = 1.0

@@ -14,8 +14,8 @@ from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.names import is_observer
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
-from roslens.live.adapters.ros1.tcpros import LARGEST_HEADER, TcprosError, decode_header, encode_header
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, unwrap
+from roslens.live.adapters.ros1.wire.tcpros import LARGEST_HEADER, TcprosError, decode_header, encode_header
+from roslens.live.adapters.ros1.wire.xml_rpc import Caller, CallError, unwrap
 
 LOOK_S = 1.0
 _PATIENCE_S = 2.0

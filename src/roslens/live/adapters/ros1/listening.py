@@ -16,12 +16,12 @@ from roslens.live.adapters.ros1.budget import Budget, Limits
 from roslens.live.adapters.ros1.names import TOOL
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.slave import Slave
-from roslens.live.adapters.ros1.stream import Source, Stream, Use
-from roslens.live.adapters.ros1.tcpros import Handshake, TcprosError, connect
-from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.live.adapters.ros1.wire.stream import Source, Stream, Use
+from roslens.live.adapters.ros1.wire.tcpros import Handshake, TcprosError, connect
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError
 from roslens.live.reported.attention import Attention
 from roslens.model.failure import Failure
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 MOST_STREAMS = 500
 LONGEST_RETRY_S = 16.0

@@ -14,10 +14,10 @@ from roslens.live.adapters.ros1.follow import TOPIC_OF_ALL, Follower
 from roslens.live.adapters.ros1.graph import build_graph, changes
 from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 _AT_ONCE = 8

@@ -12,7 +12,7 @@ from concurrent.futures import Future
 from typing import Any, Protocol
 
 from roslens.live.adapters.ros1.names import TOOL, sound_name
-from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError
 from roslens.live.reported.parameter_changes import parameter_events
 from roslens.live.reported.parameter_text import HIDDEN, is_secret, value_text
 from roslens.model.failure import Failure

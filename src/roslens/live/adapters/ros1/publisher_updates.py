@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
-from roslens.live.adapters.ros1.xml_rpc import CallError, read_message
+from roslens.live.adapters.ros1.wire.xml_rpc import CallError, read_message
 
 _LARGEST = 4_000_000
 _PATIENCE_S = 5.0

@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 
-from roslens.live.adapters.ros1.definition import known_definitions
 from roslens.live.adapters.ros1.publisher_updates import Answer
-from roslens.live.adapters.ros1.topic_server import Published, TopicServer
-from roslens.model.outgoing import Outgoing
+from roslens.live.adapters.ros1.wire.definition import known_definitions
+from roslens.live.adapters.ros1.wire.topic_server import Published, TopicServer
+from roslens.model.acting.outgoing import Outgoing
 
 DIAGNOSTICS = "/diagnostics"
 _ARRAY = "diagnostic_msgs/DiagnosticArray"

@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.live.adapters.ros1.names import MOST_ENTRIES, Oddities, sound_name
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, read_answer, unwrap
+from roslens.live.adapters.ros1.wire.xml_rpc import Caller, CallError, Trouble, read_answer, unwrap
 from roslens.model.failure import Failure
 
 FRAMING = 4

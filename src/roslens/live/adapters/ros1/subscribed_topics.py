@@ -12,13 +12,13 @@ from roslens.live.adapters.ros1.names import TOOL, is_observer
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.slave import FRAMING
 from roslens.live.adapters.ros1.statistics import TOPIC
-from roslens.live.adapters.ros1.stream import Source, Use
+from roslens.live.adapters.ros1.wire.stream import Source, Use
 from roslens.live.reported.diagnostic_array import ArrayError, read_array
 from roslens.live.reported.reported_levels import TOPIC as DIAGNOSTICS
 from roslens.live.reported.reported_levels import ReportedLevels
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event
-from roslens.model.tally import Observer, Tally
+from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.wire import Frame
 
 SILENT_ROUNDS = 10

@@ -17,8 +17,8 @@ from roslens.live.inside.counters import Called, Counted, joined
 from roslens.live.system.misfit import misfits
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
-from roslens.model.sample import Sample
-from roslens.model.tally import Tally
+from roslens.model.traffic.sample import Sample
+from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import msgspec
 
 from roslens.live.adapters.ros2 import TOOL
+from roslens.model.acting.outgoing import Outgoing, RatedSignals, Status
 from roslens.model.failure import Failure
-from roslens.model.outgoing import Outgoing, RatedSignals, Status
 
 DIAGNOSTICS = "/diagnostics"
 _DEPTH = 10

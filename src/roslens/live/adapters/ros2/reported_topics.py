@@ -20,7 +20,7 @@ from roslens.live.reported.reported_levels import TOPIC as DIAGNOSTICS
 from roslens.live.reported.reported_levels import ReportedLevels
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph, Role
-from roslens.model.tally import Tally
+from roslens.model.traffic.tally import Tally
 
 PARAMETERS = "/parameter_events"
 _TYPES = {

@@ -21,7 +21,7 @@ from roslens.live.inside.sequence import Sequence
 from roslens.live.inside.snapshot import Snapshot, difference, snapshot
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.tally import Observer, Tally
+from roslens.model.traffic.tally import Observer, Tally
 
 DRAIN_S = 0.04
 """Who wakes up for more messages at a time pays less for each; the middleware keeps so many of 25,000 a second."""

@@ -23,7 +23,7 @@ from typing import Any
 from roslens.live.adapters.ros2 import TOOL
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph, Role
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Moments, Observer, Tally
 
 TOPIC = "/statistics"
 TYPE = "statistics_msgs/msg/MetricsMessage"

@@ -9,13 +9,19 @@ from roslens.model.finding import Finding, RuleInfo
 from roslens.source.rules.graph import (
     argument,
     command_topic,
-    deadlock,
     definition,
     dependency,
     executable,
     global_name,
     node_name,
     one_end,
+    private_data,
+    remap,
+    shared_output,
+    transform,
+    type,  # noqa: A004 - the rule is called so
+)
+from roslens.source.rules.graph.parameters import (
     parameter_elsewhere,
     parameter_file,
     parameter_namespace,
@@ -23,16 +29,9 @@ from roslens.source.rules.graph import (
     parameter_topic,
     parameter_type,
     parameter_undeclared,
-    private_data,
-    qos,
-    queue,
-    remap,
-    shared_output,
-    sim_time,
-    transform,
-    type,  # noqa: A004 - the rule is called so
 )
 from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.timing import deadlock, qos, queue, sim_time
 
 Found = Callable[[Configuration, Surroundings], Iterator[Finding]]
 

@@ -12,11 +12,11 @@ from roslens.model.source import Package
 from roslens.source.extract.facts.launched import Launch, Unresolved
 from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.ir.program import Program
-from roslens.source.rules.graph.ignored_files import ignored_files
+from roslens.source.rules.graph.parameters.ignored_files import ignored_files
 from roslens.source.rules.graph.private_data import Content, mentioned
 from roslens.source.rules.graph.static_transforms import static_transforms
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.waits import waits
+from roslens.source.rules.graph.timing.waits import waits
 
 _SOURCES = (".cpp", ".cc", ".cxx", ".c++")
 

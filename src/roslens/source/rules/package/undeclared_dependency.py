@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from roslens.model.edit import Edit
 from roslens.model.finding import Severity
+from roslens.source.rules.edits.manifest_edits import joined
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.manifest_edits import joined
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import (

@@ -8,9 +8,9 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import bases_of, class_name, is_static, members_of, name_node, parameters_of
+from roslens.source.rules.edits.override_edits import override_edits
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.override_edits import override_edits
 from roslens.source.rules.rule import FileRule
 
 

@@ -12,8 +12,8 @@ from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.include_lines import IncludeLines, include_lines, place_for_standard
 from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.published.standard_headers import BROUGHT_ALONG, HEADER_OF
 from roslens.source.rules.rule import PackageRule
-from roslens.source.rules.standard_headers import BROUGHT_ALONG, HEADER_OF
 from roslens.source.syntax.comments import blank_comments
 
 _NAME = re.compile(rb"std::(\w+)")

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.edits.override_edits import override_edits
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.override_edits import override_edits
 from roslens.source.rules.rule import FileRule
 
 _SIGNATURE = re.compile(r"\(\s*const (?:rclcpp_lifecycle::)?State ?&[^,]*\)$")

@@ -1,0 +1,1 @@
+"""Source as pages show it."""

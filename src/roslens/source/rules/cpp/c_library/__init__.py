@@ -1,0 +1,1 @@
+"""Rules on functions of the C library."""

@@ -1,0 +1,1 @@
+"""Edits that mend findings, each in the form of its file."""

@@ -1,0 +1,1 @@
+"""Rules on parameters of nodes, and the files that set them."""

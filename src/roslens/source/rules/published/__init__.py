@@ -1,0 +1,1 @@
+"""Published coding standards: what they ask, and which rules answer it."""

@@ -1,0 +1,4 @@
+"""The history of live systems.
+
+Begin with ``history.py``.
+"""

@@ -151,7 +151,7 @@ class RuleTotal(msgspec.Struct, frozen=True):
 
 
 class Statement(msgspec.Struct, frozen=True):
-    """A constraint that somebody wrote about a corpus, and what the corpus says.
+    """A statement that somebody wrote about a corpus, and what the corpus says.
 
     ``holds`` is None where it cannot be decided from what is there.
     """

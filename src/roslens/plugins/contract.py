@@ -152,7 +152,7 @@ def _foreign_needs(member: Member) -> list[str]:
 def lacking_text(manifest: Manifest) -> Iterator[str]:
     """Yield which texts a reader of reports would miss."""
     if not manifest.text.strip():
-        yield "manifest has no text: say in one constraint what the plug-in is for"
+        yield "manifest has no text: say in one sentence what the plug-in is for"
     for rule in manifest.rules:
         yield from _blank(rule, f"rule {rule.id}", _RULE_TEXTS)
         if rule.title.strip() and rule.description.strip() == rule.title.strip():

@@ -70,7 +70,7 @@ class ActionKind(msgspec.Struct, frozen=True):
 
     Attributes:
         key: under which documents call it.
-        summary: one constraint, for pages and completion.
+        summary: one sentence, for pages and completion.
         by: who carries it out.
         targets: kinds of entities that it is done to; empty where it has no target.
         arguments: that it is told.

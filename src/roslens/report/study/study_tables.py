@@ -152,7 +152,7 @@ def _statements(study: Study) -> StudyTable:
 
 
 def lead(study: Study) -> str:
-    """Return a constraint that says what the study is about."""
+    """Return a sentence that says what the study is about."""
     corpus = study.corpus
     repositories = len(corpus.repositories) or len({one.repository for one in corpus.packages if one.repository})
     text = f"{_count(len(corpus.packages), 'package')} of {_count(repositories, 'repository', 'repositories')}"

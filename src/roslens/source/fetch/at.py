@@ -21,7 +21,7 @@ _MOST_COMMITS = 15_000
 
 
 class At(msgspec.Struct, frozen=True):
-    """A revision that is the same constraint for every repository; all empty for the newest.
+    """A revision that is the same expression for every repository; all empty for the newest.
 
     Attributes:
         date: the last commit that was made before this moment, in ISO 8601.

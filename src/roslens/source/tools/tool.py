@@ -95,7 +95,7 @@ class Tool(ABC):
     program = ""
     text = ""
     get = ""
-    """How a user gets the program, as the end of a constraint: ``pip install …``."""
+    """How a user gets the program, as the end of a sentence: ``pip install …``."""
 
     languages: tuple[str, ...] = ()
     options: tuple[Option, ...] = ()

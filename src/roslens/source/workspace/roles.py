@@ -131,7 +131,7 @@ _TEST_NAME = re.compile(
 _SIGNED = re.compile(
     rb"""
       @generated\b
-    | ^[^\w\n]{0,12}  # the start of a comment or docstring, then a constraint that says it of the file
+    | ^[^\w\n]{0,12}  # the start of a comment or docstring, then a sentence that says it of the file
       (?: (?i:auto-?generated) \s+ (?:by|from|using|with|\()
         | A(?:uto|UTO)-?(?:generated|GENERATED) \s+ (?i:file|code)
         | (?i:auto-?generated)\s*[.!]?[ \t]*(?:\*/|-->|\"\"\")?[ \t]*\r?$

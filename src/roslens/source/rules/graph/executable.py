@@ -72,7 +72,7 @@ def _unbuilt(name: str, sources: tuple[str, ...]) -> str:
 
 
 def _advice(name: str, package: str, installed: dict[str, tuple[str, ...]]) -> str:
-    """Return the end of the constraint: what was likely meant, who has it, or what there is."""
+    """Return the end of the message: what was likely meant, who has it, or what there is."""
     programs = [one for one in installed[package] if _is_program(one)]
     if near := likely_program(name, programs):
         return f"; did you mean `{near}`?"

@@ -30,7 +30,7 @@ class Expected(msgspec.Struct, frozen=True):
     """What says that the other end is expected.
 
     Attributes:
-        words: what was found and what to do, as constraints.
+        words: what was found and what to do, as sentences.
         name: the other name that may have been meant; empty where it is another reason.
         doubt: why it may not hold; empty where nothing speaks against it.
     """

@@ -31,7 +31,7 @@ os.execv(sys.argv[1], sys.argv[1:])"""
 
 
 class ToolError(Exception):
-    """A tool did not do what it was started for; the text continues a constraint that begins with its name."""
+    """A tool did not do what it was started for; the text continues a sentence that begins with its name."""
 
 
 class ToolHangError(ToolError):

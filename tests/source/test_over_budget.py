@@ -16,7 +16,7 @@ from roslens.source.measure.analyse_package import measure_task
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import CountingSettings, MacroSettings, WorkspaceSettings
-from roslens.source.syntax.cpp_query import parse_tree
+from roslens.source.syntax.query.cpp_query import parse_tree
 from roslens.source.workspace.find import find_workspace
 
 ENDLESS = b"<!--" * 4000

@@ -59,7 +59,7 @@ class _ParsedCpp:
 
     def facts(self, kinds: frozenset[str] = frozenset()) -> FileFacts:
         from roslens.source.syntax.cpp import facts_of_cpp
-        from roslens.source.syntax.cpp_query import Captures
+        from roslens.source.syntax.query.cpp_query import Captures
 
         captures = Captures(self._parsed.tree, kinds)
         self._of_kinds = captures.of_kinds

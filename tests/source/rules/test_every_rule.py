@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from tree_sitter import Language as Grammar
+from tree_sitter import Query
 
 from roslens.model.source import Language
 from roslens.source.parsed_file import parse_file
@@ -120,8 +121,12 @@ def test_something_makes_it_look(rule):
     import tree_sitter_python
 
     grammar = Grammar((tree_sitter_cpp if rule.syntax == "cpp" else tree_sitter_python).language())
-    for kind in rule.kinds:
-        assert grammar.id_for_node_kind(kind, True), f"{kind!r} is no type of node of the {rule.syntax} grammar"
+    for kind in (*rule.kinds, *rule.gathers):
+        if kind.startswith("("):
+            assert "@node" in kind, f"{kind!r} has no node that is meant"
+            Query(grammar, kind)
+        else:
+            assert grammar.id_for_node_kind(kind, True), f"{kind!r} is no type of node of the {rule.syntax} grammar"
 
 
 def test_each_module_is_named_after_its_rule():

@@ -75,3 +75,28 @@ def test_nodes_of_other_types_than_rules_ask_for_are_looked_for_again():
     parsed = parse_file(b"int f(int a) { goto b; b: return a; }", Language.CPP, MacroSettings())
     parsed.facts(frozenset({"return_statement"}))
     assert "cpp.goto" in {one.rule for one in match_file(parsed.view()).hits}
+
+
+def test_a_shape_leaves_out_what_it_does_not_say(asked):
+    text = "void f() { if (a) { b(); } else if (c) d(); }"
+    assert asked(text, kinds=("(else_clause (if_statement) @node)",)) == ["if (c) d();"]
+
+
+def test_a_rule_on_the_whole_file_goes_through_what_it_gathers(monkeypatch):
+    seen = []
+
+    def found(_, view):
+        seen.extend(view.text(one) for one in view.nodes("return_statement"))
+        seen.extend(view.text(one) for one in view.nodes("(throw_statement (_) @node)"))
+        return ()
+
+    gathers = ("return_statement", "(throw_statement (_) @node)")
+    rule = FileRule(id="a.b", title="t", finds="f.", why="w", syntax="cpp", found=found, whole=True, gathers=gathers)
+    monkeypatch.setattr(module, "file_rules", lambda syntax: (rule,))
+    module._plan.cache_clear()
+    parsed = parse_file(b"int f() { if (a) throw b; return 1; }", Language.CPP, MacroSettings())
+    match_file(parsed.view())
+    parsed.facts(module.kinds_asked("cpp"))
+    match_file(parsed.view())
+    module._plan.cache_clear()
+    assert seen == ["return 1;", "b"] * 2

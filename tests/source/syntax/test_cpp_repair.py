@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.syntax.cpp_query import parse_tree
 from roslens.source.syntax.cpp_repair import first_arms, repaired, with_parameter_types
 from roslens.source.syntax.macro.macros import load_macros
+from roslens.source.syntax.query.cpp_query import parse_tree
 
 
 @pytest.mark.parametrize(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple, cast
 
 from tree_sitter import Node
 
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import function_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 
@@ -34,13 +36,11 @@ class Declaration(NamedTuple):
     """A declaration.
 
     Attributes:
-        around: the node that it stands in, None for the file.
-        place: type of that node, empty for the file.
+        node: of it.
         names: that it declares, in order.
     """
 
-    around: Node | None
-    place: str
+    node: Node
     names: Sequence[Declared]
 
 
@@ -49,24 +49,50 @@ def declaration_of(node: Node, view: FileView) -> Declaration:
     key = ("declaration", node.id)
     found = view.kept.get(key)
     if found is None:
-        around = node.parent
         names = []
         for declarator in node.children_by_field_name("declarator"):
             named = name_node(declarator)
             names.append(Declared(declarator, named, view.text(named)))
-        found = view.kept[key] = Declaration(around, around.type if around is not None else "", names)
+        found = view.kept[key] = Declaration(node, names)
     return cast("Declaration", found)
 
 
 def hidden_by(name: str, declaration: Declaration, view: FileView) -> Node | None:
-    """Return the declaration of the same name in a scope around that of a local one, or its parameter."""
-    if declaration.around is None or declaration.place not in _SCOPES:
+    """Return the declaration of the same name in a scope around that of a local one, or its parameter.
+
+    The rule that asks has to gather ``function_definition``.
+    """
+    # What stands around a node is asked from the root of the tree on; most names are new in their function.
+    if not _is_named_before(name.encode(), declaration.node.start_byte, view):
         return None
-    for names, inside in _scopes_around(declaration.around, view):
+    around = declaration.node.parent
+    if around is None or around.type not in _SCOPES:
+        return None
+    for names, inside in _scopes_around(around, view):
         known = names.get(name)
         if known is not None and known[0] < inside:
             return known[1]
     return None
+
+
+def _is_named_before(word: bytes, end: int, view: FileView) -> bool:
+    """Return whether a word stands before a place, in the function around it or behind the one before."""
+    starts = _outermost(view)
+    place = bisect_right(starts, end)
+    return next(word_places(word, view, starts[place - 1] if place else 0, end), None) is not None
+
+
+def _outermost(view: FileView) -> Sequence[int]:
+    """Return where functions begin that stand in no other."""
+    found = view.kept.get("outermost functions")
+    if found is None:
+        starts, last = [], 0
+        for start, end in sorted(one.byte_range for one in view.nodes("function_definition")):
+            if start >= last:
+                starts.append(start)
+                last = end
+        found = view.kept["outermost functions"] = starts
+    return cast("Sequence[int]", found)
 
 
 def _scopes_around(scope: Node, view: FileView) -> Sequence[tuple[_Names, int]]:

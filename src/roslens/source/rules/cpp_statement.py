@@ -6,7 +6,8 @@ from tree_sitter import Node
 
 from roslens.source.rules.file_view import FileView, above
 
-_LEAVES = ("return_statement", "throw_statement", "goto_statement", "break_statement", "continue_statement")
+JUMPS = ("return_statement", "throw_statement", "goto_statement", "break_statement", "continue_statement")
+"""Types of statements behind which nothing runs."""
 _NEVER_RETURN = frozenset({"exit", "abort", "std::exit", "std::abort", "_exit", "quick_exit", "std::terminate"})
 _NO_STATEMENTS = ("comment", "preproc_call", "preproc_def")
 
@@ -33,7 +34,7 @@ def ends_flow(statement: Node | None, view: FileView) -> bool:
     """Return whether what follows a statement is never reached from it."""
     if statement is None:
         return False
-    if statement.type in _LEAVES:
+    if statement.type in JUMPS:
         return True
     if statement.type == "compound_statement":
         return ends_flow(last_statement(statement), view)

@@ -34,7 +34,7 @@ class FileView:
         source: what was parsed; positions of nodes are positions in it.
         code: the same length with comments blanked and each string one word.
         root: of the tree.
-        of_kinds: nodes by their type, of those types that were looked for with the metrics.
+        of_kinds: nodes by their type or shape, of those that were looked for with the metrics.
     """
 
     def __init__(
@@ -97,6 +97,10 @@ class FileView:
     def kept(self) -> dict[object, object]:
         """What rules worked out and ask again, by keys of their own."""
         return {}
+
+    def nodes(self, kind: str) -> Sequence[Node]:
+        """Return the nodes of a type or shape that some rule asks for or gathers."""
+        return self.of_kinds.get(kind, ())
 
     def text(self, node: Node | None) -> str:
         """Return the source of a node with its white space squeezed, and none inside of parentheses; empty for none."""

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property
+from operator import attrgetter
 
 import msgspec
 from tree_sitter import Language, Node, Query, QueryCursor
@@ -19,6 +20,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import TESTS, TOOL, FileRule
 from roslens.source.rules.switched_off import switched_off
 from roslens.source.rules.table import file_rules
+from roslens.source.syntax.query.asked_nodes import patterns_of, taken_from
 
 DEEPEST = 60_000
 """A query counts levels in 16 bits and never ends when they run over: it must not look deeper."""
@@ -30,6 +32,10 @@ _OF_A_TEMPLATE = re.compile(rb"^[ \t]*\{%-? ?\w", re.MULTILINE)
 """A line of Jinja outside of texts: what a template is filled with makes a program of it, here it is none."""
 
 
+_Concern = tuple[tuple[str, ...], bool]
+"""What a rule wants mentioned, and whether it spares tests."""
+
+
 class Matched(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     """What the native rules found in a file, and which of them failed; of its file neither says the name."""
 
@@ -38,31 +44,47 @@ class Matched(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
 
 
 class _Plan:
-    """The rules of a syntax, arranged by what makes them look."""
+    """The rules of a syntax, and how they are arranged for files of which different things are known."""
 
     def __init__(self, syntax: str, language: Language, wanted: frozenset[str] | None) -> None:
-        rules = [rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted]
+        self.rules = tuple(rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted)
+        self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in self.rules}}
+        self.concerns = {(rule.mentions, rule.spares_tests) for rule in self.rules}
+        self.kinds = frozenset(kind for rule in self.rules for kind in (*rule.kinds, *rule.gathers))
+        self._arrangements: dict[frozenset[_Concern], _Arrangement] = {}
+        self._language = language
+
+    @cached_property
+    def query(self) -> Query:
+        """Of the types and shapes of nodes that rules ask for."""
+        query: Query = Query(self._language, patterns_of(self.kinds))
+        return query
+
+    def arranged(self, concerns: frozenset[_Concern]) -> _Arrangement:
+        """Return the rules that concern a file; there are few different answers."""
+        found = self._arrangements.get(concerns)
+        if found is None:
+            rules = [one for one in self.rules if (one.mentions, one.spares_tests) in concerns]
+            found = self._arrangements[concerns] = _Arrangement(rules)
+        return found
+
+
+class _Arrangement:
+    """Rules by what makes them look."""
+
+    def __init__(self, rules: Sequence[FileRule]) -> None:
         self.whole = tuple(rule for rule in rules if rule.whole)
         self.anchored = tuple((rule, *_anchor(text)) for rule in rules for text in rule.anchors)
         self.by_word: Mapping[bytes, list[int]] = defaultdict(list)
         for index, (_, _, words) in enumerate(self.anchored):
             self.by_word[min(words, default=b"")].append(index)
         self.anchor_words = frozenset(self.by_word) - {b""}
-        self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
-        self.mentions = {one: frozenset(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
-        self.concerns = {(rule.mentions, rule.spares_tests) for rule in rules}
-        self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
+        self.quoted = tuple((rule, part.encode()) for rule in rules for part in rule.quoted)
+        by_kind: dict[str, list[FileRule]] = defaultdict(list)
         for rule in rules:
             for kind in rule.kinds:
-                self.by_kind[kind].append(rule)
-        self.kinds = frozenset(self.by_kind)
-        self._language = language
-
-    @cached_property
-    def query(self) -> Query:
-        """Of the types of nodes that rules ask for."""
-        query: Query = Query(self._language, "".join(f"({kind}) @{kind}\n" for kind in sorted(self.kinds)))
-        return query
+                by_kind[kind].append(rule)
+        self.by_kind = tuple(by_kind.items())
 
 
 @cache
@@ -77,7 +99,7 @@ def _plan(syntax: str, wanted: frozenset[str] | None) -> _Plan:
 
 
 def kinds_asked(syntax: str, wanted: frozenset[str] | None = None) -> frozenset[str]:
-    """Return the types of nodes that rules ask for in files of a syntax; ``wanted`` as for :func:`match_file`."""
+    """Return the types and shapes of nodes that rules ask for in files of a syntax; ``wanted`` as in ``match_file``."""
     return _plan(syntax, wanted).kinds
 
 
@@ -96,7 +118,8 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
     found: list[Hit] = []
     broken: dict[str, Failure] = {}
     asked = _Asked(view, found, broken)
-    for rule, nodes in _lookouts(plan, view, _concerns(plan, view)):
+    _find_nodes(plan, view)
+    for rule, nodes in _lookouts(plan.arranged(_concerns(plan, view)), view):
         asked.ask(rule, nodes)
     if view.syntax == "cpp" and (off := switched_off(view.code)):
         found = [hit for hit in found if not any(hit.line in lines for lines in off)]
@@ -115,7 +138,7 @@ def _once(hits: Iterable[Hit]) -> Iterator[Hit]:
             yield hit
 
 
-def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
+def _concerns(plan: _Plan, view: FileView) -> frozenset[_Concern]:
     """Return which pairs of what rules want mentioned and whether they spare tests a file satisfies."""
     content = view.content
     # One part is asked for by many rules, and the first that is there will do.
@@ -129,41 +152,40 @@ def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
 
     mentioned = {one for one, parts in plan.mentions.items() if not parts or any(map(has, parts))}
     is_test = any(one in content for one in TESTS)
-    return {one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test)}
+    return frozenset(one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test))
 
 
-def _lookouts(
-    plan: _Plan, view: FileView, concerns: Set[tuple[tuple[str, ...], bool]]
-) -> Iterator[tuple[FileRule, Iterator[Node] | Sequence[Node]]]:
+def _lookouts(rules: _Arrangement, view: FileView) -> Iterator[tuple[FileRule, Iterator[Node] | Sequence[Node]]]:
     """Yield the rules that concern a file with the nodes that they look at."""
-    for rule in plan.whole:
-        if (rule.mentions, rule.spares_tests) in concerns:
-            yield rule, (view.root,)
-    present = (b"", *(view.words & plan.anchor_words))
-    for index in sorted(one for word in present for one in plan.by_word.get(word, ())):
-        rule, anchor, words = plan.anchored[index]
-        if (
-            (rule.mentions, rule.spares_tests) in concerns
-            and words <= view.words
-            and (len(words) == 1 or anchor in view.code)
-        ):
+    for rule in rules.whole:
+        yield rule, (view.root,)
+    known = view.words
+    present = (b"", *(known & rules.anchor_words))
+    for index in sorted(one for word in present for one in rules.by_word.get(word, ())):
+        rule, anchor, words = rules.anchored[index]
+        if words <= known and (len(words) == 1 or anchor in view.code):
             yield rule, _anchored(view, anchor)
-    for rule, parts in plan.quoted:
-        if (rule.mentions, rule.spares_tests) in concerns:
-            yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)
-    for kind, nodes in _of_kinds(plan, view).items():
-        if nodes:
-            asked = plan.by_kind.get(kind, ())
-            yield from ((rule, nodes) for rule in asked if (rule.mentions, rule.spares_tests) in concerns)
+    for rule, part in rules.quoted:
+        if part in view.content:
+            yield rule, _quoted(view, part)
+    for kind, asked in rules.by_kind:
+        nodes = view.nodes(kind)
+        if not nodes:
+            continue
+        if len(nodes) > MOST_HITS:
+            # A query tells them in no order, and of a rule that finds too much the first are kept.
+            nodes = sorted(nodes, key=_START)
+        for rule in asked:
+            yield rule, nodes
 
 
-def _of_kinds(plan: _Plan, view: FileView) -> Mapping[str, Sequence[Node]]:
-    """Return the nodes of the types that rules ask for: those that were found with the metrics, if all of them were."""
+def _find_nodes(plan: _Plan, view: FileView) -> None:
+    """Find the nodes of the types and shapes that rules ask for, unless all of them were found with the metrics."""
     if plan.kinds <= view.of_kinds.keys():
-        return view.of_kinds
+        return
     cursor = QueryCursor(plan.query)
     cursor.set_max_start_depth(DEEPEST)
-    return cursor.captures(view.root)
+    view.of_kinds = taken_from(cursor.captures(view.root), plan.kinds)
 
 
 class _Asked:
@@ -187,6 +209,9 @@ class _Asked:
                     return
         except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
             self._broken.setdefault(rule.id, _broken(rule, error))
+
+
+_START = attrgetter("start_byte")
 
 
 def _anchor(text: str) -> tuple[bytes, frozenset[bytes]]:

@@ -111,9 +111,11 @@ class FileRule(Rule, frozen=True, kw_only=True):
         anchors: words or parts of code; ``found`` is called with the smallest node around each place, outside of
             comments and strings, where one stands. One that begins or ends with a letter, digit or ``_`` is a whole
             word there.
-        kinds: types of nodes of the grammar; ``found`` is called with each.
+        kinds: types of nodes of the grammar, or shapes (:mod:`~roslens.source.syntax.query.asked_nodes`) where most
+            nodes of a type are of no use; ``found`` is called with each.
         quoted: parts of texts; ``found`` is called with the smallest node around each place inside of a string.
         whole: call ``found`` once with the root.
+        gathers: types and shapes that the rule goes through itself besides, by :meth:`FileView.nodes`.
         spares_tests: it looks at nothing in a file that uses a framework for tests.
         mentions: the rule looks at nothing in a file that holds none of these anywhere; none is every file.
         in_c: it counts in files of C as well, which have no other casts, null pointers or memory.
@@ -125,6 +127,7 @@ class FileRule(Rule, frozen=True, kw_only=True):
     kinds: tuple[str, ...] = ()
     quoted: tuple[str, ...] = ()
     whole: bool = False
+    gathers: tuple[str, ...] = ()
     mentions: tuple[str, ...] = ()
     in_c: bool = True
     spares_tests: bool = False

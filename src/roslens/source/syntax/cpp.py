@@ -15,12 +15,12 @@ from roslens.source.syntax.comments import blank_cpp
 from roslens.source.syntax.cpp_assembly import Assembly
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import text_of
-from roslens.source.syntax.cpp_query import Captures, fault_nodes, parse_tree
 from roslens.source.syntax.cpp_repair import repaired
 from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import FileFacts, SyntaxFault
 from roslens.source.syntax.lines import BYTE_ORDER_MARKS, count_lines
 from roslens.source.syntax.macro.macros import MacroPreset
+from roslens.source.syntax.query.cpp_query import Captures, fault_nodes, parse_tree
 from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 
 _LONGEST_QUOTE = 60

@@ -8,7 +8,6 @@ from typing import Generic, TypeVar
 
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import callee_name, text_of
-from roslens.source.syntax.cpp_query import Captures, Span
 from roslens.source.syntax.cpp_scopes import ClassScope, FunctionScope, Member
 from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import (
@@ -19,6 +18,7 @@ from roslens.source.syntax.facts import (
     MethodFacts,
     SyntaxFault,
 )
+from roslens.source.syntax.query.cpp_query import Captures, Span
 from roslens.source.syntax.token_cuts import TokenCuts
 from roslens.source.syntax.tokens import NO_NAMES, TokenText
 

@@ -13,9 +13,9 @@ from itertools import pairwise
 
 from tree_sitter import Tree
 
-from roslens.source.syntax.cpp_query import fault_nodes, parse_again
 from roslens.source.syntax.fault_repairs import repaired_near_faults
 from roslens.source.syntax.macro.macros import MacroPreset
+from roslens.source.syntax.query.cpp_query import fault_nodes, parse_again
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b[^\n]*", re.MULTILINE)
 _DECLARED_BEHIND = rb"\)\s{0,80}((?:[A-Za-z_][\w\s*,\[\]]{1,200};\s{0,80}){1,40})\{"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 
 from roslens.source.syntax.cpp_names import Declarator, scope_within
-from roslens.source.syntax.cpp_query import Span
 from roslens.source.syntax.facts import Control
+from roslens.source.syntax.query.cpp_query import Span
 
 
 class FunctionScope:

@@ -20,9 +20,9 @@ from roslens.source.syntax.cpp_names import (
     text_of,
     without_arguments,
 )
-from roslens.source.syntax.cpp_query import KINDS, Captures, Span
 from roslens.source.syntax.cpp_scopes import ClassScope, Frame, FunctionScope, Member
 from roslens.source.syntax.facts import Control
+from roslens.source.syntax.query.cpp_query import KINDS, Captures, Span
 
 _LONGEST_NAME = 300
 _IDENTIFIER = re.compile(rb"[A-Za-z_]\w*")

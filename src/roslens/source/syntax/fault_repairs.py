@@ -13,9 +13,9 @@ from collections.abc import Callable, Iterable, Iterator
 from tree_sitter import Node, Tree
 
 from roslens.source.syntax.comments import blank_comments
-from roslens.source.syntax.cpp_query import parse_again
 from roslens.source.syntax.macro.macro_edits import behind_arguments, fill
 from roslens.source.syntax.macro.macro_places import BEHIND_PARAMETERS, GOES_ON, KINDS, MACRO, NO_TYPES, MacroKind
+from roslens.source.syntax.query.cpp_query import parse_again
 
 Span = tuple[int, int]
 Edit = tuple[int, int, bytes]

@@ -16,9 +16,9 @@ from roslens.source.syntax.lines import count_lines
 from roslens.source.syntax.python_assembly import Assembly
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import text_of
-from roslens.source.syntax.python_query import Captures
 from roslens.source.syntax.python_tree import PythonTree, faults_of, parse_tree, with_line_feeds
 from roslens.source.syntax.python_walk import Walk
+from roslens.source.syntax.query.python_query import Captures
 from roslens.source.syntax.tokens import hashes_of, token_text
 
 

@@ -18,9 +18,9 @@ from roslens.source.syntax.facts import (
 )
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import access_of, annotated, callee_name, is_class_like, text_of
-from roslens.source.syntax.python_query import Captures
 from roslens.source.syntax.python_scopes import Attribute, ClassScope, Counts, Scope, Span
 from roslens.source.syntax.python_walk import Walk
+from roslens.source.syntax.query.python_query import Captures
 from roslens.source.syntax.tokens import TokenText, halstead_of, word_counts
 
 _SIMPLE_STATEMENTS = ("return", "throw", "break", "continue", "assert")

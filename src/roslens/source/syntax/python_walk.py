@@ -14,8 +14,8 @@ import re
 
 from roslens.source.syntax.facts import Control
 from roslens.source.syntax.python_names import base_names, decorator_name, definition_name, parameter_names
-from roslens.source.syntax.python_query import KINDS, Captures
 from roslens.source.syntax.python_scopes import Attribute, ClassScope, Frame, Place, Scope
+from roslens.source.syntax.query.python_query import KINDS, Captures
 
 _LONGEST_CALLEE = 200
 _IRREFUTABLE = re.compile(

@@ -1,6 +1,6 @@
 from roslens.source.extract.ir.program import Function, Literal, Name, Opaque, Operation
 from roslens.source.extract.lowering.cpp.cpp_lowered import DEEPEST, Lowered, name_of, opaque
-from roslens.source.syntax.cpp_query import parse_tree
+from roslens.source.syntax.query.cpp_query import parse_tree
 
 
 def test_a_name_is_qualified_by_the_scope_around() -> None:

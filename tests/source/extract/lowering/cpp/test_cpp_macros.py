@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.lowering.cpp.cpp_macros import is_registration, macro_value, registrations
-from roslens.source.syntax.cpp_query import parse_tree
+from roslens.source.syntax.query.cpp_query import parse_tree
 
 
 @pytest.mark.parametrize(

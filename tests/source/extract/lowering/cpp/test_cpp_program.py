@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from roslens.source.extract.ir.program import Call, Lambda, Member, Name, Program
 from roslens.source.extract.ir.program_text import program_text
 from roslens.source.extract.lowering.cpp.cpp_program import lower_cpp, program_of_cpp
-from roslens.source.syntax.cpp_query import parse_tree
 from roslens.source.syntax.macro.macros import load_macros
+from roslens.source.syntax.query.cpp_query import parse_tree
 
 FIXTURES = Path(__file__).parents[4] / "fixtures" / "extract" / "cpp"
 EXPECTED = sorted(FIXTURES.glob("*.txt"))

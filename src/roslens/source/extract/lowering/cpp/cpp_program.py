@@ -16,9 +16,9 @@ from roslens.source.extract.lowering.cpp.cpp_flags import unsettled
 from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered
 from roslens.source.extract.lowering.cpp.cpp_macros import registrations
 from roslens.source.syntax.cpp_names import text_of
-from roslens.source.syntax.cpp_query import fault_nodes, parse_tree
 from roslens.source.syntax.cpp_repair import repaired
 from roslens.source.syntax.macro.macros import MacroPreset
+from roslens.source.syntax.query.cpp_query import fault_nodes, parse_tree
 
 _LONGEST_QUOTE = 60
 

@@ -54,6 +54,9 @@ RULE = FileRule(
     bad="void f(int a) { if (a = 3) stop(); }\n",
     good="void f(int a) { if (a == 3) stop(); }\n",
     syntax="cpp",
-    kinds=("if_statement", "while_statement"),
+    kinds=(
+        "(if_statement (condition_clause (assignment_expression))) @node",
+        "(while_statement (condition_clause (assignment_expression))) @node",
+    ),
     found=found,
 )

@@ -47,6 +47,6 @@ RULE = FileRule(
     bad="void f(bool a, bool b) { if (a) if (b) g(); else h(); }\n",
     good="void f(bool a, bool b) { if (a) { if (b) g(); else h(); } }\n",
     syntax="cpp",
-    kinds=("if_statement",),
+    kinds=("(if_statement consequence: (if_statement)) @node",),
     found=found,
 )

@@ -61,6 +61,10 @@ RULE = FileRule(
     bad="void f(bool hot) { if (hot); { stop(); } }\n",
     good="void f(bool hot) { if (hot) { stop(); } }\n",
     syntax="cpp",
-    kinds=("if_statement", "for_statement", "while_statement"),
+    kinds=(
+        "(if_statement consequence: (expression_statement)) @node",
+        "(for_statement body: (expression_statement)) @node",
+        "(while_statement body: (expression_statement)) @node",
+    ),
     found=found,
 )

@@ -14,8 +14,7 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield the last link of a chain that has no else."""
-    around = node.parent
-    if around is not None and around.type == "else_clause" and node.child_by_field_name("alternative") is None:
+    if node.child_by_field_name("alternative") is None:
         condition = view.text(node.child_by_field_name("condition"))
         yield view.hit_at(
             "cpp.final_else",
@@ -47,6 +46,6 @@ RULE = FileRule(
     bad="void f(int a) { if (a == 1) { g(); } else if (a == 2) { h(); } }\n",
     good="void f(int a) { if (a == 1) { g(); } else if (a == 2) { h(); } else { k(); } }\n",
     syntax="cpp",
-    kinds=("if_statement",),
+    kinds=("(else_clause (if_statement) @node)",),
     found=found,
 )

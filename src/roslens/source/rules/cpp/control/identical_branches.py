@@ -55,6 +55,6 @@ RULE = FileRule(
     bad="int f(bool left, int a, int b) { return left ? a : a; }\n",
     good="int f(bool left, int a, int b) { return left ? a : b; }\n",
     syntax="cpp",
-    kinds=("if_statement", "conditional_expression"),
+    kinds=("(if_statement alternative: (_)) @node", "conditional_expression"),
     found=found,
 )

@@ -16,12 +16,13 @@ from roslens.source.rules.rule import FileRule
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield what follows a body without braces at the indentation of the body."""
     if node.type == "else_clause":
-        body, whole = (node.named_children[-1] if node.named_child_count else None), node.parent
+        body = node.named_children[-1] if node.named_child_count else None
     else:
-        body, whole = node.child_by_field_name("consequence") or node.child_by_field_name("body"), node
-        if node.child_by_field_name("alternative") is not None:
-            return
-    if body is None or whole is None or body.type in ("compound_statement", "if_statement", "comment", "ERROR"):
+        body = node.child_by_field_name("consequence") or node.child_by_field_name("body")
+    if body is None or body.type in ("compound_statement", "if_statement", "comment", "ERROR"):
+        return
+    whole = node.parent if node.type == "else_clause" else node
+    if whole is None or (whole == node and node.child_by_field_name("alternative") is not None):
         return
     while whole.parent is not None and whole.parent.type in ("else_clause", "if_statement"):
         whole = whole.parent

@@ -58,6 +58,6 @@ RULE = FileRule(
     bad="void f(int a) { if (a == 1) g(); else if (a == 1) h(); }\n",
     good="void f(int a) { if (a == 1) g(); else if (a == 2) h(); }\n",
     syntax="cpp",
-    kinds=("if_statement",),
+    kinds=("(if_statement alternative: (_ (if_statement))) @node",),
     found=found,
 )

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.cpp_statement import next_statement
+from roslens.source.rules.cpp_statement import JUMPS, next_statement
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_LAST = re.compile(rb"\s*(?:\}|case\b|default\b|else\b)")
+"""Most jumps are the last in their block: to see that, no node is needed."""
 _MAY_FOLLOW = (
     "break_statement",
     "case_statement",
@@ -37,6 +40,8 @@ _MAY_FOLLOW = (
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield the statement behind a jump."""
+    if _LAST.match(view.code, node.end_byte):
+        return
     following = next_statement(node)
     block = node.parent
     if following is None or following.type in _MAY_FOLLOW or block is None or following.text == b";":
@@ -81,6 +86,6 @@ RULE = FileRule(
     bad="int f() { return 1; stop(); }\n",
     good="int f() { stop(); return 1; }\n",
     syntax="cpp",
-    kinds=("return_statement", "throw_statement", "break_statement", "continue_statement", "goto_statement"),
+    kinds=JUMPS,
     found=found,
 )

@@ -14,12 +14,15 @@ from roslens.source.rules.rule import FileRule
 
 _INTEGERS = {word: re.compile(rb"%s(?!\w)" % word) for word in (b"int", b"unsigned", b"signed", b"short", b"long")}
 
+_SIZES = frozenset((b"unsigned", b"signed", b"short", b"long"))
+"""Without any of them in a file `int` is a type of its own there."""
 _MAIN = re.compile(rb"\s*(?:main\s*\(|argc\b|\))")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each integer type that does not say its size."""
     seen = set()
+    is_sized = not view.words.isdisjoint(_SIZES)
     for match in (
         one for word, pattern in _INTEGERS.items() if word in view.words for one in pattern.finditer(view.code)
     ):
@@ -29,7 +32,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         one = node if node.type in ("primitive_type", "sized_type_specifier") else node.parent
         if one is None or one.type not in ("primitive_type", "sized_type_specifier"):
             continue
-        if one.parent is not None and one.parent.type == "sized_type_specifier":
+        if is_sized and one.parent is not None and one.parent.type == "sized_type_specifier":
             one = one.parent
         if one.start_byte in seen:
             continue

@@ -14,8 +14,6 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each declaration of more than one name."""
-    if view.code.find(b",", node.start_byte, node.end_byte) < 0:
-        return
     if len(node.children_by_field_name("declarator")) > 1 and (
         node.parent is None or node.parent.type != "for_statement"
     ):
@@ -46,6 +44,6 @@ RULE = FileRule(
     bad="int a, b;\n",
     good="int a;\nint b;\n",
     syntax="cpp",
-    kinds=("declaration", "field_declaration"),
+    kinds=tuple(f"({kind} declarator: (_) declarator: (_)) @node" for kind in ("declaration", "field_declaration")),
     found=found,
 )

@@ -51,5 +51,6 @@ RULE = FileRule(
     good="void f(int a) { int b = a; if (a) { int c = 3; g(c); } h(b); }\n",
     syntax="cpp",
     kinds=("declaration",),
+    gathers=("function_definition",),
     found=found,
 )

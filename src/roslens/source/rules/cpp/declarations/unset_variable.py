@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_declaration import declaration_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -20,14 +19,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local number or pointer without an initialiser."""
     if _GIVEN.search(view.code, node.start_byte, node.end_byte):
         return
-    declaration = declaration_of(node, view)
-    if declaration.place not in ("compound_statement", "case_statement"):
+    around = node.parent
+    if around is None or around.type not in ("compound_statement", "case_statement"):
         return
     if any(one.type == "storage_class_specifier" for one in node.children):
         return
     kind = node.child_by_field_name("type")
     is_number = kind is not None and kind.type in ("primitive_type", "sized_type_specifier")
-    for one, _, _ in declaration.names:
+    for one in node.children_by_field_name("declarator"):
         if (is_number and one.type == "identifier") or (
             one.type == "pointer_declarator" and one.named_child_count == 1
         ):
@@ -58,6 +57,9 @@ RULE = FileRule(
     bad="int f() { int a; g(&a); return a; }\n",
     good="int f() { int a = 0; g(&a); return a; }\n",
     syntax="cpp",
-    kinds=("declaration",),
+    kinds=(
+        "(declaration type: [(primitive_type) (sized_type_specifier)] declarator: (identifier)) @node",
+        "(declaration declarator: (pointer_declarator)) @node",
+    ),
     found=found,
 )

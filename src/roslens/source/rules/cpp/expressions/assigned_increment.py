@@ -44,6 +44,6 @@ RULE = FileRule(
     bad="void f(int i) { i = i++; }\n",
     good="void f(int i) { ++i; }\n",
     syntax="cpp",
-    kinds=("assignment_expression",),
+    kinds=("(assignment_expression right: (update_expression)) @node",),
     found=found,
 )

@@ -11,20 +11,22 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_NEAR = 80
+_USES = (
+    *("assignment_expression", "binary_expression", "argument_list", "init_declarator", "return_statement"),
+    "condition_clause",
+)
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each assignment whose result is used."""
+    # To see that it is a statement, as most are, no node is needed.
+    if view.code[max(node.start_byte - _NEAR, 0) : node.start_byte].rstrip()[-1:] in (b";", b"{", b"}"):
+        return
     around = node.parent
     while around is not None and around.type == "parenthesized_expression":
         around = around.parent
-    if around is None or around.type not in (
-        "assignment_expression",
-        "binary_expression",
-        "argument_list",
-        "init_declarator",
-        "return_statement",
-        "condition_clause",
-    ):
+    if around is None or around.type not in _USES:
         return
     if around.type == "argument_list" and (around.parent is None or "EXPECT" in view.text(around.parent)[:12]):
         return

@@ -18,21 +18,21 @@ _STREAMS = re.compile(r"stream\b|Archive\b|archive\b")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each parameter that is a reference to what may change."""
-    around = node.parent
-    if around is None or view.code.find(b"const", around.start_byte, node.start_byte) >= 0:
+    declarator = node.child_by_field_name("declarator")
+    if declarator is None or view.code.find(b"const", node.start_byte, declarator.start_byte) >= 0:
         return
-    if around.type != "parameter_declaration" or not has_token(node, "&"):
+    if not has_token(declarator, "&"):
         return
-    kind = view.text(around.child_by_field_name("type"))
-    if any(one.type == "type_qualifier" and one.text == b"const" for one in around.children) or _STREAMS.search(kind):
+    kind = view.text(node.child_by_field_name("type"))
+    if any(one.type == "type_qualifier" and one.text == b"const" for one in node.children) or _STREAMS.search(kind):
         return
-    function = above(around, "function_declarator", "lambda_expression")
+    function = above(node, "function_declarator", "lambda_expression")
     name = view.text(name_node(function)) if function is not None and function.type == "function_declarator" else ""
     if name and name.rpartition("::")[2] != "swap" and not name.rpartition("::")[2].startswith("operator"):
         yield view.hit(
             "cpp.non_const_reference",
-            around,
-            f"`{view.text(around)[:60]}` may change; expected const, a pointer or a result",
+            node,
+            f"`{view.text(node)[:60]}` may change; expected const, a pointer or a result",
         )
 
 
@@ -51,6 +51,6 @@ RULE = FileRule(
     bad="void f(int& a);\n",
     good="int f(int a);\n",
     syntax="cpp",
-    kinds=("reference_declarator",),
+    kinds=("(parameter_declaration declarator: (reference_declarator)) @node",),
     found=found,
 )

@@ -74,6 +74,6 @@ RULE = FileRule(
     bad="void f() { std::mutex lock(); }\n",
     good="void f() { std::mutex lock; }\n",
     syntax="cpp",
-    kinds=("declaration",),
+    kinds=("(declaration declarator: (function_declarator)) @node",),
     found=found,
 )

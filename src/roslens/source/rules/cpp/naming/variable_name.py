@@ -18,12 +18,12 @@ _CONSTANT = re.compile(r"k[A-Z]\w*|[A-Z0-9_]+")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local variable with a capital letter."""
-    declaration = declaration_of(node, view)
-    if declaration.place not in ("compound_statement", "for_statement", "case_statement"):
-        return
-    for one, named, name in declaration.names:
+    for one, named, name in declaration_of(node, view).names:
         if named is None or name == name.lower() or _CONSTANT.fullmatch(name):
             continue
+        around = node.parent
+        if around is None or around.type not in ("compound_statement", "for_statement", "case_statement"):
+            return
         if named.type == "identifier" and one.type != "function_declarator":
             better = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
             yield view.hit("cpp.variable_name", named, f"variable `{name}`; expected `{better}`")

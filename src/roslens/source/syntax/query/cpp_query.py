@@ -20,6 +20,7 @@ import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 from roslens.source.syntax.endless_tree import refuse_endless
+from roslens.source.syntax.query.asked_nodes import patterns_of, taken_from
 from roslens.source.syntax.timed_parse import timed_parse
 
 _STEP = 64
@@ -140,13 +141,13 @@ class Captures:
         operators: extents of logical expressions to those of their operators.
         else_ifs: extents of the ``if`` of an ``else if``; ``else_of_ifs`` those of its ``else``.
         definitions: the nodes of functions, classes, namespaces and members by their kind, then by their extent.
-        of_kinds: the nodes of each type that was asked for besides, in source order.
+        of_kinds: the nodes of each type or shape that was asked for besides.
     """
 
     def __init__(self, tree: Tree, kinds: frozenset[str] = frozenset()) -> None:
         """Run the query over ``tree``, and in the same pass look for the nodes of some types that others ask for."""
         captured = QueryCursor(_query(kinds)).captures(tree.root_node)
-        self.of_kinds = {kind: captured.pop(f"{_ASKED}{kind}", []) for kind in kinds}
+        self.of_kinds = taken_from(captured, kinds)
 
         if _EMPTY_BODY.search(tree.root_node.text or b""):
             captured["perhaps_function"] = _with_values(tree)
@@ -207,13 +208,10 @@ class Captures:
                 self.not_executed.append((start, end))
 
 
-_ASKED = "node."
-
-
 @cache
 def _query(kinds: frozenset[str]) -> Query:
-    """Return the query with a pattern for each type of nodes: going through the tree costs most, not what is found."""
-    query: Query = Query(_LANGUAGE, _QUERY + "".join(f"({kind}) @{_ASKED}{kind}\n" for kind in sorted(kinds)))
+    """Return the query with the patterns of what others ask for."""
+    query: Query = Query(_LANGUAGE, _QUERY + patterns_of(kinds))
     return query
 
 

@@ -76,7 +76,7 @@ def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: Works
     """Return the files with those of others told apart which only the package as a whole tells."""
     if found.package.id == OUTSIDE_PACKAGES:
         return files
-    folders = vendored_folders(found.package.path, [entry.path for entry in found.files])
+    folders = vendored_folders(found.package.path, [entry.path for entry in found.files], found.package.name)
     if not folders:
         return files
     return [

@@ -13,6 +13,19 @@ CPP = (
 )
 PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub.publish(m)\n"
 
+LATE = """import rospy
+class Sensor:
+    def __init__(self):
+        self.handle = rospy.{0}
+        {1}
+        self.scale = 2
+    def read(self, message):
+        return self.scale
+"""
+CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clock::now(); }}\n"
+TIMER, HEARD = "Timer(rospy.Duration(1), self.read)", "Subscriber('a', String, self.read)"
+RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
+
 
 @pytest.mark.parametrize(
     ("rule", "language", "text", "severity"),
@@ -31,6 +44,15 @@ PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub
         ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Severity.NOTE),
         ("cpp.using_namespace", Language.CPP, "using namespace std;\n", None),
         ("cpp.using_namespace", Language.CPP, "using namespace std::placeholders;\n", Severity.NOTE),
+        ("cpp.self_assignment", Language.CPP, "void f(int a) { g(a) ? a = 0 : a = a; }\n", Severity.NOTE),
+        ("cpp.self_assignment", Language.CPP, "void f(int a) { a = a; }\n", None),
+        ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = 1"), Severity.NOTE),
+        ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = look()"), None),
+        ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(HEARD, "self.a = 1"), None),
+        ("node.system_time", Language.CPP, CLOCK.format("message.header.stamp"), None),
+        ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Severity.NOTE),
+        ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Severity.NOTE),
+        ("node.rate_in_loop_python", Language.PYTHON, RATE.format("node.create_rate"), None),
         ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Severity.NOTE),
     ],
 )

@@ -20,6 +20,14 @@ OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp"
         (["p/include/p/eigen/conversions.h"], ()),
         (["p/src/LICENSE", "p/include/p/a.h", "p/include/p/b.h", "p/include/p/c.h", "p/test/t.cpp"], ()),
         (["p/glm/third/LICENSE", "p/glm/third/a.h"], ("p/glm/",)),
+        (["p/wrap/include/sensor_msgs/iterator.h", "p/wrap/include/wrap/a.h"], ("p/wrap/include/sensor_msgs/",)),
+        (["p/src/sensor_msgs/convert.cpp", "p/include/p/sensor_msgs/convert.h"], ()),
+        (["p/src/quadProgpp/QuadProg++.cc"], ("p/src/quadProgpp/",)),
+        (["p/include/rosbag/bag.h"], ()),
+        (["p/sdk/README.md", "p/sdk/CMakeLists.txt", "p/sdk/ChangeLog", "p/sdk/a.cpp"], ("p/sdk/",)),
+        (["p/sdk/README.md", "p/sdk/CMakeLists.txt", "p/sdk/lib/libsdk.so", "p/sdk/a.h"], ("p/sdk/",)),
+        (["p/firmware/README.md", "p/firmware/CMakeLists.txt", "p/firmware/a.cpp"], ()),
+        (["p/sdk/README.md", "p/sdk/lib/libsdk.so", "p/sdk/a.h"], ()),
         ([], ()),
     ],
 )
@@ -35,3 +43,13 @@ def test_the_folder_of_the_package_is_none():
 
 def test_a_folder_with_most_of_the_sources_is_the_package_itself():
     assert vendored_folders("p", ["p/p/LICENSE", "p/p/a.py", "p/p/b.py", "p/setup.py"]) == ()
+
+
+def test_headers_of_the_package_itself_are_its_own():
+    paths = ["msgs/package.xml", "msgs/include/sensor_msgs/fill_image.h", "msgs/src/a.cpp", "msgs/src/b.cpp"]
+    assert vendored_folders("msgs", paths, "sensor_msgs") == ()
+    assert vendored_folders("msgs", paths, "robot") == ("msgs/include/sensor_msgs/",)
+
+
+def test_a_project_with_most_of_the_sources_is_the_package_itself():
+    assert vendored_folders("p", ["p/core/README", "p/core/Makefile", "p/core/AUTHORS", "p/core/a.c"]) == ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 
 from tree_sitter import Node
@@ -18,6 +19,8 @@ _LAST_NAME = {
 }
 """Types of nodes that name something, and the field that holds the last part of the name."""
 
+AT_ONCE = re.compile(r"(?<![\d.])0+(\.0*)?(s|ms|us|ns)?(?![\d.])|zero\(\)")
+"""A time limit of nothing: who waits so long does not wait."""
 FUNCTIONS = ("function_definition", "lambda_expression", "lambda")
 LOOPS = ("while_statement", "for_statement", "do_statement", "for_range_loop")
 _TRANSPARENT = ("parenthesized_expression", "co_await_expression", "await")

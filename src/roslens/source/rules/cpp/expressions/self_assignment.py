@@ -28,8 +28,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _is_all_of_else(node: Node) -> bool:
-    """Return whether it is all that an ``else`` does: it says that nothing is to be done."""
+    """Return whether it is all that an ``else`` or a ``:`` does: it says that nothing is to be done."""
     statement = node.parent
+    if statement is not None and statement.type == "conditional_expression":
+        return True
     block = statement.parent if statement is not None else None
     if block is not None and block.type == "compound_statement" and block.named_child_count == 1:
         block = block.parent

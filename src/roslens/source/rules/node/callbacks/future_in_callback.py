@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import body_of, call_at, function_around, receiver
+from roslens.source.rules.callbacks import callback_around, callee_name, spoken
+from roslens.source.rules.calls import AT_ONCE, arguments, body_of, call_at, function_around, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -28,6 +28,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     name = re.escape(view.text(of).removesuffix(".future"))
     if not re.search(rf"(?<![\w.]){name}\s*=[^;]*\b({'|'.join(_REQUESTS)})\b", view.text(body)):
         return
+    if _asks_whether_it_is_there(name, call, body, view):
+        return
     callback = callback_around(call, view)
     if callback is not None:
         groups = b"create_callback_group" in view.code or b"MultiThreadedExecutor" in view.code
@@ -39,6 +41,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             callback=callback,
             severity=Severity.NOTE if groups else None,
         )
+
+
+def _asks_whether_it_is_there(name: str, call: Node, body: Node, view: FileView) -> bool:
+    """Return whether a call does not wait, or stands behind such a call for the same future."""
+    if callee_name(call, view) == "wait_for":
+        return any(AT_ONCE.search(view.text(one)) for one in arguments(call))
+    asked = re.search(
+        rf"\b{name}(?:\.future)?\s*\.\s*wait_for\s*\(([^;]*?)\)\s*[!=]=".encode(),
+        view.code[body.start_byte : call.start_byte],
+    )
+    return asked is not None and AT_ONCE.search(asked[1].decode("utf-8", "replace")) is not None
 
 
 RULE = FileRule(

@@ -9,18 +9,16 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import arguments, call_at
+from roslens.source.rules.calls import AT_ONCE, arguments, call_at
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
-
-_AT_ONCE = re.compile(r"(?<![\d.])0+(\.0*)?(s|ms|us|ns)?(?![\d.])|zero\(\)")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call that waits in a callback, unless its time limit is nothing."""
     call = call_at(node)
-    if call is None or any(_AT_ONCE.search(view.text(one)) for one in arguments(call)):
+    if call is None or any(AT_ONCE.search(view.text(one)) for one in arguments(call)):
         return
     callback = callback_around(call, view)
     if callback is not None and not _is_of_once(call, view):

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
+from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_conditional, keywords
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -37,7 +39,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"`{view.text(one)}` reads `self.{name}`, which `__init__` sets only in line {line}: a message that "
                 "comes "
                 "before fails; expected the subscription last",
+                severity=Severity.NOTE if _comes_later(call, line, view) else None,
             )
+
+
+def _comes_later(call: Node, line: int, view: FileView) -> bool:
+    """Return whether it is a timer, which first runs a period later, and nothing is done until a line is reached."""
+    if callee_name(call, view) != "Timer":
+        return False
+    between = view.lines[view.place(call.end_byte)[0] : line - 1]
+    return not any(b"(" in one.partition(b"#")[0] for one in between)
 
 
 def _method(name: str, of_class: Node, view: FileView) -> Node | None:

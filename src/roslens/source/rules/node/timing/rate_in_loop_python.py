@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import call_at, loop_around, statement_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -28,19 +29,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     rest = view.code[statement.end_byte : block.end_byte]
     later = re.search(rb"(?<![\w.])" + re.escape(variable.encode()) + rb"\.sleep\b", rest) if variable else None
     if at_once or (later is not None and b"while " not in rest and b"for " not in rest):
+        # To wait as long each round may be what is wanted; a timer of rclpy stays with its node.
+        severity = None if view.text(node) == "create_rate" else Severity.NOTE
         yield view.hit(
             "node.rate_in_loop_python",
             call,
             f"`{view.text(call)}` in the loop that it paces: each round sleeps for the whole period, whatever the "
             "round "
             "took; expected it before the loop",
+            severity=severity,
         )
 
 
 RULE = FileRule(
     id="node.rate_in_loop_python",
     title="Rate made inside of its loop (Python)",
-    finds="`rospy.Rate` or `create_rate` made and slept on in each round of a loop. Make it before the loop.",
+    finds="`create_rate`, or as a note `rospy.Rate`, made and slept on in each round of a loop. Make it before.",
     why="A rate subtracts what the round took from its sleep only if it lives longer than the round: made anew, the "
     "loop "
     "is slower than its number says. In rclpy each call adds a timer that nobody removes.",

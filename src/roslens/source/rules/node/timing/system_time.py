@@ -17,6 +17,9 @@ _FOR_PEOPLE = re.compile(
     rb"to_time_t|strftime|put_time|localtime|gmtime|ctime|seed|srand|mt19937|random|[fF]ile|path|name"
 )
 
+_STAMP = re.compile(r"(?<![a-z])stamp")
+"""Of a message; a variable such as `start_timestamp` is for telling how long something takes."""
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a look at the system's clock, but where it names files, seeds random numbers or is shown."""
@@ -27,7 +30,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if _FOR_PEOPLE.search(view.code[body.start_byte : body.end_byte]):
         return
-    is_stamp = "stamp" in view.text(statement_around(call))
+    is_stamp = _STAMP.search(view.text(statement_around(call))) is not None
     expected = "the node's `now()`" if is_stamp else "`std::chrono::steady_clock`, or the node's `now()`"
     yield view.hit(
         "node.system_time",

@@ -103,7 +103,11 @@ class Evaluation:
         return truth, tuple(sorted(set(shows), key=lambda one: (one.entity, one.expectation, one.statement, one.state)))
 
     def lasts(self, bound: EntityId | None) -> Truth:
-        """Return whether what it is about is still so: without hold times, and whatever is the cause."""
+        """Return whether what it is about is still so: without hold times, and whatever is the cause.
+
+        What a pattern chose, and what ended or was never judged, keeps nothing unknown: nobody will ever say of it that
+        it is not so.
+        """
         return self._plainly(self._condition, bound)
 
     def tracked(self) -> set[EntityId]:
@@ -199,10 +203,27 @@ class Evaluation:
     def _plainly(self, condition: Condition, bound: EntityId | None) -> Truth:
         if not isinstance(condition, Stated):
             return _joined(condition, [self._plainly(part, bound) for part in _parts(condition)])
-        truths = [say(condition, one, self._known, effects=True).truth for one in self._entities(condition, bound)]
+        entities = self._entities(condition, bound)
+        truths = [say(condition, one, self._known, effects=True).truth for one in entities]
+        if condition.matching is Matching.ANY and len(entities) > 1:
+            truths = [
+                False if truth is None and self._is_over(condition, one) else truth
+                for one, truth in zip(entities, truths, strict=True)
+            ]
         if not truths:
             return condition.unknown
         return (all_of if condition.matching is Matching.ALL else any_of)(truths)
+
+    def _is_over(self, stated: Stated, entity: EntityId) -> bool:
+        """Whether nothing of what is stated will be known of an entity any more, or never was.
+
+        That a host is gone says only that nobody samples it: what was wrong with it may still be.
+        """
+        if stated.about is About.VERDICT and not any(
+            stated.quantity in ("", held.verdict.quantity) for held in self._known.verdicts(entity)
+        ):
+            return True
+        return entity.kind is not EntityKind.HOST and self._known.presences.gone(entity) is not None
 
 
 def _silent_since(said: Said) -> float:

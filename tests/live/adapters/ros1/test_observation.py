@@ -145,6 +145,17 @@ def test_a_node_that_lives_again_elsewhere_by_the_same_name_is_found(system, wat
     assert said(watched.round(moved))[0] == (Change.APPEARED, "node:/a", "")
 
 
+def test_a_node_that_died_just_now_is_looked_up_in_each_round(system, watch):
+    node = system.node("/a", pid=os.getpid())
+    watched = watch(system)
+    watched.round()
+    node.close()
+    for _ in range(2):
+        watched.round()
+    system.node("/a", pid=os.getpid())
+    assert said(watched.round())[0] == (Change.APPEARED, "node:/a", "")
+
+
 def test_no_master_at_all_is_told_and_it_is_found_when_it_comes(system, watch):
     port = system.master.port
     system.master.close()

@@ -37,6 +37,7 @@ class Contact:
         name: of the node.
         uri: of its API.
         dead: nobody listens at its API.
+        refusals: how often in a row it was asked since nobody has listened.
         node: what is known of it.
         local: whether it runs on this host.
         met: whether it was asked to the end, whatever came of it.
@@ -48,6 +49,7 @@ class Contact:
         self.name = name
         self.uri = uri
         self.dead = False
+        self.refusals = 0
         self.local = False
         self.met = False
         self.node = Node(name)
@@ -70,6 +72,7 @@ class Contact:
         self._silences = self._silences + 1 if silent else 0
         self._pause = min(2**self._silences // 2, LONGEST_PAUSE) if silent else 0
         self.dead = self._before.trouble is Trouble.REFUSED
+        self.refusals = self.refusals + 1 if self.dead else 0
         self.met = True
         return self._before
 

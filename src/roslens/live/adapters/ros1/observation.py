@@ -27,8 +27,10 @@ _PATIENCE_S = 0.2
 so that a node that hangs does not make all others seem silent."""
 PARAMETERS_S = 5.0
 """A graph of which only parameters changed is told so often at most; each change is an event at once."""
+_SEEK_AT_ONCE = 20
+"""Rounds in which a dead node is looked up in each one: it may have been started again, with another API."""
 _SEEK_DEAD = 5
-"""Rounds after which a dead node is looked up anew, since it may live elsewhere by the same name."""
+"""Rounds after which a node that is dead for longer is looked up anew."""
 
 
 class Observation:
@@ -150,8 +152,7 @@ class Observation:
             self._part(name)
         for name in names:
             contact = self._contacts.get(name)
-            seek = contact is None or name in moved or (contact.dead and self._rounds % _SEEK_DEAD == 0)
-            if not seek:
+            if not (contact is None or name in moved or self._may_be_back(contact)):
                 continue
             try:
                 uri = self._follower.home(name, fresh=contact is not None)
@@ -163,6 +164,9 @@ class Observation:
                 self._part(name)
                 self._contacts[name] = Contact(name, uri, self._caller, self._resolver, self._hostname, self._wait_s)
         return failures
+
+    def _may_be_back(self, contact: Contact) -> bool:
+        return contact.dead and (contact.refusals <= _SEEK_AT_ONCE or self._rounds % _SEEK_DEAD == 0)
 
     def _part(self, name: str) -> None:
         contact = self._contacts.pop(name, None)

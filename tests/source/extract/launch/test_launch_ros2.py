@@ -254,3 +254,19 @@ def test_a_default_of_an_argument_declared_before():
         "late": "{launch configuration later, which is not set}",
         "later": "x",
     }
+
+
+def test_a_component_that_is_there_under_a_condition():
+    body = """parts = [ComposableNode(package='p', plugin='p::A', name='a')]
+    if random.random() > 0.5:
+        parts.append(ComposableNode(package='p', plugin='p::B', name='b'))
+    return LaunchDescription([ComposableNodeContainer(name='box', composable_node_descriptions=parts)])"""
+    before = (
+        "from launch_ros.actions import ComposableNodeContainer\nfrom launch_ros.descriptions import ComposableNode"
+    )
+    found = evaluate_ros2("a.py", Written(a_py=python(body, before))).nodes
+    assert [(str(one.plugin), as_written(one.conditions)) for one in found] == [
+        ("", ()),
+        ("p::A", ()),
+        ("p::B", ("random.random() > 0.5",)),
+    ]

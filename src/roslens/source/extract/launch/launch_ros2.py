@@ -269,6 +269,10 @@ class _Whole:
             conditions = self._condition(one, scope)
             if conditions is None:
                 continue
+            if one.kind == "sequence":
+                held = (*inner.conditions, *((Written(one.note),) if one.note else ()))
+                self._load(one.children, container, scope, msgspec.structs.replace(inner, conditions=held))
+                continue
             if one.kind == "unknown":
                 self.miss(str(resolve(one.values.get("text", ""), scope)), one.evidence, one.note, opens=True)
                 continue

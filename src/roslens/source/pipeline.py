@@ -7,22 +7,20 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.model.failure import Failure
-from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models
 from roslens.source.engines.executor import executor_for
-from roslens.source.fetch.fetched_set import FetchedSet, only_fetched
-from roslens.source.inventory import Inventory, take_inventory
+from roslens.source.fetch.fetched_set import only_fetched
+from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.measure.package_task import PackageTask, package_task
@@ -31,68 +29,31 @@ from roslens.source.owned_findings import owned_findings
 from roslens.source.packaging_files import packaging
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
-from roslens.source.repositories import repositories_of
-from roslens.source.set_aside_in_run import whole_run
+from roslens.source.run_inputs import Beyond, Clock, Run, Sight
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.shaping import known_quantities, manifests_of, shaping_key
-from roslens.source.tools.running.layout import RULE as LAYOUT
 from roslens.source.tools.running.stage_of_run import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
-from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
-from roslens.source.workspace.silence import RULES as SUPPRESSION_RULES
+from roslens.source.workspace.find import FoundPackage, find_workspace
 from roslens.source.workspace.silence import Silence
+from roslens.source.workspace_result import header_of, workspace_result
 
 if TYPE_CHECKING:
-    from roslens.judge.quality.quality_model import QualityModel
-    from roslens.model.finding import Finding, RuleInfo
+    from roslens.model.finding import Finding
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.source import SourceFile
-    from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.past_revision import PastRevision
-    from roslens.source.history.process_stage import LookBack, Past
+    from roslens.source.history.process_stage import LookBack
     from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.measure.finished_package import FinishedPackage, Finishing
-    from roslens.source.tools.running.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
 
 
 KEPT_RUNS = 50
 """Older runs are removed when a new one is complete."""
-
-
-class Clock(msgspec.Struct, frozen=True):
-    """The time at which the run began: ``utc`` for readers, ``epoch_s`` to compare with files.
-
-    ``elapsed_s`` tells how many seconds have passed since.
-    """
-
-    utc: str
-    epoch_s: float
-    elapsed_s: Callable[[], float] = lambda: 0.0
-
-
-class Sight(msgspec.Struct, frozen=True):
-    """What a further look found, and the computation graphs that it looked at; the run keeps both."""
-
-    outcome: Outcome
-    configurations: tuple[JudgedConfiguration, ...] = ()
-
-
-class Beyond(msgspec.Struct, frozen=True):
-    """A further look at the workspace as a whole, taken when a run is made, after its packages were measured.
-
-    Attributes:
-        key: of what shapes it besides files and settings.
-        rules: that its findings may name.
-        look: returns what belongs to no package.
-    """
-
-    key: str
-    rules: tuple[RuleInfo, ...]
-    look: Callable[[], Sight]
 
 
 def analyse(
@@ -203,7 +164,7 @@ def analyse(
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
     return _run(
-        _Run(
+        Run(
             msgspec.structs.replace(workspace, failures=failures),
             inventory,
             settings,
@@ -231,34 +192,7 @@ def analyse(
     )
 
 
-class _Run(msgspec.Struct, frozen=True):
-    workspace: Workspace
-    inventory: Inventory
-    settings: SourceSettings
-    plugins: Discovered
-    units: dict[str, str]
-    key: str
-    base: Path
-    clock: Clock
-    jobs: int
-    log: Path | None
-    programs: bool
-    beyond: Beyond | None
-    tools: ToolStage | None
-    silence: Silence
-    past: Past | None
-    fetched: FetchedSet
-    revision: PastRevision | None
-    kept_runs: int | None
-    engine: str
-    left_out: Mapping[str, frozenset[str]] = {}
-
-    def key_kept(self, key: str) -> str:
-        """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
-        return key_of(key, self.clock.epoch_s) if self.tools is not None and self.tools.has_failed else key
-
-
-def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
+def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.judged_process import judged_process, not_judged
     from roslens.source.history.process_stage import Told, with_process
@@ -272,7 +206,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     changed = [found for found in run.workspace.packages if not store.has_unit(run.units[found.package.id])]
     if run.tools is not None:
         run.tools.run((found.package.id for found in changed), watch)
-    header = _header(run)
+    header = header_of(run)
     rest: list[Outcome] = []
     stage = PluginStage(
         run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
@@ -321,7 +255,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             beside += judged_process(models, told.process)
         owned, none = owned_findings(beside, packages.values(), files)
         rest.append(Outcome(none, failures=told.failures if run.past is None else ()))
-        whole = _workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
+        whole = workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
         if run.past is not None:
             whole = with_process(whole, told)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
@@ -338,7 +272,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
 
 
 def _measured(
-    run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress, finishing: Finishing | None
+    run: Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress, finishing: Finishing | None
 ) -> Iterator[MeasuredPackage | FinishedPackage]:
     """Measure packages, the largest first, and keep what was learned of their files."""
     from roslens.source.measure.analyse_package import nothing_measured
@@ -359,7 +293,7 @@ def _measured(
         yield measured
 
 
-def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
+def _task(run: Run, found: FoundPackage, cache: Cache) -> PackageTask:
     files = run.inventory.files[found.package.id]
     return package_task(
         found,
@@ -373,7 +307,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
     )
 
 
-def _program_keys(run: _Run, files: tuple[SourceFile, ...]) -> dict[str, str]:
+def _program_keys(run: Run, files: tuple[SourceFile, ...]) -> dict[str, str]:
     from roslens.source.extract.ir.kept_program import program_keys
 
     return program_keys(files, run.settings.macros)
@@ -405,67 +339,4 @@ def _looked_at(
         yield measured, outcome + share if share else outcome
 
 
-def _workspace_result(
-    run: _Run,
-    stage: PluginStage,
-    models: Sequence[QualityModel],
-    owned: dict[str, tuple[Finding, ...]],
-    rest: Sequence[Outcome],
-    seen: Collection[str],
-    used: frozenset[str],
-) -> WorkspaceResult:
-    from roslens.judge.quality.quality_model import rules_of
-    from roslens.source.metrics.measure_workspace import measure_workspace
-    from roslens.source.metrics.table import QUANTITIES
-    from roslens.source.rules.table import native_rules
-
-    failures: list[Failure] = [
-        failure for failure in (*run.workspace.failures, *run.inventory.failures) if not failure.package
-    ]
-    further = run.beyond.rules if run.beyond else ()
-    judging = (rule for model in models for rule in rules_of(model))
-    native = (rule.info for rule in native_rules().values())
-    of_tools = run.tools.rules(seen) if run.tools else ()
-    own = (*native, LAYOUT, *SUPPRESSION_RULES)
-    rules = {rule.id: rule for rule in (*of_tools, *stage.rules, *further, *judging, *own)}
-    whole = whole_run(
-        run.silence,
-        owned,
-        [finding for outcome in rest for finding in outcome.findings],
-        used,
-        root=Path(run.workspace.root),
-        base=run.base,
-        judged=rules,
-    )
-    return WorkspaceResult(
-        package_values=measure_workspace([found.package for found in run.workspace.packages]),
-        package_findings=whole.owned,
-        findings=whole.none,
-        failures=(
-            *failures,
-            *run.plugins.failures,
-            *(run.tools.failures if run.tools else ()),
-            *(failure for outcome in rest for failure in outcome.failures),
-        ),
-        rules=tuple(rules[key] for key in sorted(rules)),
-        quantities=tuple({**QUANTITIES, **stage.quantities}.values()),
-        set_aside=whole.set_aside,
-    )
-
-
-def _header(run: _Run) -> RunHeader:
-    from roslens.source.commit import commit_of
-    from roslens.source.versions import tool_versions
-
-    files = (file for held in run.inventory.files.values() for file in held)
-    past = run.revision
-    return RunHeader(
-        key=run.key_kept(run.key),
-        root=past.root if past else run.workspace.root,
-        started=run.clock.utc,
-        commit=past.commit if past else commit_of(run.workspace.root, files),
-        tools=tool_versions(run.plugins.members) | (run.tools.versions if run.tools else {}),
-        configuration=msgspec.to_builtins(run.settings),
-        models=run.settings.models,
-        repositories=repositories_of(run.workspace, run.inventory.files, run.fetched),
-    )
+__all__ = ["Beyond", "Clock", "Sight", "analyse"]

@@ -3,8 +3,9 @@
 import pytest
 
 from roslens.source.extract.builds.cmake_blocks import BLOCKS
-from roslens.source.extract.builds.cmake_commands import COMMANDS, IGNORED, matching
+from roslens.source.extract.builds.cmake_commands import COMMANDS, IGNORED
 from roslens.source.extract.builds.cmake_evaluation import Evaluation
+from roslens.source.extract.builds.cmake_files import matching
 from roslens.source.extract.builds.cmake_syntax import parse_cmake
 from roslens.source.extract.builds.cmake_value import shown
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import shlex
 from contextlib import suppress
-from fnmatch import translate
 from functools import lru_cache
-from posixpath import basename, dirname, relpath
+from posixpath import basename, dirname
 
 from roslens.source.extract.builds.cmake_arguments import ARGUMENTS
 from roslens.source.extract.builds.cmake_evaluation import BUILD, SOURCE, Call, Evaluation, Handler
+from roslens.source.extract.builds.cmake_files import FILE
 from roslens.source.extract.builds.cmake_lists import LIST
 from roslens.source.extract.builds.cmake_math import MATH
 from roslens.source.extract.builds.cmake_paths import PATHS
@@ -18,7 +18,7 @@ from roslens.source.extract.builds.cmake_scope import Scope
 from roslens.source.extract.builds.cmake_signals import ReturnedError
 from roslens.source.extract.builds.cmake_syntax import Argument, Body, Command, Script, parse_cmake
 from roslens.source.extract.builds.cmake_texts import STRING
-from roslens.source.extract.builds.cmake_value import MADE, hole, is_unknown, items_of, truth_of
+from roslens.source.extract.builds.cmake_value import MADE, hole, is_unknown, items_of
 from roslens.source.extract.facts.files import joined
 
 
@@ -309,73 +309,6 @@ def _separate_arguments(run: Evaluation, call: Call) -> None:
     run.set(name, found)
 
 
-def _file(run: Evaluation, call: Call) -> None:
-    if len(call.arguments) < 2:
-        return
-    mode, variable, *rest = call.arguments
-    if mode in ("GLOB", "GLOB_RECURSE"):
-        run.set(variable, ";".join(_globbed(run, rest, deep=mode == "GLOB_RECURSE")))
-    elif mode == "RELATIVE_PATH" and len(rest) == 2:
-        base, path = map(run.relative, rest)
-        known = base is not None and path is not None
-        run.set(variable, relpath(f"/{path}", f"/{base}") if known else hole(f"file({mode})"))
-    elif mode in _ASKING:
-        run.set(rest[0] if rest else variable, hole(f"file({mode})"))
-
-
-_ASKING = frozenset(
-    {"READ", "STRINGS", "TIMESTAMP", "REAL_PATH", "TO_CMAKE_PATH", "TO_NATIVE_PATH", "SIZE", "READ_SYMLINK", "MD5",
-     "SHA1", "SHA224", "SHA256", "SHA384", "SHA512", "SHA3_224", "SHA3_256", "SHA3_384", "SHA3_512"}
-)  # fmt: skip
-
-
-def _globbed(run: Evaluation, arguments: list[str], *, deep: bool) -> list[str]:
-    relative_to: str | None = None
-    folders = not deep
-    found: dict[str, None] = {}
-    waiting = iter(arguments)
-    for value in waiting:
-        if value == "RELATIVE":
-            relative_to = run.relative(next(waiting, ""))
-        elif value == "LIST_DIRECTORIES":
-            folders = truth_of(next(waiting, "")) is True
-        elif value not in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"):
-            pattern = run.relative(value)
-            if pattern is not None:
-                run.spend(len(run.listing) * 10)
-                found.update(dict.fromkeys(matching(pattern, run.listing, run.folders, deep=deep, folders=folders)))
-    if relative_to is None:
-        return [run.absolute(path) for path in sorted(found)]
-    return sorted(relpath(f"/{path}", f"/{relative_to}") if path != relative_to else "" for path in found)
-
-
-def matching(
-    pattern: str, listing: frozenset[str], inner: frozenset[str], *, deep: bool, folders: bool | None = None
-) -> list[str]:
-    """Return the files that match a pattern of CMake, and the folders: of one that is not deep where nobody says."""
-    *above, last = pattern.split("/")
-    expressions = [_segment(piece) for piece in above]
-    name = _segment(last)
-    found = []
-    for path in listing | inner if (folders is None and not deep) or folders else listing:
-        pieces = path.split("/")
-        if len(pieces) - 1 < len(above) or (len(pieces) - 1 > len(above) and not deep):
-            continue
-        # Of folders that are gone through, all are listed.
-        named = name.match(pieces[-1]) or (deep and folders and path in inner)
-        if named and all(expression.match(piece) for expression, piece in zip(expressions, pieces, strict=False)):
-            found.append(path)
-    return found
-
-
-@lru_cache(maxsize=1024)
-def _segment(pattern: str) -> re.Pattern[str]:
-    try:
-        return re.compile(translate(re.sub(r"\*+", "*", pattern[:200]).replace("[^", "[!")))
-    except re.error:
-        return re.compile(r"(?!)")
-
-
 def _found(position: int) -> Handler:
     """Return a handler of a command that sets a variable to what only the build knows."""
 
@@ -409,7 +342,7 @@ def _generated(run: Evaluation, call: Call) -> None:
 
 COMMANDS: dict[str, Handler] = {
     "set": _set, "unset": _unset, "option": _option, "project": _project, "find_package": _find_package,
-    "include": _include, "add_subdirectory": _add_subdirectory, "message": _message, "file": _file,
+    "include": _include, "add_subdirectory": _add_subdirectory, "message": _message,
     "pkg_check_modules": _packages, "pkg_search_module": _packages,
     **dict.fromkeys(("find_library", "find_path", "find_file", "find_program", "try_compile", "try_run"), _found(0)),
     **dict.fromkeys(("check_include_file", "check_include_file_cxx", "check_include_files", "check_cxx_compiler_flag",
@@ -423,7 +356,7 @@ COMMANDS: dict[str, Handler] = {
                      "qt4_wrap_cpp", "qt4_wrap_ui", "qt5_add_resources", "qt4_add_resources", "qt_add_resources"),
                     _generated),
     "cmake_language": _language, "separate_arguments": _separate_arguments,
-    **LIST, **STRING, **PATHS, **ARGUMENTS, **MATH,
+    **LIST, **STRING, **PATHS, **ARGUMENTS, **MATH, **FILE,
 }  # fmt: skip
 
 IGNORED = frozenset({

@@ -7,8 +7,8 @@ from posixpath import basename, splitext
 
 import msgspec
 
-from roslens.source.extract.builds.cmake_commands import matching
 from roslens.source.extract.builds.cmake_evaluation import Call, Evaluation, Handler
+from roslens.source.extract.builds.cmake_files import matching
 from roslens.source.extract.builds.cmake_value import is_unknown, reason_of
 from roslens.source.extract.facts.node_facts import Evidence
 

@@ -10,7 +10,7 @@ from posixpath import join
 
 import msgspec
 
-from roslens.source.extract.builds.cmake_commands import matching
+from roslens.source.extract.builds.cmake_files import matching
 from roslens.source.extract.domain.abstract_value import Building, Key, Names, Table, Unknown, Value
 from roslens.source.extract.domain.evaluation_frame import Frame
 from roslens.source.extract.domain.kinds import known_text

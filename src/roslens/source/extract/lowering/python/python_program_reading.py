@@ -8,7 +8,7 @@ from itertools import accumulate
 
 from tree_sitter import Node
 
-from roslens.source.extract.ir.program import Expression, Function, Opaque, Statement
+from roslens.source.extract.ir.program import Expression, Function, Opaque, Parameter, Statement
 from roslens.source.syntax.python_names import text_of
 from roslens.source.syntax.python_tree import LANGUAGE
 
@@ -44,6 +44,14 @@ class Reading:
         self._known: dict[bytes, Expression] = {}
         self._names: dict[str, str] = {}
         self._starts = [0, *accumulate(len(line) + 1 for line in source.split(b"\n"))]
+
+    def expression(self, node: Node) -> Expression:
+        """Return what a node says; nothing but its text is known here."""
+        return self._text_only(node)
+
+    def parameters(self, node: Node | None) -> tuple[Parameter, ...]:  # noqa: ARG002 - none is known here
+        """Return the parameters of a function."""
+        return ()
 
     def line(self, node: Node) -> int:
         """Return the line that ``node`` begins in, from 1 on."""

@@ -1,0 +1,86 @@
+"""What one run is made of: the workspace and its files, what is asked, and what looks at it besides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.source.fetch.fetched_set import FetchedSet
+from roslens.source.inventory import Inventory
+from roslens.source.keys import key_of
+from roslens.source.settings import SourceSettings
+from roslens.source.workspace.find import Workspace
+from roslens.source.workspace.silence import Silence
+
+if TYPE_CHECKING:
+    from roslens.model.finding import RuleInfo
+    from roslens.model.judged_configuration import JudgedConfiguration
+    from roslens.plugins.discovery import Discovered
+    from roslens.plugins.outcome import Outcome
+    from roslens.source.history.past_revision import PastRevision
+    from roslens.source.history.process_stage import Past
+    from roslens.source.tools.running.tool_stage import ToolStage
+
+
+class Clock(msgspec.Struct, frozen=True):
+    """The time at which the run began: ``utc`` for readers, ``epoch_s`` to compare with files.
+
+    ``elapsed_s`` tells how many seconds have passed since.
+    """
+
+    utc: str
+    epoch_s: float
+    elapsed_s: Callable[[], float] = lambda: 0.0
+
+
+class Sight(msgspec.Struct, frozen=True):
+    """What a further look found, and the computation graphs that it looked at; the run keeps both."""
+
+    outcome: Outcome
+    configurations: tuple[JudgedConfiguration, ...] = ()
+
+
+class Beyond(msgspec.Struct, frozen=True):
+    """A further look at the workspace as a whole, taken when a run is made, after its packages were measured.
+
+    Attributes:
+        key: of what shapes it besides files and settings.
+        rules: that its findings may name.
+        look: returns what belongs to no package.
+    """
+
+    key: str
+    rules: tuple[RuleInfo, ...]
+    look: Callable[[], Sight]
+
+
+class Run(msgspec.Struct, frozen=True):
+    """See :func:`~roslens.source.pipeline.analyse` for what they are."""
+
+    workspace: Workspace
+    inventory: Inventory
+    settings: SourceSettings
+    plugins: Discovered
+    units: dict[str, str]
+    key: str
+    base: Path
+    clock: Clock
+    jobs: int
+    log: Path | None
+    programs: bool
+    beyond: Beyond | None
+    tools: ToolStage | None
+    silence: Silence
+    past: Past | None
+    fetched: FetchedSet
+    revision: PastRevision | None
+    kept_runs: int | None
+    engine: str
+    left_out: Mapping[str, frozenset[str]] = {}
+
+    def key_kept(self, key: str) -> str:
+        """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
+        return key_of(key, self.clock.epoch_s) if self.tools is not None and self.tools.has_failed else key

@@ -9,7 +9,8 @@ from posixpath import basename, splitext
 import msgspec
 
 from roslens.source.extract.builds.cmake_evaluation import BUILD, SOURCE, Evaluation
-from roslens.source.extract.builds.cmake_targets import Collected, Installed, Item, Made
+from roslens.source.extract.builds.cmake_made import Installed, Item, Made
+from roslens.source.extract.builds.cmake_targets import Collected
 from roslens.source.extract.builds.cmake_value import MADE, is_unknown, reason_of
 from roslens.source.extract.facts.files import joined
 from roslens.source.extract.facts.node_facts import Generated, Sure, Target, TargetKind

@@ -14,8 +14,9 @@ from roslens.source.extract.builds.cmake_blocks import BLOCKS
 from roslens.source.extract.builds.cmake_commands import COMMANDS, IGNORED, run_folder
 from roslens.source.extract.builds.cmake_evaluation import Evaluation
 from roslens.source.extract.builds.cmake_linking import INSTALL, Linking, merged
+from roslens.source.extract.builds.cmake_made import Item
 from roslens.source.extract.builds.cmake_signals import ExhaustedError, ReturnedError
-from roslens.source.extract.builds.cmake_targets import Collected, Item
+from roslens.source.extract.builds.cmake_targets import Collected
 from roslens.source.extract.builds.plugin_xml import PluginClass, exported_descriptions, read_plugins
 from roslens.source.extract.builds.python_setup_targets import module_file, read_setup, setup_targets
 from roslens.source.extract.facts.files import Files, joined

@@ -20,13 +20,14 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.ir.ros_switch import holds
 from roslens.source.extract.lowering.cpp.cpp_captures import held_copies
+from roslens.source.extract.lowering.cpp.cpp_definition_parts import HANDING, base_arguments, is_guard, tried_body
 from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_initialisers import lower_initialisers
 from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered, name_of, opaque
 from roslens.source.extract.lowering.cpp.cpp_macros import is_registration, macro_value
 from roslens.source.extract.lowering.cpp.cpp_parameters import Parameters
 from roslens.source.extract.lowering.cpp.cpp_statements import StatementLowering
-from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, dotted, name_and_templates
+from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, dotted
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements
 from roslens.source.syntax.cpp_names import (
     base_names,
@@ -38,7 +39,6 @@ from roslens.source.syntax.cpp_names import (
     without_arguments,
 )
 
-_HANDING = ("reference_declarator", "pointer_declarator")
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 _USING = re.compile(rb"using\s+(namespace\s+)?(?:typename\s+)?(?:::\s*)?([\w:\s]+?)\s*;")
 _DEFAULT = re.compile(rb"[^=!<>]=\s*[^=\s][^;]*\)")
@@ -162,7 +162,7 @@ class Definitions:
         self._fields = fields
         self.add(body.named_children, out)
         self._leave(around)
-        line, arguments = node.start_point.row + 1, _base_arguments(node, lowered.source)
+        line, arguments = node.start_point.row + 1, base_arguments(node, lowered.source)
         lowered.classes[place] = Class(simple, qualified, line, bases, tuple(fields), own, arguments)
 
     def _field(self, node: Node, out: Statements) -> None:
@@ -215,7 +215,7 @@ class Definitions:
         outer = node.child_by_field_name("declarator")
         declarator = function_declarator(outer) if outer is not None else None
         body = node.child_by_field_name("body")
-        tried = _tried(node) if body is None else None
+        tried = tried_body(node) if body is None else None
         if outer is None or declarator is None or (body is None and tried is None):
             self._declared(node)
             return
@@ -238,7 +238,7 @@ class Definitions:
             for one in parameters:
                 if one.type[-1:] == "&" and one.name and "const" not in one.type:
                     sets += (one.name,)
-        hands = outer.type in _HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
+        hands = outer.type in HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
         local = not class_name and (self._hidden > 0 or self._is_static(node))
         function = Function(
             name, qualified, line, class_name, parameters, first, statements, templates,
@@ -353,7 +353,7 @@ class Definitions:
         inner = [child for child in node.named_children if child.start_byte not in left_out]
         written = self._lowered.text(node).partition(b"\n")[0]
         held = holds(written, self._lowered.version) if self._lowered.version else None
-        if held is True or self._is_guard(condition, inner):
+        if held is True or is_guard(condition, inner, self._lowered.source):
             self.add(inner, out)
         elif held is False:
             self.add(() if alternative is None else (alternative,), out)
@@ -367,23 +367,11 @@ class Definitions:
                 out.append(Branch(opaque(written), tuple(then), tuple(otherwise), node.start_point.row + 1))
         self._lowered.depth -= 1
 
-    def _is_guard(self, condition: Node | None, inner: list[Node]) -> bool:
-        first = next((child for child in inner if child.type != "comment"), None)
-        if condition is None or first is None or first.type != "preproc_def":
-            return False
-        name = first.child_by_field_name("name")
-        return name is not None and self._lowered.text(name) == self._lowered.text(condition).strip()
-
     def _friend(self, node: Node, out: Statements) -> None:
         self.add([child for child in node.named_children if child.type == "function_definition"], out)
 
     def _silent(self, node: Node, out: Statements) -> None:
         """Leave out what says nothing about the graph."""
-
-
-def _tried(definition: Node) -> Node | None:
-    """Return the body of a function that is a ``try`` as a whole."""
-    return next((one for one in definition.named_children if one.type == "try_statement"), None)
 
 
 def _table(kinds: dict[str, str]) -> dict[str, Callable[[Definitions, Node, Statements], None]]:
@@ -410,15 +398,3 @@ _HANDLERS = _table(
     }
 )
 _OUTSIDE = _table({"nested": "ERROR", "variable": "declaration", "field": "field_declaration"})
-
-
-def _base_arguments(node: Node, source: bytes) -> tuple[tuple[str, ...], ...]:
-    """Return the template arguments of each base of a class; empty where none has any."""
-    clause = next((child for child in node.named_children if child.type == "base_class_clause"), None)
-    if clause is None or b"<" not in source[clause.start_byte : clause.end_byte]:
-        return ()
-    bases = [one for one in clause.named_children if one.type in _BASES]
-    return tuple(name_and_templates(source[one.start_byte : one.end_byte])[1] for one in bases)
-
-
-_BASES = frozenset({"type_identifier", "qualified_identifier", "template_type"})

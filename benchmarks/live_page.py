@@ -96,7 +96,7 @@ class Robot:
 def robot_served(connections: int) -> None:
     """Serve until the input ends; each line of it is answered with what was used so far."""
     session = Session(load_reference([GivenText("large.yaml", REFERENCE)], BY_KEY), start=time.time() - 1)
-    page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic)
+    page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic, spent=time.thread_time)
     keeper = in_memory(session)
     page.remember(keeper.recall())
     robot, made, spent = Robot(connections), 0, 0.0

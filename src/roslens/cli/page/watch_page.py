@@ -55,7 +55,7 @@ class PageSource:
 
     def __init__(
         self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float],
-        handled: HandledAlerts | None = None,
+        handled: HandledAlerts | None = None, spent: Callable[[], float] | None = None,
     ) -> None:  # fmt: skip
         """Show what is called ``title``.
 
@@ -64,12 +64,14 @@ class PageSource:
             clock: writes times.
             live: whether more will come.
             steady: tells how long ago something was.
+            spent: tells how much of a processor was used, in seconds; by default what ``steady`` tells.
             handled: keeps what somebody notes of alerts; by default as long as the page lasts.
         """
         self._title = title
         self._clock = clock
         self._live = live
         self._steady = steady
+        self._spent = spent or steady
         self._picture = GraphPicture(shown_name)
         self._rows = RowList()
         self._drawn = -math.inf
@@ -155,7 +157,7 @@ class PageSource:
 
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
-        begun = self._steady()
+        begun, spent = self._steady(), self._spent()
         # Of what ended nothing newer will come.
         seen = self.sight.seen() if self._live else None
         looked = _look(session, now, topics_seen(seen, self._shown) if seen is not None else None)
@@ -166,7 +168,7 @@ class PageSource:
         self._shown = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
         self._made = self._steady()
-        self._took = self._made - begun
+        self._took = self._spent() - spent
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""

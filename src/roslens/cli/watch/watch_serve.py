@@ -75,7 +75,9 @@ def page_of(
 
     Its past is that of ``recall``, which somebody else keeps; without one the last hours are kept in memory.
     """
-    source = PageSource(title, clock=clock, live=True, steady=time.monotonic, handled=handled)
+    source = PageSource(
+        title, clock=clock, live=True, steady=time.monotonic, handled=handled, spent=time.thread_time
+    )  # fmt: skip
     keeper = None
     if recall is None:
         keeper = in_memory(session)

@@ -22,6 +22,8 @@ from roslens.model.verdict import State, Verdict
 
 ROUND_S = 10.0
 """In so many seconds every topic has its turn, whether or not somebody looks at it."""
+LEAST_LOOKS = 20
+"""A round takes at least so many looks: who looks seldom has no more to do at each."""
 _OF_TRAFFIC = (EntityKind.TOPIC, EntityKind.CONNECTION)
 
 
@@ -62,7 +64,7 @@ class Glances:
     def _in_turn(self, now: float) -> list[Topic]:
         """Return the next topics of the round, as many as fit the time since the last ones."""
         count = len(self._world.topics)
-        share = math.ceil(count * min(max(now - self._looked, 0.0) / ROUND_S, 1.0))
+        share = math.ceil(count * min(max(now - self._looked, 0.0) / ROUND_S, 1 / LEAST_LOOKS))
         self._looked = now
         if self._place >= count:
             self._place = 0

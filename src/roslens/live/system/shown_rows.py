@@ -6,6 +6,7 @@ from roslens.live.system.tree import SystemView
 from roslens.model.verdict import State
 
 _TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events", "/statistics"})
+_WRONG = tuple(state.value for state in reversed(State) if state.bad or state is State.UNKNOWN)
 _TO_NOBODY = " > ?"
 _ENDS = frozenset(
     {"get_parameters", "set_parameters", "set_parameters_atomically", "list_parameters", "describe_parameters",
@@ -30,8 +31,9 @@ def not_judged(whole: SystemView) -> int:
 
 def badge(part: SystemView) -> str:
     """Return what is wrong or unknown below a part: ``1 absent, 2 unknown below``; empty where nothing is."""
-    wrong = [state for state in reversed(State) if state.bad or state is State.UNKNOWN]
-    counts = [f"{part.below[state.value]} {state.value}" for state in wrong if part.below.get(state.value)]
+    if not part.below:
+        return ""
+    counts = [f"{part.below[state]} {state}" for state in _WRONG if part.below.get(state)]
     return f"{', '.join(counts)} below" if counts else ""
 
 

@@ -2,7 +2,7 @@
 
 import { enterParameters, parameters } from "../address.js";
 import { draw, figure, make } from "../dom.js";
-import { sortTable } from "../tables.js";
+import { sortTable, startTables } from "../tables.js";
 import { colourOf, tagCounts, wantedRules } from "./counts.js";
 import { curve } from "./curves.js";
 import { around, closeUp, dependentsOf, reducedEdges } from "./focus.js";
@@ -107,8 +107,20 @@ class GraphView extends Stage {
   }
 
   showTable(shown, remember = true) {
+    if (shown) this.unfoldTable();
     super.showTable(shown, remember);
     if (this.tableIsOld) this.fillTable();
+  }
+
+  /** A table of thousands of rows is text until somebody looks at it. */
+  unfoldTable() {
+    const folded = this.root.querySelector("#graph-table > noscript");
+    if (!folded) return;
+    const section = folded.parentElement;
+    // A page that was fetched is parsed as if there were no scripts.
+    if (folded.firstElementChild) folded.replaceWith(...folded.childNodes);
+    else section.innerHTML = folded.textContent;
+    startTables(section);
   }
 
   /** Thousands of rows are written when somebody looks at them. */

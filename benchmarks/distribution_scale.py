@@ -6,8 +6,10 @@
 
 Makes a workspace of packages in repositories of ten, each with the same few C++ and Python files under other names (or
 copies the one given, without its histories), and runs `roslens check` on it cold and again. Printed are seconds by the
-clock and of processors (children included), packages a second, the largest resident memory of one process, and for a
-cluster the share of the time in which its scheduler's process used a processor.
+clock and of processors (children included), packages a second, the largest resident memory of one process, and the load
+of the machine. Of a cluster also the seconds of processors of its scheduler and of its workers, how many times as fast
+the most workers are as the fewest (median of the rounds), and how many times as much two processes of this machine
+count together as one alone: more than that no engine gets of it.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ import argparse
 import os
 import resource
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -132,6 +135,7 @@ def main() -> None:
     arguments.add_argument(
         "--workers", type=int, action="append", default=[], help="of a cluster of Dask on this machine"
     )
+    arguments.add_argument("--rounds", type=int, default=1, help="of each number of workers")
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="roslens-scale-") as name:
         folder = Path(name)
@@ -146,15 +150,46 @@ def main() -> None:
             clean(folder / "ws")
             tell(engine, options.packages, *check(folder / "ws", "--engine", engine))
             tell(f"{engine}, again", options.packages, *check(folder / "ws", "--engine", engine))
-        for workers in options.workers:
-            clean(folder / "ws")
-            with cluster(folder, workers) as (address, pid):
-                before = processor_s(pid)
-                took, cpu = check(folder / "ws", "--engine", address)
-                share = (processor_s(pid) - before) / took
-            tell(f"Dask, {workers} workers", options.packages, took, cpu, f", scheduler {share:.0%} of a processor")
+        if options.workers:
+            clustered(folder, options)
         peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
         print(f"largest process: {peak:,.0f} MB")
+
+
+def workers_s(pid: int) -> float:
+    """Return the seconds of processors that the processes below one had."""
+    below = [
+        int(one) for task in Path(f"/proc/{pid}/task").iterdir() for one in (task / "children").read_text().split()
+    ]
+    return sum(processor_s(one) + workers_s(one) for one in below)
+
+
+COUNT = "import time\nend, n = time.monotonic() + 1.5, 0\nwhile time.monotonic() < end: n += 1\nprint(n)"
+
+
+def together(many: int) -> int:
+    """Return how far processes count in a second and a half, all together."""
+    counting = [subprocess.Popen([sys.executable, "-c", COUNT], stdout=subprocess.PIPE) for _ in range(many)]
+    return sum(int(one.communicate()[0]) for one in counting)
+
+
+def clustered(folder: Path, options: argparse.Namespace) -> None:
+    """Measure clusters of several sizes in turn, and print how they compare."""
+    took: dict[int, list[float]] = {workers: [] for workers in options.workers}
+    for workers in list(took) * options.rounds:
+        clean(folder / "ws")
+        with cluster(folder, workers) as (address, pid):
+            before, below = processor_s(pid), workers_s(pid)
+            seconds, cpu = check(folder / "ws", "--engine", address)
+            scheduler, working = processor_s(pid) - before, workers_s(pid) - below
+        took[workers].append(seconds)
+        more = f", scheduler {scheduler:.1f} s ({scheduler / seconds:.0%} of a processor), workers {working:.1f} s"
+        tell(f"Dask, {workers} workers", options.packages, seconds, cpu, more)
+    if len(took) > 1:
+        fewest, most = min(took), max(took)
+        ratio = statistics.median(one / other for one, other in zip(took[fewest], took[most], strict=True))
+        ceiling = statistics.median(together(2) / together(1) for _ in range(3))
+        print(f"{most} workers are {ratio:.2f} times as fast as {fewest}; two bare processes count {ceiling:.2f} times")
 
 
 def clean(root: Path) -> None:
@@ -164,7 +199,8 @@ def clean(root: Path) -> None:
 
 def tell(what: str, packages: int, took: float, cpu: float, more: str = "") -> None:
     """Print a row."""
-    print(f"{what:<24} {took:7.1f} s  {cpu:7.1f} s of processors  {packages / took:7.1f} packages/s{more}", flush=True)
+    speed = f"{took:7.1f} s  {cpu:7.1f} s of processors  {packages / took:7.1f} packages/s"
+    print(f"{what:<24} {speed}{more}, load {os.getloadavg()[0]:.1f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -32,8 +32,9 @@ WEIGHTS = ROOT / "src" / "roslens" / "source" / "study" / "role_weights.json"
 PENALTY = 1.0
 PRIOR = {
     "application_name": "application", "application_text": "application", "robot_application": "application",
-    "example": "application", "on_bringup": "application",
-    "device_access": "driver", "device_dependency": "driver", "device_name": "driver", "driver_name": "driver",
+    "task_include": "application", "example": "application", "on_bringup": "application",
+    "device_access": "driver", "device_include": "driver", "device_dependency": "driver",
+    "device_name": "driver", "driver_name": "driver",
     "driver_text": "driver", "robot_part": "driver", "robot_repository": "driver",
     "graph_asks": "application", "graph_commands": "application", "graph_measures": "driver", "graph_obeys": "driver",
     "general": "library", "headers": "library", "library_name": "library", "no_node": "library",
@@ -41,8 +42,12 @@ PRIOR = {
 """What a mark speaks for before any package is seen: the packages have few of some, and then this decides."""
 
 STRENGTH = 2.0
-STRONG = {"device_access": 4.0}
-"""What reaches a device is a driver by what the word means; of the 180 packages most drivers are of a robot by name."""
+STRONG = {
+    "device_access": 4.0, "device_include": 5.0,
+    "graph_asks": 3.0, "graph_commands": 3.0, "graph_measures": 3.0, "graph_obeys": 3.0,
+}  # fmt: skip
+"""What reaches a device is a driver by what the word means, also where sources do and nothing else says so; of the 180
+packages most drivers are of a robot by name. What nodes say was not recorded of them, and is weighed by its meaning."""
 
 Matrix = NDArray[np.float64]
 

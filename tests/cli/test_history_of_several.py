@@ -1,5 +1,6 @@
 """Past revisions of a workspace that holds several repositories: how they stood together."""
 
+import argparse
 import json
 import re
 from itertools import count
@@ -10,6 +11,8 @@ from process_metrics.small_repository import BEGIN_S, DAY_S, MANIFEST, SmallRepo
 
 from roslens.cli.main import main
 from roslens.cli.past.past_store import kept_past
+from roslens.cli.past.shown_past import shown_past
+from roslens.cli.workplace.workplace import open_store
 
 _NUMBERS = count()
 
@@ -104,6 +107,26 @@ def test_what_is_checked_now_is_the_last_point_where_it_differs(workspace, capsy
     (root / "one/a/new.cpp").write_text(function("f", 1))
     assert main(["check", str(root), *quiet]) == 0
     assert trend(capsys, root, "loc")["packages"]["a"] == [23, 23, 23, 4]
+
+
+def test_a_run_of_the_folder_above_is_no_point_of_a_repository(workspace, capsys):
+    root, one, _ = workspace
+    quiet = ["-q", "--jobs", "1", "--no-graph", "--fail-on", "never", "--format", "json", "-o", str(root / "r.json")]
+    assert main(["history", str(one.root), "--every", "1", "-q"]) == 0
+    (one.root / "a/new.cpp").write_text(function("f", 1))
+    assert main(["check", str(root), *quiet]) == 0
+    capsys.readouterr()
+    assert main(["trend", "loc", str(one.root), "--format", "json"]) == 0
+    said = capsys.readouterr()
+    found = json.loads(said.out)
+    assert (found["packages"], [event["kind"] for event in found["events"]]) == ({"a": [23, 23]}, ["release"])
+    with open_store(str(one.root)) as store:
+        options = argparse.Namespace(no_store=False, path=str(one.root))
+        with shown_past(options, store.view()) as past:
+            assert past is None
+    assert f'past revisions of "{one.root}" are not shown beside a run of "{root}"' in capsys.readouterr().err
+    assert main(["check", str(one.root), *quiet]) == 0
+    assert trend(capsys, one.root, "loc")["packages"] == {"a": [23, 23, 4]}
 
 
 def test_two_days_and_a_release_are_compared(workspace, capsys):

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import shlex
-import subprocess
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 import msgspec
 
+from process_metrics.git_commands import asked
+from process_metrics.git_packages import GitPackages, files_of
 from roslens.model.entity import EntityKind
 from roslens.model.process import RepositoryProcess
 from roslens.source.history.histories import histories_of, log_reader
@@ -62,52 +62,48 @@ def differences(folder: Path, *, most_files: int = 40) -> tuple[int, list[Differ
     found = process_of(folder)
     workspace = find_workspace([folder], WorkspaceSettings())
     paths = {one.package.id: one.package.path for one in workspace.packages if one.package.id in found.packages}
+    of_git = GitPackages(folder, paths)
     entities: list[tuple[EntityKind, str, list[str], Mapping[str, float]]] = [
         (EntityKind.REPOSITORY, ".", [], found.values)
     ]
-    for one, path in paths.items():
-        earlier = earlier_folders(folder, path)
-        # A folder that holds more than the package did is its own only until it was moved, which no command tells.
-        if not any(_holds(old, other) for old in earlier for other in paths.values()):
-            entities.append((EntityKind.PACKAGE, one, _pathspec(path, paths.values(), earlier), found.packages[one]))
+    if not of_git.moved:
+        # What stays in its folder is asked for by the commands that the pages name.
+        entities += [
+            (EntityKind.PACKAGE, one, _pathspec(path, paths.values()), found.packages[one])
+            for one, path in paths.items()
+        ]
     files = sorted(found.files, key=lambda path: -found.files[path]["revisions"])[:most_files]
     files = [path for path in files if not was_copied(folder, path)]
     entities += [(EntityKind.FILE, path, [f":(literal){path}"], found.files[path]) for path in files]
     compared, wrong = 0, []
+
+    def hold(entity: str, quantity: str, ours: float | None, gits: float) -> None:
+        nonlocal compared
+        compared += 1
+        same = ours is not None and (int(ours) == gits if quantity in DAYS else abs(ours - gits) < 1e-5)
+        if not same:
+            wrong.append(Difference(entity, quantity, ours, gits))
+
     for kind, name, pathspec, values in entities:
         for quantity, gits in _answers(folder, kind, pathspec, found):
-            compared += 1
-            ours = values.get(quantity)
-            same = ours is not None and (int(ours) == gits if quantity in DAYS else abs(ours - gits) < 1e-5)
-            if not same:
-                wrong.append(Difference(f"{kind.value}:{name}", quantity, ours, gits))
+            hold(f"{kind.value}:{name}", quantity, values.get(quantity), gits)
+    for name in paths if of_git.moved else ():
+        for quantity, gits in of_git.answers(name).items():
+            hold(f"package:{name}", quantity, found.packages[name].get(quantity), gits)
     for pair in found.coupled_files[:20]:
-        if was_copied(folder, pair.first) or was_copied(folder, pair.second):
-            continue
-        compared += 1
-        if (gits := _shared(folder, pair.first, pair.second)) != pair.shared:
-            wrong.append(Difference(f"file:{pair.first} with {pair.second}", "change_coupling", pair.shared, gits))
+        if not was_copied(folder, pair.first) and not was_copied(folder, pair.second):
+            gits = _shared(folder, pair.first, pair.second)
+            hold(f"file:{pair.first} with {pair.second}", change_coupling.QUANTITY.key, pair.shared, gits)
+    for pair in found.coupled_packages[:20]:
+        gits = of_git.shared(pair.first, pair.second, change_coupling.LARGEST_COMMIT)
+        hold(f"package:{pair.first} with {pair.second}", change_coupling.QUANTITY.key, pair.shared, gits)
     return compared, wrong
 
 
-def earlier_folders(folder: Path, path: str) -> list[str]:
-    """Return the folders that a package was in before, as git follows its manifest."""
-    manifest = shlex.quote("package.xml" if path == "." else f"{path}/package.xml")
-    said = asked(
-        folder,
-        f"git log --follow --topo-order --no-merges --diff-filter=R --name-status --format= HEAD -- {manifest}",
-    )
-    return [line.split("\t")[1].rpartition("/")[0] for line in said.splitlines()]
-
-
-def _holds(folder: str, other: str) -> bool:
-    return folder in ("", other) or other.startswith(f"{folder}/")
-
-
-def _pathspec(path: str, others: Sequence[str], earlier: Sequence[str] = ()) -> list[str]:
+def _pathspec(path: str, others: Iterable[str]) -> list[str]:
     below = "" if path == "." else f"{path}/"
     inner = [other for other in others if other != path and other.startswith(below)]
-    return [path, *earlier, *(f":(exclude){other}" for other in inner)]
+    return [path, *(f":(exclude){other}" for other in inner)]
 
 
 def _answers(
@@ -135,11 +131,7 @@ def _shared(folder: Path, first: str, second: str) -> int:
     """Return how many commits change both, of those that are no merge and change few enough files."""
     form = "git log --follow --topo-order --no-merges --format=%H HEAD -- {} | sort"
     both = asked(folder, f"comm -12 <({form.format(shlex.quote(first))}) <({form.format(shlex.quote(second))})").split()
-    sizes = (
-        asked(folder, f"git diff-tree --root --no-commit-id --no-renames --name-only -r {commit} | wc -l")
-        for commit in both
-    )
-    return sum(int(size) <= change_coupling.LARGEST_COMMIT for size in sizes)
+    return sum(files_of(folder, commit) <= change_coupling.LARGEST_COMMIT for commit in both)
 
 
 def was_copied(folder: Path, path: str) -> bool:
@@ -148,13 +140,3 @@ def was_copied(folder: Path, path: str) -> bool:
         folder, f"git log --follow --topo-order --no-merges --name-status --format= HEAD -- {shlex.quote(path)}"
     )
     return any(line.startswith("C") for line in said.splitlines())
-
-
-def asked(folder: Path, command: str) -> str:
-    """Return what a command of the shell writes in a folder."""
-    environment = {**os.environ, "GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_NOSYSTEM": "1", "LC_ALL": "C"}
-    environment |= {"GIT_CONFIG_COUNT": "1", "GIT_CONFIG_KEY_0": "safe.directory", "GIT_CONFIG_VALUE_0": "*"}
-    done = subprocess.run(
-        ["bash", "-c", command], cwd=folder, capture_output=True, text=True, check=False, env=environment, timeout=300
-    )
-    return done.stdout.strip()

@@ -14,11 +14,27 @@ from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
 
 
+class TellingInclude(msgspec.Struct, frozen=True, array_like=True):
+    """What a source includes or imports that tells what its package is for.
+
+    Attributes:
+        kind: ``devices`` or ``tasks``.
+        name: of the header or module.
+        path: of the first file that has it.
+        line: in that file.
+    """
+
+    kind: str
+    name: str
+    path: str
+    line: int
+
+
 class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything known of one package; the unit that runs share when nothing in it changed.
 
     ``entities`` holds the package itself first, then its files, classes and functions; ``set_aside`` the findings that
-    do not count because somebody said so.
+    do not count because somebody said so; ``includes`` what sources include that tells the package's role.
     """
 
     package: Package
@@ -27,6 +43,7 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
     findings: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
     set_aside: tuple[SetAside, ...] = ()
+    includes: tuple[TellingInclude, ...] = ()
 
 
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -53,7 +70,7 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
 
     ``values`` are the package's own and folded quantities by key. ``languages`` maps a language to
     its number of files. ``limits`` counts, by rule, the limits of quality models that are reasons of a finding
-    which stands for several, where it counts for gates.
+    which stands for several, where it counts for gates. ``includes`` are those of the result.
     """
 
     id: str
@@ -74,6 +91,7 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
     languages: dict[str, int] = {}
     roles: dict[str, int] = {}
     limits: dict[str, int] = {}
+    includes: tuple[TellingInclude, ...] = ()
 
 
 class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):

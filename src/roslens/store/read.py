@@ -151,10 +151,10 @@ class RunView:
             return msgspec.structs.replace(result, findings=(*result.findings, *shares)) if shares else result
 
     def outline(self, package: str) -> PackageResult | None:
-        """Return the package with this id, its files and the names of its entities; no values, findings or failures."""
+        """Return the package with this id, its files, includes and entities without values; no findings or failures."""
         with self._run.reading() as connection:
             found = connection.execute(
-                "SELECT unit.id, unit.manifest FROM run_unit JOIN unit ON unit.id = run_unit.unit "
+                "SELECT unit.id, unit.manifest, unit.summary FROM run_unit JOIN unit ON unit.id = run_unit.unit "
                 "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> '' AND unit.manifest IS NOT NULL",
                 (self.id, package),
             ).fetchone()
@@ -164,6 +164,7 @@ class RunView:
                 rows.to_package(found[1]),
                 tuple(map(rows.to_file, _of_unit(connection, rows.FILE, "file", found[0]))),
                 tuple(rows.to_entity(row, {}) for row in _of_unit(connection, rows.ENTITY, "entity", found[0])),
+                includes=rows.to_summary(found[2]).includes,
             )
 
     def files(self, *, package: str | None = None, path: str | None = None) -> Iterator[tuple[str, SourceFile]]:
@@ -356,10 +357,10 @@ class RunView:
 
 def read_unit(connection: sqlite3.Connection, unit: int, package_values: PackageValues | None = None) -> PackageResult:
     """Return the package's result that the unit holds; its own entity gets its ``package_values`` too."""
-    manifest = rows.to_package(connection.execute("SELECT manifest FROM unit WHERE id = ?", (unit,)).fetchone()[0])
+    manifest, summary = connection.execute("SELECT manifest, summary FROM unit WHERE id = ?", (unit,)).fetchone()
     columns = columns_of(connection, unit)
     return PackageResult(
-        package=manifest,
+        package=rows.to_package(manifest),
         files=tuple(map(rows.to_file, _of_unit(connection, rows.FILE, "file", unit))),
         entities=tuple(
             rows.to_entity(row[1:], with_package_values(row[1], columns.values(row[2], row[0]), package_values or {}))
@@ -368,6 +369,7 @@ def read_unit(connection: sqlite3.Connection, unit: int, package_values: Package
         findings=_unit_findings(connection, unit),
         failures=_unit_failures(connection, unit),
         set_aside=_unit_set_aside(connection, unit),
+        includes=rows.to_summary(summary).includes,
     )
 
 

@@ -48,6 +48,7 @@ def summarise(result: PackageResult) -> PackageSummary:
         languages=dict(sorted(Counter(file.language.value for file in result.files).items())),
         roles=dict(sorted(Counter(file.role.value for file in result.files).items())),
         limits=dict(sorted(_limits(result.findings).items())),
+        includes=result.includes,
     )
 
 

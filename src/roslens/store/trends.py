@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timezone
 from functools import cached_property
+from pathlib import PurePath
 from statistics import median
 
 import msgspec
@@ -43,6 +44,7 @@ class Trends:
     """The runs of past revisions and of today, and what they say of a quantity.
 
     Everything is read once: summaries of packages are shared by the runs in which a package did not change.
+    ``other_root`` is the workspace of a run that was left out because it is another one's; empty for none.
     """
 
     def __init__(self, past: Store, now: RunView | None = None, behind: IsBehind | None = None) -> None:
@@ -50,15 +52,20 @@ class Trends:
 
         Args:
             past: the store of past revisions.
-            now: the newest run of the tree; None for none.
+            now: the newest run of the tree; None for none. One of a larger or a smaller workspace is left out: all its
+                paths are others.
             behind: whether commits are behind the heads of today: others were on another branch, or a forced push took
                 them away, and are left out, as are those of other repositories than the newest was made of; None where
                 that is not known.
         """
         self._past = past
-        self._now = now
         kept = past.revisions()
         newest = max(kept, key=lambda one: one.run, default=None)
+        self.other_root = ""
+        if now is not None and newest is not None and _of_another(now.header, past.view(newest.run).header, newest):
+            self.other_root = now.header.root
+            now = None
+        self._now = now
         self._revisions = tuple(
             one for one in kept if _places(one) == _places(newest or one) and (behind is None or behind(_commits(one)))
         )
@@ -150,9 +157,7 @@ class Trends:
                 found.append(TrendEvent(place, "release", release.name))
         for place in range(1, len(headers)):
             found += _changes(place, headers[place - 1], headers[place])
-            # Of a run of a larger workspace all paths are other, and nothing moved.
-            if headers[place - 1].root == headers[place].root:
-                found += _moves(place, self._packages[place - 1], self._packages[place])
+            found += _moves(place, self._packages[place - 1], self._packages[place])
         return tuple(sorted(found, key=lambda one: (one.point, one.kind)))
 
     def load(self) -> Trends:
@@ -222,6 +227,18 @@ def _commits(revision: KeptRevision) -> Commits:
 
 def _places(revision: KeptRevision) -> list[str]:
     return [place for place, _ in _commits(revision)]
+
+
+def _of_another(now: RunHeader, past: RunHeader, revision: KeptRevision) -> bool:
+    """Return whether a run is of a folder above or below that of past revisions, and so of other paths.
+
+    Machines that share a store may have the same workspace in different folders: that roots differ says nothing.
+    """
+    roots = PurePath(now.root), PurePath(past.root)
+    if roots[0] != roots[1] and (roots[0].is_relative_to(roots[1]) or roots[1].is_relative_to(roots[0])):
+        return True
+    places = [place for place, _ in now.commits]
+    return bool(places) and (places == ["."]) != (_places(revision) == ["."])
 
 
 def _is_of(header: RunHeader, revision: KeptRevision) -> bool:

@@ -1,6 +1,7 @@
 """Work on a cluster of Dask, which is two processes of this machine."""
 
 import os
+import socket
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -9,7 +10,7 @@ import pytest
 
 from roslens.children.safe_path import safe_environment
 from roslens.model.errors import UsageError
-from roslens.source.engines.dask_engine import DaskEngine
+from roslens.source.engines.dask_engine import DaskEngine, _reaches_workers, _Standing
 from roslens.source.engines.executor import InProcess, ProcessPool, executor_for
 from roslens.source.engines.task_limits import TaskLimits
 
@@ -113,6 +114,46 @@ def test_what_a_lost_cluster_leaves_is_done_here(tmp_path):
 def test_a_scheduler_that_is_not_there():
     with pytest.raises(UsageError, match="cannot be reached"):
         list(engine("tcp://127.0.0.1:9", connect_s=0.2).run(int, ["1"]))
+
+
+def test_results_come_straight_from_workers_that_can_be_reached():
+    class Client:
+        def __init__(self, *addresses):
+            self.addresses = addresses
+
+        def nthreads(self):
+            return dict.fromkeys(self.addresses, 1)
+
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        there = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        assert _reaches_workers(Client(there))
+        assert not _reaches_workers(Client(there, "inproc://10.0.0.1/1/2"))
+    assert not _reaches_workers(Client(there))
+
+
+def test_a_cluster_is_asked_now_and_then_or_when_something_was_lost():
+    class Client:
+        status = "running"
+        asked = 0
+
+        def nthreads(self):
+            self.asked += 1
+            return {"a": 2} if self.asked < 3 else {}
+
+    now = [0.0]
+    client = Client()
+    standing = _Standing(client, lambda: now[0])
+    standing.look(at_once=False)
+    assert (standing.threads, client.asked) == (2, 1)
+    now[0] = 5.0
+    standing.look(at_once=False)
+    assert (standing.threads, client.asked, standing.absent_s) == (2, 2, 0)
+    now[0] = 6.0
+    standing.look(at_once=True)
+    assert (standing.threads, client.asked, standing.absent_s) == (0, 3, 1.0)
+    now[0] = 6.5
+    standing.look(at_once=False)
+    assert (client.asked, standing.absent_s) == (4, 1.5)
 
 
 def test_no_engine_of_that_name():

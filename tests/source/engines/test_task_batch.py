@@ -13,6 +13,17 @@ def test_the_last_batches_are_small():
     assert len(sizes) < 4000 / 10
 
 
+def test_the_first_and_largest_tasks_go_alone():
+    sizes, begun = [], 0
+    while begun < 4000:
+        sizes.append(batch_size(4000 - begun, 2, begun))
+        begun += sizes[-1]
+    assert sizes[:4] == [1] * 4
+    assert sizes[:40] == sorted(sizes[:40])
+    assert max(sizes) == MOST
+    assert len(sizes) < 4000 / 10
+
+
 def test_few_tasks_are_a_batch_each():
     assert batch_size(23, 2) == 1
     assert batch_size(5, 0) == 1

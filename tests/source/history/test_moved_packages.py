@@ -37,6 +37,7 @@ def test_who_has_the_folder_now_got_it_later(made):
     made.commit("anew", day=3, arm__b_DOT_py="x = 1\ny = 2\n")
     found = process_of(made.root)
     assert {name: values["revisions"] for name, values in found.packages.items()} == {"arm": 3, "new_arm": 1}
+    assert differences(made.root)[1] == []
 
 
 def test_from_the_top_into_a_folder(tmp_path):
@@ -51,6 +52,7 @@ def test_from_the_top_into_a_folder(tmp_path):
     made.commit("of all", day=3, README="x\ny\n")
     found = process_of(made.root)
     assert {name: values["revisions"] for name, values in found.packages.items()} == {"arm": 3, "base": 1}
+    assert differences(made.root)[1] == []
 
 
 def test_a_manifest_alone_that_is_much_alike_is_no_move(made):
@@ -58,6 +60,7 @@ def test_a_manifest_alone_that_is_much_alike_is_no_move(made):
     made.write("leg/package.xml", MANIFEST.format("leg"))
     made.commit("another one", day=2, leg__walk_DOT_py="def walk():\n    return 1\n" * 9)
     assert process_of(made.root).packages["leg"]["revisions"] == 1
+    assert differences(made.root)[1] == []
 
 
 def test_a_package_without_other_files_is_followed_where_its_folder_keeps_its_name(tmp_path):
@@ -66,6 +69,7 @@ def test_a_package_without_other_files_is_followed_where_its_folder_keeps_its_na
     made.commit("first", day=0)
     move(made, "robot", "meta/robot", 1)
     assert process_of(made.root).packages["robot"]["revisions"] == 2
+    assert differences(made.root)[1] == []
 
 
 def test_packages_that_were_moved_change_together_with_others(made):
@@ -78,3 +82,4 @@ def test_packages_that_were_moved_change_together_with_others(made):
     move(made, "arm", "stack/arm", 9)
     (pair,) = process_of(made.root).coupled_packages
     assert (pair.first, pair.second, pair.shared) == ("arm", "base", 6)
+    assert differences(made.root)[1] == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 @contextmanager
 def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | None]:
     """Yield the past revisions of the workspace that a run is of; None where none were analysed.
+
+    Where those are of a folder above or below that of the run, it is said on standard error that they are not shown.
 
     Raises:
         RoslensError: they cannot be read, or somebody else may have made them.
@@ -34,6 +37,11 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
     with kept.open() as store:
         settings = find_configuration(kept.root, None).source.workspace
         trends = Trends(store, view, behind_heads(kept.root, settings)).load()
+        if trends.other_root:
+            told = f'past revisions of "{kept.root}" are not shown beside a run of "{trends.other_root}"'
+            print(f"roslens: {told}; `roslens check {kept.root}` makes one that they are shown beside", file=sys.stderr)
+            yield None
+            return
         yield Past(trends, _renamed_in(view.header.root)) if len(trends.points) > 1 else None
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import concurrent.futures
 import os
+import socket
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -32,6 +33,9 @@ _CANCELLED = (asyncio.CancelledError, concurrent.futures.CancelledError)
 
 _LOOK_S = 2.0
 """How often it is looked whether the cluster is still there."""
+
+_REACH_S = 2.0
+"""Within which a worker is connected to, or results come by the scheduler."""
 
 
 class DaskEngine:
@@ -84,6 +88,8 @@ class DaskEngine:
         under_way: dict[Any, list[Task]] = {}
         try:
             _check(client, self._folder)
+            # Results that the scheduler hands on cost it more than all else that it does.
+            client.direct_to_workers = _reaches_workers(client)
             yield from self._on_cluster(client, function, left, under_way)
         finally:
             # A scheduler that is gone is not waited for.
@@ -104,13 +110,14 @@ class DaskEngine:
     ) -> Iterator[tuple[Task, Result | BaseException]]:
         """Run until nothing is left, or the cluster is: what it did not finish stays in ``left`` and ``under_way``."""
         wait = _library().wait
-        threads = _threads(client)
+        standing = _Standing(client, self._clock)
+        begun = 0
         alone: set[int] = set()
-        seen = self._clock()
         while left or under_way:
-            while left and len(under_way) < max(1, threads) * (1 + _AHEAD):
+            while left and len(under_way) < max(1, standing.threads) * (1 + _AHEAD):
                 # A batch that could not be read goes on in single tasks.
-                many = 1 if id(left[-1]) in alone else batch_size(len(left), threads)
+                many = 1 if id(left[-1]) in alone else batch_size(len(left), standing.threads, begun)
+                begun += many
                 batch = left[: -many - 1 : -1]
                 future = client.submit(run_batch, function, self._limits, batch, pure=False)
                 del left[-many:]
@@ -134,11 +141,33 @@ class DaskEngine:
                         left.extend(reversed(batch))
                 elif future.status in ("cancelled", "lost"):
                     left.extend(reversed(under_way.pop(future)))
-            threads = _threads(client)
-            if threads:
-                seen = self._clock()
-            elif self._clock() - seen > self._patience_s:
+            standing.look(at_once=any(future.status in ("cancelled", "lost") for future in finished))
+            if standing.absent_s > self._patience_s:
                 return
+
+
+class _Standing:
+    """How many threads the cluster has; asking after each batch would cost the scheduler as much as the batch."""
+
+    def __init__(self, client: Any, clock: Callable[[], float]) -> None:
+        self._client = client
+        self._clock = clock
+        self._looked = self._seen = clock()
+        self.threads = _threads(client)
+
+    @property
+    def absent_s(self) -> float:
+        """Seconds since it had any, as of the last look."""
+        return self._looked - self._seen
+
+    def look(self, *, at_once: bool) -> None:
+        """Ask for them, where the last answer is old, was none, or something was lost."""
+        now = self._clock()
+        if self.threads and not at_once and now - self._looked < _LOOK_S:
+            return
+        self.threads, self._looked = _threads(self._client), now
+        if self.threads:
+            self._seen = now
 
 
 def _outcome(future: Any) -> Any:
@@ -161,6 +190,18 @@ def _threads(client: Any) -> int:
         return sum(client.nthreads().values())
     except Exception:  # noqa: BLE001 - a scheduler that is gone fails in many ways
         return 0
+
+
+def _reaches_workers(client: Any) -> bool:
+    """Return whether this process can connect to all workers; firewalls and networks of containers may prevent it."""
+    try:
+        for address in client.nthreads():
+            host, _, port = address.partition("://")[2].rpartition(":")
+            with socket.create_connection((host.strip("[]"), int(port)), timeout=_REACH_S):
+                pass
+    except (OSError, ValueError):
+        return False
+    return True
 
 
 def _library() -> Any:

@@ -18,9 +18,18 @@ _ROUNDS = 12
 threads end together."""
 
 
-def batch_size(left: int, threads: int) -> int:
-    """Return how many of the tasks that are left go into the next batch; at least 1."""
-    return max(1, min(MOST, left // (_ROUNDS * max(1, threads))))
+def batch_size(left: int, threads: int, begun: int = MOST * _ROUNDS) -> int:
+    """Return how many tasks go into the next batch; at least 1.
+
+    Tasks come largest first: the first ones go alone, so that one thread does not get all the large ones.
+
+    Args:
+        left: tasks that are in no batch yet.
+        threads: of the cluster.
+        begun: tasks that are in one.
+    """
+    threads = max(1, threads)
+    return max(1, min(MOST, left // (_ROUNDS * threads), 1 + begun // (2 * threads)))
 
 
 def run_batch(

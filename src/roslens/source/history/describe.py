@@ -41,13 +41,17 @@ integration mostly has one commit of it.
 - Names of people are compared and not kept: neither reports nor what roslens stores has any.
 
 Each metric has the **command** of git that answers the same, for a repository, and for a file or package as `PATH`
-(of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each; of one that was moved, also the
-folders before, which `git log --follow --name-status -- PATH/package.xml` tells). `tests/process_metrics` holds all
-of them against git:
+(of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each; in a repository where packages were
+moved, for each stretch of commits between two moves with the folders of that time, as
+`tests/process_metrics/git_packages.py` asks git). `tests/process_metrics` holds all of them against git:
 
 ```sh
 PYTHONPATH=tests python -m process_metrics FOLDER...   # clones with all commits; ends with 1 where one differs
 ```
+
+Of ros/diagnostics, ros/ros_tutorials, ros2/demos, yujinrobot/kobuki and yujinrobot/yujin_ocs, with 3,940 commits and 60
+packages, nine of which were moved, all 1,529 answers are git's (2026-11-23): of the repositories, all packages, the 40
+files with most commits, and pairs that change together.
 
 """
 

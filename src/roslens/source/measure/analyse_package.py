@@ -14,10 +14,12 @@ from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budg
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.result import TellingInclude
 from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
+from roslens.source.measure.telling_includes import telling_includes
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.hit import Hit
@@ -47,6 +49,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     analyses: dict[str, bytes]
     findings: tuple[Finding, ...] = ()
     in_part: bool = False
+    includes: tuple[TellingInclude, ...] = ()
 
 
 def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -> MeasuredPackage:
@@ -127,7 +130,14 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
     findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
     return MeasuredPackage(
-        task.package.id, entities, tuple(failures), suppressions, new, findings, in_part=bool(task.left_out)
+        task.package.id,
+        entities,
+        tuple(failures),
+        suppressions,
+        new,
+        findings,
+        in_part=bool(task.left_out),
+        includes=telling_includes(((file, facts) for file, facts, _ in measured), own=(task.package.name,)),
     )
 
 

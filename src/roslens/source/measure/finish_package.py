@@ -98,6 +98,7 @@ class Finisher:
             findings=(*shown, *laid_out.kept),
             failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
             set_aside=(*sorted_out.set_aside, *folded.set_aside, *laid_out.set_aside),
+            includes=measured.includes,
         )
 
 

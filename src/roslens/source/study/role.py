@@ -78,7 +78,7 @@ def facts_of(result: PackageResult, spoken: Spoken | None = None) -> RoleFacts:
     """
     nodes = any(one.kind is EntityKind.FUNCTION and one.name.partition("(")[0] == "main" for one in result.entities)
     repository = result.package.repository.rpartition("/")[2]
-    return RoleFacts(result.package, result.files, repository, nodes, spoken)
+    return RoleFacts(result.package, result.files, repository, nodes, spoken, result.includes)
 
 
 class RolesInRuns:

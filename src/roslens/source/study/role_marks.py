@@ -8,6 +8,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.model.result import TellingInclude
 from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.study.role_graph import Spoken, marks_of_graph
 
@@ -29,6 +30,7 @@ class RoleFacts(msgspec.Struct, frozen=True):
         repository: last part of the repository's path.
         nodes: whether it has a ``main``.
         spoken: what its nodes say to others; None where the run has no computation graph with them.
+        includes: what its sources include or import that tells its role.
     """
 
     package: Package
@@ -36,6 +38,7 @@ class RoleFacts(msgspec.Struct, frozen=True):
     repository: str
     nodes: bool
     spoken: Spoken | None = None
+    includes: tuple[TellingInclude, ...] = ()
 
 
 class Words(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -73,7 +76,8 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
     headers = sum("/include/" in f"/{file.path}" for file in own if file.language in (Language.C, Language.CPP))
     access = min(needs & known.device_access, default="")
     said = marks_of_graph(facts.spoken)
-    general = not (robot or application or device or drives or access or said)
+    written = {kind: _written(facts.includes, kind) for kind in ("devices", "tasks")}
+    general = not (robot or application or device or drives or access or said or written["devices"])
     found = {
         "application_name": f'"{application}" in its name or repository' if application else "",
         "application_text": _application_text(application, text),
@@ -81,6 +85,8 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
         "robot_repository": _quoted(_first(repository, known.robot_repositories), "in its repository's name"),
         "device_dependency": _quoted(min(needs & known.device_dependencies, default=""), "among its dependencies"),
         "device_access": f'reaches a device through "{access}"' if access else "",
+        "device_include": written["devices"],
+        "task_include": written["tasks"],
         "device_name": _quoted(device, "in its name"),
         "robot_part": f'made for "{robot}", and no application' if robot and not application else "",
         "robot_application": f'an application for "{robot}"' if robot and application else "",
@@ -116,6 +122,11 @@ def counts_of(facts: RoleFacts) -> dict[str, int]:
     """Return how many files of interfaces, of robot descriptions and of launches a package has."""
     kinds = {"interfaces": _INTERFACES, "descriptions": {Language.URDF, Language.XACRO}, "launches": _LAUNCH}
     return {name: sum(file.language in languages for file in facts.files) for name, languages in kinds.items()}
+
+
+def _written(includes: tuple[TellingInclude, ...], kind: str) -> str:
+    does = {"devices": "reaches a device through", "tasks": "has a robot do something through"}[kind]
+    return next((f'{does} "{one.name}", {one.path}:{one.line}' for one in includes if one.kind == kind), "")
 
 
 def _application_text(name: str, text: str) -> str:

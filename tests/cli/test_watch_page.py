@@ -13,6 +13,7 @@ from urllib.request import ProxyHandler, build_opener
 import pytest
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
 
+from roslens.cli.page.row_list import RECORDED, RowList
 from roslens.cli.page.watch_graph import MOST_DRAWN, GraphPicture
 from roslens.cli.page.watch_page import PageSource
 from roslens.cli.page.watch_screen import value_text
@@ -343,3 +344,11 @@ def test_a_running_system_is_served_while_it_is_watched(tmp_path):
             )
         watch.send_signal(signal.SIGINT)
         assert watch.wait(20) in {0, 3}
+
+
+def test_what_was_recorded_misses_no_host():
+    robot = ScriptedRobot(dict.fromkeys(("/a", "/b"), ""), [("/a", "/t", ("/b",), 10, 1)])
+    view = robot.session.tree(robot.now)
+    rows = RowList()
+    names = [next(one.name for one in rows.of(view, live=live) if one.kind == "host") for live in (True, False, True)]
+    assert names == ["(host unknown)", RECORDED, "(host unknown)"]

@@ -51,7 +51,7 @@ def document(
     Rows of what did not change since ``row_list`` made the ones before are the same again. The picture is ``drawn``
     where that is given, because nobody sees it.
     """
-    rows = (row_list or RowList()).of(view)
+    rows = (row_list or RowList()).of(view, live=live)
     known = set[str]().union(*map(_SHOWN, rows))
     return Snapshot(
         version=VERSION,

@@ -6,6 +6,8 @@ import math
 from functools import lru_cache
 from hashlib import blake2b
 
+import msgspec
+
 from roslens.cli.page.half_lines import encodable, ends_of
 from roslens.cli.page.watch_screen import nameless, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, Row
@@ -21,6 +23,8 @@ COLUMNS = (
     ("cpu", "CPU"),
     ("memory", "Memory"),
 )
+RECORDED = "all nodes (a recording names no hosts)"
+"""In place of a host, above what was recorded."""
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
 _SPARE = 1000
@@ -32,9 +36,13 @@ class RowList:
 
     def __init__(self) -> None:
         self._kept: dict[str, tuple[SystemView, Row | None, tuple[Row, ...]]] = {}
+        self._live = True
 
-    def of(self, whole: SystemView) -> tuple[Row, ...]:
-        """Return the rows of everything below the whole, in order."""
+    def of(self, whole: SystemView, *, live: bool = True) -> tuple[Row, ...]:
+        """Return the rows of everything below the whole, in order; where nothing is live, hosts are not missing."""
+        if live is not self._live:
+            self._live = live
+            self._kept.clear()
         rows: list[Row] = []
         for part in whole.children:
             rows += self._below(part, 0, "")
@@ -51,6 +59,8 @@ class RowList:
         row = None
         if is_shown(part):
             row = _row(part, depth, key)
+            if part.kind == "host" and not part.name and not self._live:
+                row = msgspec.structs.replace(row, name=RECORDED)
             if kept is not None and kept[1] == row:
                 row = kept[1]
             found.append(row)

@@ -38,7 +38,8 @@ def heat_map(study: Study) -> HeatMap:
         doubtful = one.spearman.adjusted >= 0.05
         label = f"{titles[0]} and {titles[1]}: {value:.2f} ({one.spearman.low:.2f} to {one.spearman.high:.2f})"
         label += ", may be chance" if doubtful else ""
-        written = f"{value:+.1f}".replace("0.", ".")
+        # What rounds to nothing has no direction.
+        written = (f"{value:+.1f}" if abs(value) >= 0.05 else "0").replace("0.", ".")
         row, column = sorted((place[one.one], place[one.other]), reverse=True)
         tiles.append(Tile(row, column, min(4, int(abs(value) * 5)), value >= 0, doubtful, written, label))
     return HeatMap(tuple(column.title for column in columns), tuple(tiles))

@@ -6,7 +6,7 @@ import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
-from roslens.live.system.world import FORGET_GONE_S, SURPLUS_S
+from roslens.live.system.world import FORGET_GONE_S, MOST_SURPLUS, SURPLUS_S
 from roslens.live.window.newest import MOST_GONE, keep_newest
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -70,7 +70,7 @@ def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(re
     session.look(many + 1.0)
     tools = {topic for topic, _, _ in world.connections if topic.startswith("/tool_")}
     assert f"/tool_{many - 1}" in tools
-    assert len(tools) <= MOST_GONE + SURPLUS_S + SWEEP_S + 1
+    assert len(tools) <= MOST_SURPLUS + SURPLUS_S + SWEEP_S + 1
     assert "/expected" in {topic for topic, _, _ in world.connections}
     assert len(session.monitor._presences.existing) <= 3 * (len(tools) + 1)
 
@@ -85,7 +85,9 @@ def test_topics_whose_connections_are_remembered_count_among_what_is_gone():
         tallies = [Tally(name, name, "", now - 0.15, now, 1, 100, now, now, once)]
         session.take([Frame(VERSION, "base/ros2", number, now, tallies, [], [], graph)])
         session.look(now)
-    remembered = [name for name in session.monitor.world.topics if name.startswith("/tool_")]
+    world = session.monitor.world
+    assert len(world.connections) <= MOST_SURPLUS + SURPLUS_S + SWEEP_S + 1
+    remembered = [name for name in world.topics if name.startswith("/tool_")]
     assert len(remembered) <= max(MOST_GONE, FORGET_GONE_S) + 2 * SWEEP_S + 1
 
 

@@ -26,7 +26,11 @@ FORGET_GONE_S = 300.0
 FORGET_QUIET_S = 3600.0
 """After which a silent connection is forgotten of which no graph says that it is gone."""
 SURPLUS_S = 60.0
-"""After which a silent connection that no graph had, and that nobody judges, may give its place to newer ones."""
+"""After which a silent connection that nobody judges, and that is gone or was in no graph, may give its place to newer
+ones."""
+MOST_SURPLUS = 100
+"""Such connections that are kept for longer. Each has windows and lines of its own, some 10 kB: those of tools that
+come and go every second would be the most of what a monitor keeps."""
 
 _COMING_AND_GOING = (EntityKind.NODE, EntityKind.SERVICE)
 
@@ -132,17 +136,17 @@ class World:
     def outdated(self, now: float) -> list[Connection]:
         """Return the connections that are gone, or silent without a graph that knows them, for long.
 
-        Of the silent ones that nobody judges the newest are kept: a tool that ends at once is in no graph that could
-        say that it has gone.
+        Of the silent ones that nobody judges only the newest are kept for so long: a tool that comes for a moment
+        leaves several, and one that ends at once is in no graph that could say that it has gone.
         """
         silent = [
             (now - since, one) for one in self.connections.values() if (since := self._silent_since(one)) is not None
         ]
-        unknown = sorted(
-            ((long, one) for long, one in silent if not (one.gone or self._matters(one)) and long > SURPLUS_S),
+        unjudged = sorted(
+            ((long, one) for long, one in silent if long > SURPLUS_S and not self._matters(one)),
             key=lambda found: found[0],
         )
-        surplus = {id(one) for _, one in unknown[MOST_GONE:]}
+        surplus = {id(one) for _, one in unjudged[MOST_SURPLUS:]}
         return [
             one for long, one in silent if long > (FORGET_GONE_S if one.gone else FORGET_QUIET_S) or id(one) in surplus
         ]

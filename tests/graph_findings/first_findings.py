@@ -53,8 +53,8 @@ def section(shown: dict[str, Shown]) -> Iterator[str]:
         "What `roslens check` shows of some repositories first, ten rows at most, read as maintainers would. A row",
         "is a rule with its worst example; a limit of metrics has one only where it is exceeded sixteen times, all",
         "others are counted in one line. The order was made with the first three; the next three were read once it was",
-        "settled. The last five are named nowhere else, and were read once what changed lately was weighed: what was",
-        "not worth acting on there was mended after.",
+        "settled. The last eight are named nowhere else: five were read once what changed lately was weighed, three",
+        "after the ninth table. What was not worth acting on there was mended after.",
         "",
     )
     for name, one in shown.items():

@@ -11,7 +11,8 @@ _NODE = re.compile(r"^[A-Za-z_][A-Za-z0-9_]*$")
 def topic_fault(name: str, *, ros1: bool) -> str:
     """Return why ROS refuses the name of a topic or service, empty where it takes it."""
     if not name:
-        return "is empty"
+        # roscpp takes the namespace of the handle then, as `image_transport` does with the topic that it was given.
+        return "" if ros1 else "is empty"
     plain = re.sub(r"\{\w*\}", "x", name)
     strange = sorted({one for one in plain if not _ALLOWED.match(one)})
     if strange:

@@ -71,7 +71,7 @@ while not rospy.is_shutdown():
 """
 
 
-def end(process):
+def stop(process):
     """End a process, which is asked to first: a node of rclpy does not always go when asked after half an hour."""
     process.terminate()
     with contextlib.suppress(subprocess.TimeoutExpired):
@@ -121,7 +121,7 @@ def processes(tmp_path):
 
         def start(words, variables, **more):
             one = stack.enter_context(subprocess.Popen(words, env=variables, **{**quiet, **more}))
-            stack.callback(end, one)
+            stack.callback(stop, one)
             return one
 
         watch = [*tool, "watch", "--ros2", "--python", WHEELS, "--listen", f"127.0.0.1:{port}", "--key-file", key]

@@ -99,6 +99,10 @@ Nodes that go together with all others of their host, within 10 s, are unknown a
 ended them, and starting each of them again would be wrong. What an observer watches stays unknown until 3 s after it is
 heard again.
 
+A reaction about any of a pattern begins anew once its condition is no longer true of any entity. What has ended
+meanwhile, or was never judged, does not keep it from that; a host that is no longer sampled does, if it was judged
+before: what was wrong with it may still be.
+
 Everything is unknown while the monitor itself is not well: in its first seconds, while its looks come late, while it
 sheds records, and after its clock was set. A hold time (`for`) then begins anew. That of
 silence (`absent`) counts from when nothing came any more, any other from when it was told.

@@ -1,14 +1,15 @@
 """Which commits git says are a package's, under every folder that it was in.
 
 As the page of process metrics says it: a package moves with a commit in which git finds its manifest again under
-another folder, where the folder keeps its own name or most files that came to it by renaming came with it. In the order
-of `git log --topo-order` what is above such a commit is of the later folder, what is below of the earlier one. Commits
+another folder, where the folder keeps its own name or most files that came to it by renaming came with it. That
+commit and what git lists with it under `--ancestry-path` are of the later folder, all else of the earlier one. Commits
 and renames are those that git names; nothing of roslens takes part.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
@@ -26,6 +27,14 @@ class Part(NamedTuple):
     commits: tuple[str, ...]
 
 
+class Move(NamedTuple):
+    """A package that a commit moved from one folder to another."""
+
+    commit: str
+    old: str
+    new: str
+
+
 class GitPackages:
     """The packages of a clone, by folder at its head."""
 
@@ -39,7 +48,10 @@ class GitPackages:
         self._folder = folder
         self._listed: dict[tuple[str, ...], frozenset[str]] = {}
         order = lines_of(folder, "git log --topo-order --no-merges --format=%H HEAD")
-        self._layouts = list(_layouts(order, _renames(folder), {_plain(path): one for one, path in packages.items()}))
+        made = [Move(one, *pair) for one, rows in _renames(folder).items() for pair in _moves(rows)]
+        made.sort(key=lambda move: order.index(move.commit))
+        after = [{one.commit, *lines_of(folder, f"git rev-list --ancestry-path {one.commit}..HEAD")} for one in made]
+        self._layouts = list(_layouts(order, made, after, {_plain(path): one for one, path in packages.items()}))
         self.moved = frozenset(
             package for package in packages if len({one for _, held in self._layouts for one in _at(held, package)}) > 1
         )
@@ -121,21 +133,37 @@ Layout = tuple[Sequence[str], Mapping[str, str]]
 
 
 def _layouts(
-    order: Sequence[str], renames: Mapping[str, list[tuple[str, str]]], folders: Mapping[str, str]
+    order: Sequence[str], made: Sequence[Move], after: Sequence[AbstractSet[str]], folders: Mapping[str, str]
 ) -> Iterator[Layout]:
-    commits: list[str] = []
+    """Group commits by which moves they are not after; ``made`` has the latest move first, ``after`` its commits."""
+    groups: dict[tuple[tuple[int, ...], str], list[str]] = {}
     for commit in order:
-        moves = {new: old for old, new in _moves(renames.get(commit, [])) if new in folders}
-        if not moves:
-            commits.append(commit)
-            continue
-        # Who has a folder today that another came from got it later.
-        staying = {folder: package for folder, package in folders.items() if folder not in moves}
-        before = {**staying, **{old: folders[new] for new, old in moves.items()}}
-        yield commits, folders
-        yield [commit], {**folders, **before}
-        commits, folders = [], before
-    yield commits, folders
+        undone = tuple(one for one in range(len(made)) if not _was_made(one, commit, made, after))
+        groups.setdefault((undone, commit if any(one.commit == commit for one in made) else ""), []).append(commit)
+    for (undone, mover), commits in groups.items():
+        here = dict(folders)
+        for number in undone:
+            here = _undone(here, [made[number]])
+        yield commits, {**here, **_undone(here, [one for one in made if mover == one.commit])}
+
+
+def _was_made(number: int, commit: str, made: Sequence[Move], after: Sequence[AbstractSet[str]]) -> bool:
+    """Return whether a commit is after a move, or after the same one as another branch made it."""
+    if commit in after[number]:
+        return True
+    move = made[number]
+    return any(
+        (one.old, one.new) == (move.old, move.new) and commit in after[other]
+        and one.commit not in after[number] and move.commit not in after[other]
+        for other, one in enumerate(made)
+    )  # fmt: skip
+
+
+def _undone(folders: Mapping[str, str], made: Sequence[Move]) -> dict[str, str]:
+    """Return the folders before some moves; who has one that another came from got it later."""
+    moves = {one.new: one.old for one in made if one.new in folders}
+    staying = {folder: package for folder, package in folders.items() if folder not in moves}
+    return {**staying, **{old: folders[new] for new, old in moves.items()}}
 
 
 def _moves(renamed: Sequence[tuple[str, str]]) -> Iterator[tuple[str, str]]:

@@ -83,3 +83,43 @@ def test_packages_that_were_moved_change_together_with_others(made):
     (pair,) = process_of(made.root).coupled_packages
     assert (pair.first, pair.second, pair.shared) == ("arm", "base", 6)
     assert differences(made.root)[1] == []
+
+
+def test_commits_of_a_branch_count_where_the_package_lies_in_it(made):
+    """Whether the branch stands above or below the move in git's order."""
+    made.git("checkout", "-q", "-b", "side")
+    made.commit("beside the move", day=5, arm__src__a_DOT_cpp=function("a", 7))
+    made.git("checkout", "-q", "main")
+    move(made, "arm", "stack/arm", 2)
+    made.commit("after the move", day=3, stack__arm__b_DOT_cpp=function("b", 1))
+    for branch, into in (("main", "side"), ("side", "main")):
+        made.git("checkout", "-q", into)
+        made.git("checkout", "-q", "-b", f"{branch}-into-{into}")
+        made.git("merge", "-q", "--no-edit", branch, day=9)
+        assert process_of(made.root).packages["arm"]["revisions"] == 5
+        assert differences(made.root)[1] == []
+
+
+def test_who_has_the_folder_now_gets_no_commits_of_a_branch_beside_the_move(made):
+    made.git("checkout", "-q", "-b", "side")
+    made.commit("beside the move", day=5, arm__src__a_DOT_cpp=function("a", 7))
+    made.git("checkout", "-q", "main")
+    move(made, "arm", "arm_old", 2)
+    made.git("merge", "-q", "--no-edit", "side", day=6)
+    made.write("arm/package.xml", MANIFEST.format("arm").replace("<name>arm<", "<name>new_arm<"))
+    made.commit("anew", day=7, arm__b_DOT_py="x = 1\ny = 2\n")
+    found = process_of(made.root)
+    assert {name: values["revisions"] for name, values in found.packages.items()} == {"arm": 4, "new_arm": 1}
+    assert differences(made.root)[1] == []
+
+
+def test_a_move_that_two_branches_made_is_undone_where_neither_was_made(made):
+    made.git("checkout", "-q", "-b", "side")
+    move(made, "arm", "stack/arm", 3)
+    made.commit("in the branch", day=4, stack__arm__c_DOT_cpp=function("c", 1))
+    made.git("checkout", "-q", "main")
+    move(made, "arm", "stack/arm", 5)
+    made.commit("here", day=6, stack__arm__d_DOT_cpp=function("d", 1))
+    made.git("merge", "-q", "--no-edit", "side", day=7)
+    assert process_of(made.root).packages["arm"]["revisions"] == 6
+    assert differences(made.root)[1] == []

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import msgspec
 
 from roslens.source.history.commit_log import Change, Commit, CommitLog
+from roslens.source.history.folders_of_packages import FoldersOfPackages
 from roslens.source.history.metrics.change_coupling import RELEASE_FILES
-from roslens.source.history.moved_packages import MovedPackages, before_moves
 
 _MOST_LAYOUTS = 64
 """Revisions next to each other mostly have the same packages in the same folders, and each move makes one more."""
@@ -28,7 +28,7 @@ class PartsOfCommits:
         """Take the log; commits of an earlier head of it are known by it, too."""
         self._paths = log.paths
         self._couples = [not RELEASE_FILES.fullmatch(name) for name in log.paths]
-        self._moved = MovedPackages(log.paths)
+        self._lay = FoldersOfPackages(log)
         self._layouts: dict[tuple[tuple[str, str], ...], _Layout] = {}
 
     def along(self, commits: Iterable[Commit], packages: Mapping[str, str]) -> Iterator[tuple[Commit, Parts]]:
@@ -37,23 +37,21 @@ class PartsOfCommits:
         A commit that moves a package changes it in both folders.
 
         Args:
-            commits: children before their parents.
+            commits: the head first, children before their parents.
             packages: folder below the root of the repository by package id, at the first of the commits; a file belongs
                 to the innermost.
         """
         folders = {"" if folder == "." else folder: package for package, folder in packages.items()}
-        layout = self._of(folders)
+        lay = layout = None
+        at: Mapping[str, str] | None = None
         for commit in commits:
+            lay = lay or self._lay.at(commit, folders)
             if commit.is_merge:
                 continue
-            moves = self._moved.moved_by(commit) if commit.renames else {}
-            moves = {new: old for new, old in moves.items() if new in folders}
-            if moves:
-                earlier = before_moves(folders, moves)
-                yield commit, self._of({**folders, **earlier}).parts(commit)
-                folders, layout = earlier, self._of(earlier)
-            else:
-                yield commit, layout.parts(commit)
+            now = lay.changed_by(commit)
+            if layout is None or now is not at:
+                at, layout = now, self._of(now)
+            yield commit, layout.parts(commit)
 
     def _of(self, folders: Mapping[str, str]) -> _Layout:
         key = tuple(sorted(folders.items()))

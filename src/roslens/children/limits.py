@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+from math import ceil
 
 MEMORY_BYTES = 4_000_000_000
 """Of memory that is written, as the kernel counts it (``RLIMIT_DATA``): reserved addresses, of Java's say, are free."""
@@ -32,3 +33,18 @@ def limit_process(memory_bytes: int = MEMORY_BYTES, file_bytes: int = FILE_BYTES
         # macOS does not let every limit be set.
         with contextlib.suppress(OSError, ValueError):
             resource.setrlimit(limit, (bound, bound))
+
+
+def limit_processor(pid: int, seconds: float) -> None:
+    """Bound the time of a processor that a process may take: at its end it is told so (``SIGXCPU``), which ends it.
+
+    The kernel counts whole seconds. Nothing is bounded where the system cannot bound another process.
+    """
+    if sys.platform != "linux":
+        return
+    import resource
+
+    # A process that has ended meanwhile has no limits.
+    with contextlib.suppress(OSError, ValueError):
+        _, hard = resource.prlimit(pid, resource.RLIMIT_CPU)
+        resource.prlimit(pid, resource.RLIMIT_CPU, (max(1, ceil(seconds)), hard))

@@ -86,7 +86,7 @@ def test_a_folder_of_sources(member: Member):
         ("exit 3", "it ended with exit code 3: no message"),
         ("echo first >&2; echo out of memory >&2; exit 1", "it ended with exit code 1: out of memory"),
         ("kill -SEGV $$", "it ended with signal 11: no message"),
-        ("exec sleep 60", "it did not end within 0.5 s"),
+        ("exec sleep 60", "it did not end within 1.25 s"),
         ("exit 0", "it wrote no cccc.xml"),
         ('mkdir -p "$out"; echo garbage > "$out/cccc.xml"', "its cccc.xml is no XML"),
     ],
@@ -129,6 +129,16 @@ def test_a_program_that_cannot_be_started(tmp_path: Path, monkeypatch: pytest.Mo
     (tmp_path / "a.c").write_text("int a;\n")
     with pytest.raises(CcccError, match="it cannot be started: No such file or directory"):
         run_cccc(tmp_path / "a.c", tmp_path / "run")
+
+
+def test_the_limit_is_of_a_processor_whatever_else_the_machine_does(
+    misbehaving: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr("roslens.source.tools.cccc.PATIENCE", 200)
+    fake_cccc(misbehaving, "while :; do :; done")
+    (tmp_path / "a.c").write_text("int a;\n")
+    with pytest.raises(CcccError, match="it did not end within 1 s of a processor"):
+        run_cccc(tmp_path / "a.c", tmp_path / "run", time_limit_s=1)
 
 
 def test_files_that_the_study_left_out_are_not_looked_at(member: Member, misbehaving: Path, tmp_path: Path):

@@ -29,9 +29,10 @@ integration mostly has one commit of it.
   the names that it had before. A file that was copied begins anew, which `git log --follow` sees otherwise (`C` in its
   `--name-status`). In a partial clone only files that were renamed without a change are followed.
 - **Packages that were moved are followed**, too: where git finds a manifest (`package.xml`, of rosbuild `manifest.xml`)
-  again under another folder, and the folder kept its name or most files that came to it by renaming came with it, older
-  commits count for the folder that the package was in before. Whoever has that folder today got it later. A package
-  that came from another repository begins there.
+  again under another folder, and the folder kept its name or most files that came to it by renaming came with it,
+  commits that do not have that one behind them count for the folder that the package was in before, also those of
+  branches beside it. Whoever has that folder today got it later. A package that came from another repository begins
+  there.
 - **Ages are told at the date of the head**, not today's: the same commit has the same ages on every day.
   `--as-of 2026-01-31` (or `as_of` below `[process]`) tells them at another time; the time stands with the run.
 - Dates are those of the committers' clocks. Commits dated before a parent of theirs are counted as `skewed`, with the
@@ -42,7 +43,7 @@ integration mostly has one commit of it.
 
 Each metric has the **command** of git that answers the same, for a repository, and for a file or package as `PATH`
 (of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each; in a repository where packages were
-moved, for each stretch of commits between two moves with the folders of that time, as
+moved, for the commits with the same moves behind them with the folders that these left, as
 `tests/process_metrics/git_packages.py` asks git). `tests/process_metrics` holds all of them against git:
 
 ```sh

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from roslens.source.tools.paper2016 import StudiedFile
 
 TIME_LIMIT_S = 20.0
+"""Seconds of a processor: what else the machine does must not decide which files have values."""
+
+PATIENCE = 2.5
+"""How many times as long it may take by the clock; in all less than the hook of a plug-in may."""
 
 
 class Cccc:
@@ -32,7 +36,7 @@ class Cccc:
         languages=("c", "cpp"),
         needs=("program:cccc",),
         quantities=CCCC_QUANTITIES,
-        options=(Option("time_limit_s", "float", "Seconds that cccc may take for one file.", TIME_LIMIT_S),),
+        options=(Option("time_limit_s", "float", "Seconds of a processor for one file.", TIME_LIMIT_S),),
     )
 
     def analyse_package(self, package: PackageInput, report: Report) -> None:
@@ -60,36 +64,45 @@ def run_cccc(source: Path, scratch: Path, *, time_limit_s: float = TIME_LIMIT_S)
     Args:
         source: the file.
         scratch: a folder that does not exist yet.
-        time_limit_s: seconds after which it is ended.
+        time_limit_s: seconds of a processor after which it is ended, as after :data:`PATIENCE` times as many by the
+            clock; the kernel counts whole ones.
 
     Raises:
         CcccError: it could not be started, did not end, or ended with an error.
     """
+    import signal
     import subprocess
 
+    from roslens.children.limits import limit_processor
     from roslens.source.tools.cccc_report import CcccError
 
     scratch.mkdir()
     plain = scratch / f"source{source.suffix}"
     plain.symlink_to(source.absolute())
     out = scratch / "out"
+    patience_s = PATIENCE * time_limit_s
     try:
-        done = subprocess.run(
+        with subprocess.Popen(
             ["cccc", f"--outdir={out}", str(plain)],
             cwd=scratch,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
-            timeout=time_limit_s,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise CcccError(f"it did not end within {time_limit_s:g} s") from None
+        ) as process:
+            limit_processor(process.pid, time_limit_s)
+            try:
+                _, complaints = process.communicate(timeout=patience_s)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                raise CcccError(f"it did not end within {patience_s:g} s") from None
     except OSError as error:
         raise CcccError(f"it cannot be started: {error.strerror}") from None
-    if done.returncode:
-        how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit code {done.returncode}"
-        raise CcccError(f"it ended with {how}: {_last_line(done.stderr)}")
+    if process.returncode == -signal.SIGXCPU:
+        raise CcccError(f"it did not end within {time_limit_s:g} s of a processor")
+    if process.returncode:
+        code = process.returncode
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
+        raise CcccError(f"it ended with {how}: {_last_line(complaints)}")
     return out
 
 

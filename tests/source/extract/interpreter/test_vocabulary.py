@@ -1,6 +1,6 @@
 from roslens.source.extract.domain.abstract_value import Building, Handle, Obj, Unknown
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.evaluation import Evaluation
+from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.interpreter.vocabulary import Called, below, find_outer, known_names
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.symbolic.text import Text
@@ -20,7 +20,7 @@ def test_arguments_by_name_or_place():
 
 def test_words_are_found_by_whole_names():
     assert {"ros.init", "rclcpp.Node", "tf2_ros.TransformListener", "BT.InputPort"} <= known_names()
-    engine = Evaluation(indexed({}), NODE)
+    engine = Interpreter(indexed({}), NODE)
     assert find_outer(engine, "rclcpp.Node") is not None
     assert find_outer(engine, "my.Node") is None
 

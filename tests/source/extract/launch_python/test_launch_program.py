@@ -21,7 +21,7 @@ def returned(body, before=""):
     lines = "".join(f"    {line}\n" for line in body)
     run = LaunchProgram("a.launch.py", f"{HEAD}{before}\ndef made():\n{lines}".encode())
     found = run.run(run.entry("made"), [], {})
-    assert run.conditions == []
+    assert run.state.conditions == []
     return plain(found)
 
 

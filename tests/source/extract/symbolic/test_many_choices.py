@@ -2,7 +2,7 @@
 
 import msgspec
 
-from roslens.source.extract.domain.evaluation_frame import either
+from roslens.source.extract.domain.frame import either
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import Place

@@ -79,7 +79,7 @@ def test_units_are_evaluated_once_though_all_are_asked_for_what_they_miss(monkey
         found = facts(cache)
         first = found.program(path)
         runs = []
-        made, ran = node_units._made, lambda engine: runs.append((engine.node.path, engine.node.unit))
+        made, ran = node_units._made, lambda engine: runs.append((engine.emitter.node.path, engine.emitter.node.unit))
         monkeypatch.setattr(node_units, "_made", lambda engine, run: ran(engine) or made(engine, run))
         assert found.missed_in_code("rover_sensors") == ()
         assert found.missed_in_code("nowhere") == ()

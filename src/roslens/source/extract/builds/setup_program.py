@@ -6,22 +6,28 @@ The words of setuptools are those of this program only: another one may call a f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from posixpath import join
 
 import msgspec
 
 from roslens.source.extract.builds.cmake_files import matching
 from roslens.source.extract.domain.abstract_value import Building, Key, Names, Table, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.domain.perhaps import Perhaps
+from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.files import joined
-from roslens.source.extract.interpreter.evaluation import Evaluation
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.interpreter.calls import Calls
+from roslens.source.extract.interpreter.expressions import Expressions
+from roslens.source.extract.interpreter.interpreter import Interpreter, Parts
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.ir.program import Call, Expression, Mapping, Opaque, Sequence
 from roslens.source.extract.lowering.python.located_program import Places, Written, located_program
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.spread_lists import spread_out
 
 _ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RecursionError)
@@ -35,51 +41,41 @@ class Given(msgspec.Struct, frozen=True):
     place: Written
 
 
-class SetupProgram(Evaluation):
-    """An evaluation of a setup.py.
+class Found:
+    """What a script gives to whom, and where values stand.
 
     Attributes:
+        places: of expressions.
+        folder: of the script, relative to the root of the workspace.
+        listing: files of the package, relative likewise.
         setups: what each call of ``setup`` is given, in their order.
         modules: module and file of each call of ``generate_parameter_module``.
-        gave_up: why not all of it was followed, and from which line on; None where it was.
     """
 
-    def __init__(self, content: bytes, path: str, listing: Iterable[str]) -> None:
-        """Follow the script.
-
-        Args:
-            content: of the file.
-            path: of it, relative to the root of the workspace.
-            listing: files of the package, relative likewise.
-        """
-        program, self._places = located_program(content)
-        super().__init__(
-            indexed({path: program}),
-            Building("<module>", path, 1, "", parameters=[], endpoints=[], unresolved=[]),
-        )
-        self._folder, self._listing = path.rpartition("/")[0], frozenset(listing)
-        # By identity, as equal values may stand at several places.
-        self._found: dict[int, tuple[Value | Key, Written]] = {}
+    def __init__(self, places: Places, folder: str, listing: frozenset[str]) -> None:
+        """Begin with nothing found."""
+        self.places, self.folder, self.listing = places, folder, listing
         self.setups: list[Given] = []
         self.modules: list[tuple[Value, Value]] = []
-        self.frame = Frame(path, "", names={"__name__": Text.of("__main__"), "__file__": Text.of("setup.py")})
-        self.gave_up: tuple[int, str] | None = program.incomplete[0] if program.incomplete else None
-        try:
-            self.block(program.body)
-        except SpentError:
-            self.gave_up = (1, "it takes too many steps")
-        except _ODD as error:
-            self.gave_up = (1, f"it cannot be followed: {type(error).__name__}")
+        # By identity, as equal values may stand at several places.
+        self._found: dict[int, tuple[Value | Key, Written]] = {}
 
-    @property
-    def places(self) -> Places:
-        """Where expressions stand."""
-        return self._places
+    def add(self, value: Value | Key, place: Written) -> None:
+        """Remember where a value stands."""
+        self._found[id(value)] = (value, place)
 
     def place_of(self, value: Value | Key, otherwise: Written) -> Written:
         """Return where a value stands as far as that is known."""
         found = self._found.get(id(value))
         return found[1] if found is not None and found[0] is value else otherwise
+
+
+class _Expressions(Expressions):
+    """Expressions of a setup.py: where they stand is remembered."""
+
+    def __init__(self, context: Context, found: Found) -> None:
+        super().__init__(context)
+        self._found = found
 
     def value(self, expression: Expression) -> Value:
         """Return the value of an expression, and remember where it stands."""
@@ -89,7 +85,7 @@ class SetupProgram(Evaluation):
 
     def sequence(self, expression: Sequence) -> list[Value]:
         """Return a list."""
-        return spread_out(self, expression)
+        return spread_out(self.context, expression)
 
     def mapping(self, expression: Mapping) -> Table:
         """Return a dictionary; a key that is unknown keeps its place."""
@@ -110,9 +106,17 @@ class SetupProgram(Evaluation):
         return key
 
     def _remember(self, value: Value | Key, expression: Expression) -> None:
-        place = self._places.of(expression) if isinstance(value, _PLACED) else None
+        place = self._found.places.of(expression) if isinstance(value, _PLACED) else None
         if place is not None:
-            self._found[id(value)] = (value, place)
+            self._found.add(value, place)
+
+
+class _Calls(Calls):
+    """Calls in a setup.py."""
+
+    def __init__(self, context: Context, found: Found) -> None:
+        super().__init__(context)
+        self._script = found
 
     def outer(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
@@ -128,15 +132,15 @@ class SetupProgram(Evaluation):
 
     def setup(self, expression: Call, _arguments: list[Value], keywords: Names) -> Value:
         """A package says what it installs."""
-        place = self._places.of(expression) or Written(expression.line, expression.column, "setup()")
-        self.setups.append(Given(keywords, place))
+        place = self._script.places.of(expression) or Written(expression.line, expression.column, "setup()")
+        self._script.setups.append(Given(keywords, place))
         return None
 
     def parameters(self, _expression: Call, arguments: list[Value], keywords: Names) -> Value:
         """A module that declares parameters is made of a file: ``generate_parameter_module(name, file)``."""
         given = dict(enumerate(arguments))
         name, file = keywords.get("module_name", given.get(0)), keywords.get("yaml_file", given.get(1))
-        self.modules.append((name, file))
+        self._script.modules.append((name, file))
         return None
 
     def table(self, _expression: Call, arguments: list[Value], keywords: Names) -> Value:
@@ -150,10 +154,10 @@ class SetupProgram(Evaluation):
         """The files of the package that fit a pattern."""
         pattern = known_text(arguments[0]) if arguments else None
         if pattern is None:
-            return Unknown(f"the files of {self.index.lookups.text(expression)}")
-        prefix = f"{self._folder}/" if self._folder else ""
-        wanted = joined(self._folder, pattern.replace("**/", ""))
-        found = sorted(matching(wanted, self._listing, frozenset(), deep="**" in pattern))
+            return Unknown(f"the files of {self.context.index.lookups.text(expression)}")
+        prefix = f"{self._script.folder}/" if self._script.folder else ""
+        wanted = joined(self._script.folder, pattern.replace("**/", ""))
+        found = sorted(matching(wanted, self._script.listing, frozenset(), deep="**" in pattern))
         return [Text.of(path[len(prefix) :]) for path in found[:_MOST_FILES] if path.startswith(prefix)]
 
     def packages(self, _expression: Call, _arguments: list[Value], _keywords: Names) -> Value:
@@ -164,8 +168,48 @@ class SetupProgram(Evaluation):
         """Parts of a path joined."""
         parts = [known for one in arguments if (known := known_text(one)) is not None]
         if len(parts) < len(arguments) or not parts:
-            return Unknown(self.index.lookups.text(expression))
+            return Unknown(self.context.index.lookups.text(expression))
         return Text.of(join(*parts))
+
+
+class SetupProgram:
+    """An evaluation of a setup.py.
+
+    Attributes:
+        setups: what each call of ``setup`` is given, in their order.
+        modules: module and file of each call of ``generate_parameter_module``.
+        gave_up: why not all of it was followed, and from which line on; None where it was.
+    """
+
+    def __init__(self, content: bytes, path: str, listing: Iterable[str]) -> None:
+        """Follow the script.
+
+        Args:
+            content: of the file.
+            path: of it, relative to the root of the workspace.
+            listing: files of the package, relative likewise.
+        """
+        program, places = located_program(content)
+        self._found = found = Found(places, path.rpartition("/")[0], frozenset(listing))
+        self.setups, self.modules = found.setups, found.modules
+        names: Names = {"__name__": Text.of("__main__"), "__file__": Text.of("setup.py")}
+        interpreter = Interpreter(
+            indexed({path: program}),
+            Building("<module>", path, 1, "", parameters=[], endpoints=[], unresolved=[]),
+            parts=Parts(partial(_Expressions, found=found), partial(_Calls, found=found)),
+            state=State(Frame(path, "", names=names), Evidence(path, 1)),
+        )
+        self.gave_up: tuple[int, str] | None = program.incomplete[0] if program.incomplete else None
+        try:
+            interpreter.block(program.body)
+        except SpentError:
+            self.gave_up = (1, "it takes too many steps")
+        except _ODD as error:
+            self.gave_up = (1, f"it cannot be followed: {type(error).__name__}")
+
+    def place_of(self, value: Value | Key, otherwise: Written) -> Written:
+        """Return where a value stands as far as that is known."""
+        return self._found.place_of(value, otherwise)
 
 
 def items_of(value: Value) -> list[Value]:
@@ -176,17 +220,17 @@ def items_of(value: Value) -> list[Value]:
 
 _PLACED = (Text, Unknown, list, dict)
 _JOINS = frozenset({"join", "os.path.join", "path.join", "posixpath.join"})
-_Word = Callable[[SetupProgram, Call, list[Value], Names], Value]
+_Word = Callable[[_Calls, Call, list[Value], Names], Value]
 _WORDS: dict[str, _Word] = {
-    "setup": SetupProgram.setup,
-    "generate_parameter_module": SetupProgram.parameters,
-    "generate_distutils_setup": SetupProgram.table,
-    "dict": SetupProgram.table,
-    "glob": SetupProgram.files,
-    "iglob": SetupProgram.files,
-    "rglob": SetupProgram.files,
-    "find_packages": SetupProgram.packages,
-    "find_namespace_packages": SetupProgram.packages,
-    "join": SetupProgram.path,
+    "setup": _Calls.setup,
+    "generate_parameter_module": _Calls.parameters,
+    "generate_distutils_setup": _Calls.table,
+    "dict": _Calls.table,
+    "glob": _Calls.files,
+    "iglob": _Calls.files,
+    "rglob": _Calls.files,
+    "find_packages": _Calls.packages,
+    "find_namespace_packages": _Calls.packages,
+    "join": _Calls.path,
 }
 """By the last name of what is called: scripts import setuptools, distutils and catkin_pkg in all forms."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from roslens.source.extract.domain.abstract_value import QosValue, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import join, one_of
+from roslens.source.extract.domain.frame import join, one_of
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.symbolic.text import Condition
 

@@ -12,7 +12,7 @@ from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.symbolic.text import And, Condition, IsSet, Not, Or, Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.domain.evaluation_frame import Frame
+    from roslens.source.extract.domain.frame import Frame
 
 
 def else_before(value: Value, before: Value) -> Value:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Handle, Names, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame, bind_rest
+from roslens.source.extract.domain.frame import Frame, bind_rest
 from roslens.source.extract.domain.outside_options import options_from_outside
 from roslens.source.extract.ir.controller_handles import is_of_controller
 from roslens.source.extract.ir.program import Function, Parameter
@@ -33,7 +33,7 @@ def bind(engine: Context, what: Function, arguments: list[Value], keywords: Name
             bind_rest(what, place, arguments, keywords, frame)
         elif place < given:
             value = arguments[place]
-            names[parameter.name] = engine.typed(parameter.type, value) if isinstance(value, _TYPED) else value
+            names[parameter.name] = engine.objects.typed(parameter.type, value) if isinstance(value, _TYPED) else value
         elif parameter.name in keywords:
             frame.names[parameter.name] = keywords[parameter.name]
         else:
@@ -44,13 +44,13 @@ def bind(engine: Context, what: Function, arguments: list[Value], keywords: Name
                 continue
             if default is None and declared is not None and place < len(declared.parameters):
                 default = declared.parameters[place].default
-            outer, engine.frame = engine.frame, frame
+            outer, engine.state.frame = engine.state.frame, frame
             known = None if "**" in keywords else default
             value = _not_given(engine, what, parameter) if known is None else engine.value(known)
-            engine.frame = outer
+            engine.state.frame = outer
             if isinstance(value, _SHARED):
                 # A default of Python is one object: what a call puts into it the next one finds there.
-                value = engine.once.setdefault((frame.path, what.line, place, id(what)), value)
+                value = engine.state.once.setdefault((frame.path, what.line, place, id(what)), value)
             frame.names[parameter.name] = value
 
 
@@ -63,14 +63,14 @@ def _not_given(engine: Context, what: Function, parameter: Parameter) -> Value:
     if name.endswith("NodeOptions"):
         return options_from_outside()
     if is_of_controller(what, parameter):
-        return Handle(engine.node, unknown(OfController()))
-    return Handle(engine.node) if name and _is_node(engine, name) else Unknown(reason)
+        return Handle(engine.emitter.node, unknown(OfController()))
+    return Handle(engine.emitter.node) if name and _is_node(engine, name) else Unknown(reason)
 
 
 def _is_node(engine: Context, name: str) -> bool:
     """Whether a class by its name as written is a node."""
-    name = engine.frame.templates.get(name, name)
-    defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+    name = engine.state.frame.templates.get(name, name)
+    defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
     if defined is None:
-        return engine.index.meaning(name, engine.frame.path, engine.frame.scope) in NODE_BASES
+        return engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope) in NODE_BASES
     return any(base in NODE_BASES for base in engine.index.outer_bases(defined))

@@ -157,7 +157,7 @@ def find_class(engine: Context, name: str, path: str) -> tuple[str, Word] | None
 
 def _said(engine: Context, word: Word | None) -> Word | None:
     if word is not None and word not in _QUIET:
-        engine.touched()
+        engine.summaries.touch()
     return word
 
 
@@ -223,7 +223,7 @@ def node_of(engine: Context, value: Value) -> Building:
             for inner in value.fields.values():
                 if isinstance(inner, Handle):
                     return inner.node
-    return engine.node
+    return engine.emitter.node
 
 
 def below(value: Value, name: Text) -> Text:

@@ -52,7 +52,7 @@ def words_read(engine: Context, over: Expression | None) -> tuple[Expression, li
     node = deciding_node(engine, text)
     if text.holes and text not in node.asks:
         node.asks.append(text)
-    usual = text.known if engine.chosen is None else text.usual
+    usual = text.known if engine.given.chosen is None else text.usual
     if usual is not None:
         where = f"default of {text.holes[0].reason}" if text.holes else ""
         return over.operands[1], [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.ir.type_names import dotted
 
 if TYPE_CHECKING:
@@ -19,20 +19,24 @@ def bind_bases(engine: Context, thing: Obj) -> None:
         if not arguments:
             continue
         name = one.what.qualified_name
-        outer, engine.frame = engine.frame, Frame(one.path, name, thing)
-        engine.frame.templates.update(thing.templates_of(name))
+        outer, engine.state.frame = engine.state.frame, Frame(one.path, name, thing)
+        engine.state.frame.templates.update(thing.templates_of(name))
         for written, given in zip(getattr(one.what, "bases", ()), arguments, strict=False):
             base = engine.index.class_of(written, one.path, name.rpartition(".")[0])
             if base is not None and given:
                 names = getattr(base.what, "templates", ())
                 bound = dict(zip(names, (_whole(engine, each) for each in given), strict=False))
                 thing.base_templates.setdefault(base.what.qualified_name, bound)
-        engine.frame = outer
+        engine.state.frame = outer
 
 
 def _whole(engine: Context, written: str) -> str:
     """Return a template argument as it is meant where it is written: elsewhere its name may mean another class."""
-    meant = engine.template(written)
+    meant = engine.calls.template(written)
     plain = dotted(meant)
-    defined = engine.index.class_of(plain, engine.frame.path, engine.frame.scope) if plain.isidentifier() else None
+    defined = (
+        engine.index.class_of(plain, engine.state.frame.path, engine.state.frame.scope)
+        if plain.isidentifier()
+        else None
+    )
     return meant if defined is None else defined.what.qualified_name

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Callable, Names, QosValue, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.ir.program import Lambda, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 
@@ -34,7 +34,7 @@ class Around(dict[str, Value]):
 
 def names_around(engine: Context, made: Lambda) -> Names:
     """Return the variables around a lambda that is made now."""
-    frame, holds = engine.frame, made.holds
+    frame, holds = engine.state.frame, made.holds
     if not holds:
         return Around(frame, {}) if frame.aliases else frame.names
     if holds[0] != "=":
@@ -51,15 +51,15 @@ def names_now(engine: Context, around: Around) -> Names:
     frame = around.frame
     if not frame.aliases:
         return {**frame.names, **around}
-    outer, engine.frame = engine.frame, frame
+    outer, engine.state.frame = engine.state.frame, frame
     try:
         return {**frame.names, **_referred(engine), **around}
     finally:
-        engine.frame = outer
+        engine.state.frame = outer
 
 
 def _referred(engine: Context) -> Names:
-    return {name: engine.value(one) for name, (one, _) in engine.frame.aliases.items()}
+    return {name: engine.value(one) for name, (one, _) in engine.state.frame.aliases.items()}
 
 
 def set_around(engine: Context, function: Callable, frame: Frame) -> None:
@@ -86,14 +86,14 @@ def set_around(engine: Context, function: Callable, frame: Frame) -> None:
 
 def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) -> None:
     """Forget what other names of variables around lead to where a lambda set it."""
-    outer, engine.frame = engine.frame, around.frame
+    outer, engine.state.frame = engine.state.frame, around.frame
     try:
         for name, before in _referred(engine).items():
             lost = None if name in own or name in around else _lost(name, before)
             if lost is not None and frame.names.get(name, before) != before:
                 engine.assign(Name(name), lost)
     finally:
-        engine.frame = outer
+        engine.state.frame = outer
 
 
 def _lost(name: str, before: Value) -> Text | Unknown | None:

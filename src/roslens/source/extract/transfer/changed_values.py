@@ -53,19 +53,19 @@ def changed_by(
 
 def is_open(engine: Context) -> Condition | None:
     """Return the innermost condition of the function that nobody can decide; None where there is none."""
-    frame = engine.frame
-    return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else None
+    frame = engine.state.frame
+    return engine.state.conditions[-1] if len(engine.state.conditions) > frame.depth + frame.passed else None
 
 
 def put_item(engine: Context, of: Table | list[Value], key: Value, value: Value) -> None:
     """Put an item into a table or list."""
     if isinstance(of, dict):
-        engine.changes.put(of, hashable(key), value)
+        engine.state.changes.put(of, hashable(key), value)
     elif is_whole(key) and -len(of) <= key < len(of):
-        engine.changes.items(of)
+        engine.state.changes.items(of)
         of[key] = value
     else:
-        engine.changes.items(of)
+        engine.state.changes.items(of)
         _forget(of, "an item of a list that was changed")
 
 
@@ -136,11 +136,11 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
 
 def _list(engine: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
-        engine.changes.items(of)
+        engine.state.changes.items(of)
         of += arguments[0]
         return (None,)
     first = arguments[0] if arguments else None
-    engine.changes.items(of, less=name not in _GROWING)
+    engine.state.changes.items(of, less=name not in _GROWING)
     if not is_open(engine):
         if name == "insert" and len(arguments) == 2 and type(first) is int:
             of.insert(first, arguments[1])
@@ -194,9 +194,9 @@ def _table(
         return (None,)
     if name == "setdefault" and arguments:
         if hashable(first) not in of:
-            engine.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
+            engine.state.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
         return (of[hashable(first)],)
-    engine.changes.items(of, less=True)
+    engine.state.changes.items(of, less=True)
     if not is_open(engine):
         if name == "clear":
             of.clear()

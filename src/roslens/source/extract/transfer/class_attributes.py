@@ -26,15 +26,15 @@ def set_attribute(engine: Context, of: Class, name: str, value: Value) -> None:
     """Put a value into an attribute of a class."""
     place = _place(engine, of.defined, name)
     if place is not None:
-        before = engine.member_of(of, name, engine)
-        engine.forget_calls()
+        before = engine.expressions.member_of(of, name)
+        engine.summaries.forget_all()
         _for_objects(engine, of.defined, name, before, value)
-        engine.changes.put(engine.constants, place, value)
+        engine.state.changes.put(engine.state.constants, place, value)
 
 
 def class_of_scope(engine: Context) -> Value:
     """Return the class in whose method ``cls`` stands."""
-    found = engine.index.class_of(engine.frame.scope.rpartition(".")[0], engine.frame.path, "")
+    found = engine.index.class_of(engine.state.frame.scope.rpartition(".")[0], engine.state.frame.path, "")
     return Unknown("cls") if found is None else Class(found)
 
 
@@ -56,17 +56,17 @@ def of_object(engine: Context, defined: Defined, name: str, value: Value) -> Val
     """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
     if (defined.what.name, name) not in _all_set(engine):
         return value
-    return engine.member_of(Class(defined), name, engine)
+    return engine.expressions.member_of(Class(defined), name)
 
 
 def _for_objects(engine: Context, defined: Defined, name: str, before: Value, value: Value) -> None:
     """Let objects that are at hand have it too, but for those that have one of their own."""
-    thing = engine.frame.self
-    held = [thing, *engine.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
+    thing = engine.state.frame.self
+    held = [thing, *engine.state.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
     for one in held:
         of_class = isinstance(one, Obj) and one.defined is not None and defined in engine.index.chain(one.defined)
         if of_class and one.fields.get(name) == before:
-            engine.changes.put(one.fields, name, value)
+            engine.state.changes.put(one.fields, name, value)
 
 
 def _place(engine: Context, defined: Defined, name: str) -> Place | None:

@@ -6,77 +6,60 @@ it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable as Function1
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Protocol
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Names, Obj, QosValue, Value
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Callable, Names, Obj, Value
 from roslens.source.extract.domain.call_stack import CallStack
-from roslens.source.extract.domain.changed_in_ways import Changes
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.callbacks import Callbacks
+from roslens.source.extract.domain.emitter import Emitter
+from roslens.source.extract.domain.state import State
+from roslens.source.extract.domain.summaries import Summaries
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
-from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.dialect import Dialect
-from roslens.source.extract.ir.program import Call, Expression, Function, Statement
-from roslens.source.extract.symbolic.text import Condition, Text
-from roslens.source.extract.symbols.reached_functions import Reached
+from roslens.source.extract.ir.program import Call, Expression, Statement
 from roslens.source.extract.symbols.workspace_index import Defined, Index
 from roslens.source.extract.transfer.budget import Budget
 from roslens.source.extract.transfer.named_functions import NamedFunctions
 
 
-class Context(Protocol):
-    """One evaluation of a unit.
+class Given(msgspec.Struct, frozen=True):
+    """What is known of a unit before it is evaluated.
 
-    See :class:`~roslens.source.extract.interpreter.evaluation.Evaluation` for its attributes.
+    Attributes:
+        chosen: what is set that decides which plug-ins are loaded; None where that is not known yet.
+        plugin_names: the class of each plug-in that has another name.
+        words: of the command line, where they are known.
     """
 
-    index: Index
-    node: Building
-    first: Building
-    others: list[Building]
-    made: list[Obj]
-    chosen: Chosen | None
-    plugin_names: Mapping[str, str]
-    plugged: list[tuple[Obj, Building]]
-    preparing: list[str]
-    conditions: list[Condition]
-    changes: Changes
-    refined: dict[int, tuple[QosValue, QosValue]]
-    frame: Frame
-    globals: Names
-    constants: dict[tuple[str, str], Value]
-    once: dict[tuple[object, ...], Value]
-    gave: tuple[Frame, Expression] | None
-    bare: dict[int, tuple[Function, Function]]
-    words: Words | None
-    running: bool
-    budget: Budget
-    later: list[tuple[Callable, Condition | None]]
-    reached: Reached
-    site: Evidence
-    written: tuple[Expression, ...]
-    stack: CallStack
-    named: NamedFunctions
+    chosen: Chosen | None = None
+    plugin_names: Mapping[str, str] = MappingProxyType({})
+    words: Words | None = None
 
-    @property
-    def dialect(self) -> Dialect:
-        """The rules of the language of the function that is evaluated."""
 
-    def value(self, expression: Expression) -> Value:
-        """Return the value of an expression."""
+class ValuesOfExpressions(Protocol):
+    """What expressions come to."""
 
-    def member_of(self, of: Value, name: str, engine: Context) -> Value:
+    def defined(self, name: str) -> Value:
+        """Return what the workspace defines under a name; None where it does not."""
+
+    def member_of(self, of: Value, name: str) -> Value:
         """Return a member of a value by name."""
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
 
-    def truth(self, value: Value) -> bool | None:
-        """Return whether a value is true; None where that is unknown."""
 
-    def items(self, value: Value) -> list[Value] | None:
-        """Return what a loop goes through; None where it is unknown."""
+class ResultsOfCalls(Protocol):
+    """What calls come to."""
+
+    def called(self, expression: Call) -> Value:
+        """Return the result of a call."""
 
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
@@ -86,6 +69,10 @@ class Context(Protocol):
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
+
+
+class ObjectsOfTypes(Protocol):
+    """What types make."""
 
     def constructed(self, declared: str, value: Value) -> Value:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
@@ -116,45 +103,55 @@ class Context(Protocol):
     def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
         """Return an object of a class by its name as written."""
 
-    def plain(self, name: str, arguments: list[Value]) -> Value:
-        """Return a value of a fundamental type."""
 
-    def frame_of(self, path: str, scope: str, thing: Value = None, names: Names | None = None) -> Frame:
-        """Return the frame of a call that begins."""
+class Context(Protocol):
+    """One evaluation of a unit.
 
-    def as_returned(self, value: Value) -> Value:
-        """Return a value as it is where a function returns it."""
+    Attributes:
+        index: of the workspace.
+        given: what is known of the unit before.
+        state: where the evaluation stands.
+        stack: of calls.
+        budget: of steps.
+        summaries: of calls that made nothing.
+        callbacks: that were given away.
+        emitter: of nodes.
+        named: functions of the workspace by name.
+        value: returns the value of an expression.
+    """
 
-    def at(self, call: Call) -> None:
-        """Note which call is made next."""
-
-    def touched(self) -> None:
-        """Note that a word of the vocabulary is said, or a callback given away."""
-
-    def forget_calls(self) -> None:
-        """Note that what all functions see is changed: none does again what it did."""
+    index: Index
+    given: Given
+    state: State
+    stack: CallStack
+    budget: Budget
+    summaries: Summaries
+    callbacks: Callbacks
+    emitter: Emitter
+    named: NamedFunctions
+    value: Function1[[Expression], Value]
 
     @property
-    def touches(self) -> int:
-        """How often a word of the vocabulary was said, or a callback given away."""
+    def expressions(self) -> ValuesOfExpressions:
+        """The part that evaluates expressions."""
 
-    def run_later(self) -> None:
-        """Run the callbacks that were given away, once each, with arguments that are unknown."""
+    @property
+    def calls(self) -> ResultsOfCalls:
+        """The part that evaluates calls."""
 
-    def assign(self, target: Expression, value: Value) -> None:
-        """Put a value where an expression says."""
+    @property
+    def objects(self) -> ObjectsOfTypes:
+        """The part that makes objects and values of types."""
 
-    def under(self, condition: Condition, test: Condition | None = None) -> None:
-        """Let a condition hold for what follows, until it is taken away again."""
+    @property
+    def dialect(self) -> Dialect:
+        """The rules of the language of the function that is evaluated."""
 
-    def asked_now(self) -> tuple[tuple[Condition, Condition], ...]:
-        """Return those of the conditions that parameters decide."""
+    def truth(self, value: Value) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
 
-    def block(self, body: tuple[Statement, ...]) -> None:
-        """Follow statements in order."""
-
-    def further(self, evidence: Evidence, name: Text = ..., arguments: Sequence[Text] = ()) -> Building:
-        """Return a further node of ROS 2 that is made."""
+    def items(self, value: Value) -> list[Value] | None:
+        """Return what a loop goes through; None where it is unknown."""
 
     def call(
         self,
@@ -166,11 +163,11 @@ class Context(Protocol):
     ) -> Value:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
 
-    def written_at(self, line: int) -> None:
-        """Note the line at which something is made next that no call makes."""
+    def assign(self, target: Expression, value: Value) -> None:
+        """Put a value where an expression says."""
 
-    def callable_type(self, function: Callable, place: int) -> str:
-        """Return the declared type of a parameter of a callback; empty where it has none."""
+    def block(self, body: tuple[Statement, ...]) -> None:
+        """Follow statements in order."""
 
-    def called_outer(self, callback: Value, note: Condition | None = None) -> str:
-        """Remember that a callback was given away; return its name."""
+    def run_later(self) -> None:
+        """Run the callbacks that were given away, once each, with arguments that are unknown."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Callable, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.ir.program import Call, Expression, Name
 
 if TYPE_CHECKING:
@@ -21,12 +21,12 @@ def decorated(engine: Context, function: Callable) -> Callable | Unknown:
     object is bound before.
     """
     what = function.function
-    outer, engine.frame = engine.frame, Frame(function.path, what.qualified_name.rpartition(".")[0])
+    outer, engine.state.frame = engine.state.frame, Frame(function.path, what.qualified_name.rpartition(".")[0])
     try:
         known = [one for one in what.decorators if _is_known(engine, one)]
         if not known:
             return function
-        bare = engine.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
+        bare = engine.named.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
         itself = Callable(bare, function.path, function.self, function.names, function.arguments)
         if what.class_name:
             engine.call(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
@@ -37,7 +37,7 @@ def decorated(engine: Context, function: Callable) -> Callable | Unknown:
             made = engine.call(decorator, [made], {}) if isinstance(decorator, Callable) else None
         return made if isinstance(made, Callable) else Unknown(f"result of {what.name}(), which is decorated")
     finally:
-        engine.frame = outer
+        engine.state.frame = outer
 
 
 def _is_known(engine: Context, decorator: Expression) -> bool:

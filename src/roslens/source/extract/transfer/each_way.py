@@ -26,9 +26,9 @@ def each_way(engine: Context, several: Obj, called: Function1[[Obj], Value]) -> 
 @contextmanager
 def _conditions(engine: Context, conditions: Conditions) -> Iterator[None]:
     for one in conditions:
-        engine.under(one)
+        engine.state.under(one)
     try:
         yield
     finally:
         for _ in conditions:
-            engine.conditions.pop()
+            engine.state.conditions.pop()

@@ -32,7 +32,7 @@ def count_of_filled(engine: Context, end: Expression) -> int:
         or not engine.stack.calls
     ):
         return 0
-    thing = engine.frame.names.get(call.of.name)
+    thing = engine.state.frame.names.get(call.of.name)
     if not isinstance(thing, Obj) or thing.type != VECTOR:
         return 0
     held = held_in(thing)

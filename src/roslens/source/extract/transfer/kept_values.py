@@ -17,54 +17,54 @@ _COUNTED = (int, float)
 
 def once(engine: Context, statement: Assign) -> Value:
     """Return what a variable holds that lives on between calls: what the first call made, or a later one put there."""
-    frame, touched = engine.frame, engine.touches
+    frame, touched = engine.state.frame, engine.summaries.touched
     key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
     name = statement.target.name if isinstance(statement.target, Name) else ""
     frame.kept = {**frame.kept, name: key}
-    if key in engine.once:
-        return engine.once[key]
+    if key in engine.state.once:
+        return engine.state.once[key]
     if statement.value is None:
-        engine.written_at(statement.line)
-        value = engine.declared(statement.declared)
+        engine.state.written_at(statement.line)
+        value = engine.objects.declared(statement.declared)
     else:
-        value = engine.converted(statement.declared, engine.value(statement.value))
+        value = engine.objects.converted(statement.declared, engine.value(statement.value))
     if isinstance(value, _COUNTED) and not isinstance(value, bool) and _is_assigned(engine, name):
         # Which call it is decides it, and calls in loops are followed once for all turns.
         value = Unknown(f"{name}, which is kept between calls")
-    if isinstance(value, Obj | QosValue | Text | bool | Unknown) and engine.touches == touched:
-        engine.once[key] = value
+    if isinstance(value, Obj | QosValue | Text | bool | Unknown) and engine.summaries.touched == touched:
+        engine.state.once[key] = value
     return value
 
 
 def keep(engine: Context, name: str, value: Value) -> None:
     """Put a value into a variable of the function that lives on between calls."""
-    engine.frame.names[name] = value
-    engine.forget_calls()
-    engine.changes.put(engine.once, engine.frame.kept[name], value)
+    engine.state.frame.names[name] = value
+    engine.summaries.forget_all()
+    engine.state.changes.put(engine.state.once, engine.state.frame.kept[name], value)
 
 
 def returned(engine: Context, statement: Return) -> None:
     """Note where the value stands that a function returns a reference or pointer to."""
     hands = bool(engine.stack.calls) and engine.stack.calls[-1][1].hands
-    engine.gave = (engine.frame, statement.value) if hands and statement.value is not None else None
+    engine.state.gave = (engine.state.frame, statement.value) if hands and statement.value is not None else None
 
 
 def no_place(engine: Context) -> None:
     """Forget where a value stands: the next call says it, if any does."""
-    engine.gave = None
+    engine.state.gave = None
 
 
 def put_where_it_stands(engine: Context, before: Value, after: Value) -> None:
     """Put what a returned reference was changed to where it leads; ``before`` is what the call returned."""
-    if engine.gave is None:
+    if engine.state.gave is None:
         return
-    outer = engine.frame
-    engine.frame, place = engine.gave
+    outer = engine.state.frame
+    engine.state.frame, place = engine.state.gave
     try:
         if engine.value(place) is before:
             engine.assign(place, after)
     finally:
-        engine.frame = outer
+        engine.state.frame = outer
 
 
 def _is_assigned(engine: Context, name: str) -> bool:

@@ -55,14 +55,14 @@ def module_value(engine: Context, path: str, name: str, first: Expression) -> tu
     statements = known.get(name, ())
     if not any(isinstance(one, Assign) and one.value is first for one in statements):
         return None
-    outer, changes = engine.frame, engine.changes
-    engine.frame, engine.changes = engine.frame_of(path, ""), type(changes)()
-    engine.frame.depth, engine.changes.refined = len(engine.conditions), changes.refined
+    outer, changes = engine.state.frame, engine.state.changes
+    engine.state.frame, engine.state.changes = engine.state.frame_of(path, ""), type(changes)()
+    engine.state.frame.depth, engine.state.changes.refined = len(engine.state.conditions), changes.refined
     try:
         engine.block(statements)
-        return (engine.frame.names[name],) if name in engine.frame.names else None
+        return (engine.state.frame.names[name],) if name in engine.state.frame.names else None
     finally:
-        engine.frame, engine.changes = outer, changes
+        engine.state.frame, engine.state.changes = outer, changes
 
 
 def _changed(statement: Statement) -> list[str]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Obj, Value
+from roslens.source.extract.domain.abstract_value import Callable, Obj, Value
 from roslens.source.extract.domain.call_stack import CallStack
-from roslens.source.extract.domain.evaluation_frame import Frame
-from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.domain.emitter import Emitter
+from roslens.source.extract.domain.state import State
 from roslens.source.extract.ir.makes_endpoints import makes_endpoints
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbols.lookups import Found
@@ -21,25 +21,25 @@ KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 
 
 class Caller(Protocol):
-    """What evaluates, as far as it decides what a name means.
-
-    See :class:`~roslens.source.extract.interpreter.evaluation.Evaluation` for its attributes.
-    """
+    """What evaluates, as far as it decides what a name means; see :class:`Context` for its attributes."""
 
     index: Index
-    first: Building
-    node: Building
-    frame: Frame
+    emitter: Emitter
+    state: State
     stack: CallStack
-    site: Evidence
 
 
 class NamedFunctions:
-    """The functions of the workspace by name, as one evaluation calls them."""
+    """The functions of the workspace by name, as one evaluation calls them.
+
+    Attributes:
+        bare: functions without their decorators, by the identity of those with them, which they keep alive.
+    """
 
     def __init__(self, engine: Caller) -> None:
         """Look for them where ``engine`` is."""
         self._engine = engine
+        self.bare: dict[int, tuple[Function, Function]] = {}
 
     def method(self, thing: Obj, name: str) -> Callable | None:
         """Return a method of an object by name, of its class or the nearest base that has it."""
@@ -91,7 +91,7 @@ class NamedFunctions:
 
     def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
-        frame, known = self._engine.frame, self._engine.index.lookups.functions
+        frame, known = self._engine.state.frame, self._engine.index.lookups.functions
         key = (name, frame.path, frame.scope, count)
         if key in known:
             found = known[key]
@@ -105,7 +105,12 @@ class NamedFunctions:
     def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
         running = self._engine.stack.running
         chosen = overload(
-            self._engine.index, several, count, arguments, running, (self._engine.frame.path, self._engine.first.path)
+            self._engine.index,
+            several,
+            count,
+            arguments,
+            running,
+            (self._engine.state.frame.path, self._engine.emitter.first.path),
         )
         if chosen is None:
             self._unknown_which(name, several)
@@ -120,5 +125,5 @@ class NamedFunctions:
             return
         places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
         reason = f"{name}() is called, but none that is known to be linked here: there is {places}"
-        if (self._engine.site, reason) not in self._engine.node.unresolved:
-            self._engine.node.unresolved.append((self._engine.site, reason))
+        if (self._engine.state.site, reason) not in self._engine.emitter.node.unresolved:
+            self._engine.emitter.node.unresolved.append((self._engine.state.site, reason))

@@ -10,7 +10,7 @@ from collections.abc import Sequence as SequenceOf
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Callable, Names, QosValue, Value, test_of
-from roslens.source.extract.domain.evaluation_frame import join
+from roslens.source.extract.domain.frame import join
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation, Sequence
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
 from roslens.source.extract.symbolic.text import And, Condition, Text
@@ -34,7 +34,7 @@ def does_something(engine: Context, operand: Expression) -> bool:
     if lookups.function_names is None:
         programs = engine.index.programs.values()
         lookups.function_names = {one.name for program in programs for one in program.functions if one.body}
-    local = engine.frame.names
+    local = engine.state.frame.names
     for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
         if one in lookups.function_names or (one in local and type(local[one]) is Callable):
             return True
@@ -76,15 +76,15 @@ def value_if(
         test: what decides that, where it is known.
         noted: whether what is made in it keeps the condition.
     """
-    frame, changes, here = engine.frame, engine.changes, len(engine.conditions)
+    frame, changes, here = engine.state.frame, engine.state.changes, len(engine.state.conditions)
     before, since = frame.snapshot(), changes.count
     changes.open += 1
     if noted:
-        engine.under(condition, test)
+        engine.state.under(condition, test)
     try:
         value = engine.value(operand)
     finally:
-        del engine.conditions[here:]
+        del engine.state.conditions[here:]
         changes.open -= 1
     if not frame.is_as(before):
         _may_be_as(frame.names, before[0], condition, test)

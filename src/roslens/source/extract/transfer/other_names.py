@@ -21,7 +21,7 @@ _PLAIN = (Text, bool, int, float, QosValue)
 
 def refer(engine: Context, statement: Assign) -> bool:
     """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
-    frame, name, value = engine.frame, statement.target, statement.value
+    frame, name, value = engine.state.frame, statement.target, statement.value
     if not isinstance(name, Name) or value is None or value == name:
         return False
     if isinstance(value, Call) and not value.arguments and not value.keywords:
@@ -38,11 +38,13 @@ def refer(engine: Context, statement: Assign) -> bool:
 
 def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call) -> bool:
     """Let a name be another one of what a call returns a reference to; return True."""
-    frame = engine.frame
+    frame = engine.state.frame
     no_place(engine)
-    value = engine.converted(statement.declared, engine.value(call)) if statement.declared else engine.value(call)
+    value = (
+        engine.objects.converted(statement.declared, engine.value(call)) if statement.declared else engine.value(call)
+    )
     frame.names.pop(name.name, None)
-    if engine.gave is not None and isinstance(value, _PLAIN):
+    if engine.state.gave is not None and isinstance(value, _PLAIN):
         frame.aliases = {**frame.aliases, name.name: (call, statement.operator == "*")}
     else:
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
@@ -52,7 +54,7 @@ def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call)
 
 def assign_referred(engine: Context, name: str, value: Value) -> None:
     """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
-    expression, pointer = engine.frame.aliases[name]
+    expression, pointer = engine.state.frame.aliases[name]
     if pointer:
         reason = f"what {name} points to"
         value = unknown(reason) if isinstance(engine.value(expression), Text) else Unknown(reason)

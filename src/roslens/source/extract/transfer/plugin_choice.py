@@ -41,12 +41,12 @@ def deciding_node(engine: Context, text: Text) -> Building:
     """Return the node whose parameters decide a text, else the one whose code is evaluated."""
     for hole in text.holes:
         for reason in (hole.reason, *(one.reason for named in hole.named for one in named.holes)):
-            if 0 < (number := node_of_reason(reason)) <= len(engine.others):
-                return engine.others[number - 1]
+            if 0 < (number := node_of_reason(reason)) <= len(engine.emitter.others):
+                return engine.emitter.others[number - 1]
         if hole.parameter:
-            return engine.first
-    node = getattr(engine.frame.self, "node", None)
-    return engine.node if node is None else node
+            return engine.emitter.first
+    node = getattr(engine.state.frame.self, "node", None)
+    return engine.emitter.node if node is None else node
 
 
 def _maps(value: str) -> Value:

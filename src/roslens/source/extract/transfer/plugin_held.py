@@ -24,17 +24,17 @@ def held_in(thing: Obj) -> Table:
 
 def hold(engine: Context, thing: Obj, key: Value, value: Value) -> None:
     """Put something at a place of a list; what is only there under a condition of its function is unknown."""
-    engine.touched()
+    engine.summaries.touch()
     place = key if is_whole(key) else _EACH
     if not isinstance(value, Text | Obj) or (place is _EACH and isinstance(value, Text) and not value.holes):
         value = Unknown("an item of a list")
     held = thing.fields.setdefault(_HELD, {})
     if not isinstance(held, dict):
         return
-    uncertain = len(engine.conditions) > engine.frame.depth + engine.frame.passed
+    uncertain = len(engine.state.conditions) > engine.state.frame.depth + engine.state.frame.passed
     if (uncertain or place is _EACH) and held.get(place, value) != value:
         value = Unknown("an item of a list")
-    engine.changes.put(held, place, value)
+    engine.state.changes.put(held, place, value)
 
 
 def item_held(thing: Obj, key: Value) -> Value:
@@ -51,5 +51,5 @@ def plugged_in(engine: Context, value: Value) -> list[Value] | None:
         return None
     held = held_in(value)
     items = [held[key] for key in sorted(all_of_kind(held, int))]
-    known = len(items) == len(held) and all(any(one is item for one, _ in engine.plugged) for item in items)
+    known = len(items) == len(held) and all(any(one is item for one, _ in engine.emitter.plugged) for item in items)
     return items if items and known else None

@@ -44,7 +44,7 @@ def forget_set_by_methods(engine: Context, statement: Loop) -> None:
 
     What is true or false is left alone: it mostly tells what the first turn did.
     """
-    thing = engine.frame.self
+    thing = engine.state.frame.self
     if not isinstance(thing, Obj) or thing.defined is None:
         return
     lookups, fields = engine.index.lookups, thing.fields

@@ -16,8 +16,8 @@ def changed_for_all(engine: Context, holder: Name | Member, before: Value, after
     """Let a quality of service be what it was changed to under its other names too."""
     shared = engine.dialect.names_share_objects
     if isinstance(before, QosValue) and before is not after and (shared or _is_reference(engine, holder)):
-        engine.forget_calls()
-        engine.changes.refine(before, after)
+        engine.summaries.forget_all()
+        engine.state.changes.refine(before, after)
         if shared:
             _in_constants(engine, before, after)
             changed_by_call(engine)
@@ -25,8 +25,8 @@ def changed_for_all(engine: Context, holder: Name | Member, before: Value, after
 
 def newest(engine: Context, value: Value) -> Value:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
-    while isinstance(value, QosValue) and id(value) in engine.refined:
-        value = engine.refined[id(value)][1]
+    while isinstance(value, QosValue) and id(value) in engine.state.changes.refined:
+        value = engine.state.changes.refined[id(value)][1]
     return value
 
 
@@ -34,24 +34,24 @@ def changed_by_call(engine: Context) -> None:
     """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
     if not engine.dialect.names_share_objects:
         return
-    thing = engine.frame.self
-    for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):
+    thing = engine.state.frame.self
+    for held in (engine.state.frame.names, thing.fields if isinstance(thing, Obj) else {}):
         for name, value in held.items():
-            if isinstance(value, QosValue) and id(value) in engine.refined:
-                engine.changes.put(held, name, newest(engine, value))
+            if isinstance(value, QosValue) and id(value) in engine.state.changes.refined:
+                engine.state.changes.put(held, name, newest(engine, value))
 
 
 def _in_constants(engine: Context, before: QosValue, after: QosValue) -> None:
     """What a module or class holds is changed for all that use it; under a condition it may be."""
-    for place, value in engine.constants.items():
+    for place, value in engine.state.constants.items():
         if value is before:
-            why = f"it may be changed, if {engine.conditions[-1]}" if engine.conditions else ""
-            engine.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
+            why = f"it may be changed, if {engine.state.conditions[-1]}" if engine.state.conditions else ""
+            engine.state.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
 
 
 def _is_reference(engine: Context, holder: Name | Member) -> bool:
     """Whether what is changed is a member that refers to something outside of its object."""
-    thing = engine.frame.self
-    if not isinstance(thing, Obj) or holder.name in engine.frame.names:
+    thing = engine.state.frame.self
+    if not isinstance(thing, Obj) or holder.name in engine.state.frame.names:
         return False
     return declared_field(engine.index, thing.defined, holder.name).endswith("&")

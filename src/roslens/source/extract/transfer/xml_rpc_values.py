@@ -28,10 +28,10 @@ Parts = dict[str, Part]
 def put_part(engine: Context, of: Obj, key: Value, value: Value) -> None:
     """Put an item into a value; what has no known name is left out."""
     if isinstance(key, Text) and key.known:
-        engine.touched()
+        engine.summaries.touch()
         parts = of.fields.setdefault(_PARTS, {})
         if isinstance(parts, dict):
-            parts[key.known] = Part(value, tuple(dict.fromkeys(engine.conditions)))
+            parts[key.known] = Part(value, tuple(dict.fromkeys(engine.state.conditions)))
 
 
 def parts_of(value: Value) -> Parts:

@@ -10,12 +10,11 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Building, Callable, Named, Obj, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.word_list import words_given
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Sure
-from roslens.source.extract.interpreter.evaluated_statements import block
-from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
+from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.ir.program import (
     Assign,
     Branch,
@@ -32,6 +31,8 @@ from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.context import Given
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 _FIRST = (
@@ -89,18 +90,18 @@ def facts_of_class(
 ) -> list[NodeFacts]:  # fmt: skip
     """Return the facts of a class that is a node, and of further nodes that it makes.
 
-    ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Evaluation`.
+    ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Given`.
     """
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
-    engine = Evaluation(index, building, chosen, plugin_names)
+    engine = Interpreter(index, building, Given(chosen, plugin_names))
 
     def run() -> None:
-        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        engine.state.frame = Frame(defined.path, defined.what.qualified_name)
         thing = Obj(defined.what.qualified_name, defined, {}, building if generation == "ros1" else None)
-        engine.prepare(thing)
+        engine.objects.prepare(thing)
         thing.node = thing.node or building
         building.named = False
-        engine.construct_as(thing, defined, [], {})
+        engine.objects.construct_as(thing, defined, [], {})
         run_methods(engine, thing)
         _run_made(engine, thing)
         _run_plugged(engine)
@@ -112,19 +113,19 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
-    engine = Evaluation(index, building)
+    engine = Interpreter(index, building)
 
     def run() -> None:
-        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        engine.state.frame = Frame(defined.path, defined.what.qualified_name)
         thing = Obj(defined.what.qualified_name, defined, {})
-        engine.prepare(thing)
-        engine.construct_as(thing, defined, [], {})
+        engine.objects.prepare(thing)
+        engine.objects.construct_as(thing, defined, [], {})
         run_methods(engine, thing)
         for found in index.methods(defined, defined.what.name):
             # Constructors that nobody calls are an offer too.
-            if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.reached:
+            if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
-                engine.prepare(other)
+                engine.objects.prepare(other)
                 engine.call(Callable(found.what, found.path, other), [], {})
         engine.run_later()
 
@@ -140,14 +141,14 @@ def facts_of_function(
     """
     building = building_of(function.qualified_name, path, function.line, generation_of(index, path), "function")
     building.named = True
-    engine = Evaluation(index, building)
+    engine = Interpreter(index, building)
 
     def run() -> None:
         defined = index.class_of(function.class_name, path, "") if function.class_name else None
         thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
-        engine.frame = Frame(path, "")
+        engine.state.frame = Frame(path, "")
         if thing is not None and prepared:
-            engine.prepare(thing)
+            engine.objects.prepare(thing)
         engine.call(Callable(function, path, thing), [], {})
         engine.run_later()
 
@@ -161,24 +162,24 @@ def facts_of_main(
     """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes.
 
     ``words`` are those of its command line, where they are known; ``chosen`` and ``plugin_names`` tell which plug-ins
-    are loaded, see :class:`Evaluation`.
+    are loaded, see :class:`Given`.
     """
     program = index.programs[path]
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
         return []
     building = building_of("main", path, main.line, generation_of(index, path), "node")
-    engine = Evaluation(index, building, chosen, plugin_names)
+    engine = Interpreter(index, building, Given(chosen, plugin_names))
 
     def run() -> None:
-        engine.frame = Frame(path, "")
+        engine.state.frame = Frame(path, "")
         held = None if words is None else words_given(words)
         given: list[Value] = [Unknown("argc"), Unknown("argv")]
         if held is not None:
             given = [held.length, held]
         engine.call(Callable(main, path), given, {})
         _run_callbacks(engine)
-        if len(engine.made) > 1:
+        if len(engine.emitter.made) > 1:
             # Which node of several is which only this evaluation knows.
             _run_made(engine)
         _run_plugged(engine)
@@ -200,23 +201,22 @@ def facts_of_module(
     """
     program = index.programs[path]
     building = building_of(function or "<module>", path, 1, generation_of(index, path), "node")
-    engine = Evaluation(index, building)
-    engine.words = None if words is None else words_given(words)
+    engine = Interpreter(index, building, Given(words=None if words is None else words_given(words)))
 
     def run() -> None:
-        engine.frame = Frame(path, "")
-        engine.frame.names["__name__"] = Text.of("__main__")
+        engine.state.frame = Frame(path, "")
+        engine.state.frame.names["__name__"] = Text.of("__main__")
         chosen: list[Function] = [one for one in program.functions if one.qualified_name == function]
         if function and chosen:
             engine.call(Callable(chosen[0], path), [], {})
         elif not function:
             for statement in program.body:
                 if isinstance(statement, Branch) and _is_main(statement):
-                    block(engine, statement.then)
+                    engine.block(statement.then)
                 elif isinstance(statement, Evaluate):
                     engine.value(statement.expression)
                 elif isinstance(statement, Branch | Loop) or _calls(statement):
-                    block(engine, (statement,))
+                    engine.block((statement,))
         _run_lifecycle(engine)
         _run_callbacks(engine)
 
@@ -224,17 +224,17 @@ def facts_of_module(
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
-def _run_lifecycle(engine: Evaluation) -> None:
+def _run_lifecycle(engine: Interpreter) -> None:
     """Run what managed nodes do until they are active: nobody in their own program asks for it."""
-    for one in [made for made in engine.made if made.node is not None and made.node.kind == "lifecycle"]:
-        outer, engine.node = engine.node, one.node or engine.node
+    for one in [made for made in engine.emitter.made if made.node is not None and made.node.kind == "lifecycle"]:
+        outer, engine.emitter.node = engine.emitter.node, one.node or engine.emitter.node
         try:
             for name in _FIRST[:3]:
                 method = engine.named.method(one, name)
                 if method is not None:
                     engine.call(method, [], {})
         finally:
-            engine.node = outer
+            engine.emitter.node = outer
 
 
 def _calls(statement: Statement) -> bool:
@@ -246,14 +246,14 @@ def _is_main(branch: Branch) -> bool:
     return isinstance(condition, Operation) and Literal("__main__") in condition.operands
 
 
-def run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
+def run_methods(engine: Interpreter, thing: Obj, *, again: bool = False) -> None:
     """Run what a node does after it is made: its life cycle first, then what was never called.
 
     What another object of its class did is done ``again``.
     """
     for name in _FIRST:
         method = engine.named.method(thing, name)
-        if method is not None and (again or (method.path, method.function.line) not in engine.reached):
+        if method is not None and (again or (method.path, method.function.line) not in engine.callbacks.reached):
             engine.call(method, [], {})
     _forget(engine, thing)
     engine.run_later()
@@ -266,45 +266,45 @@ def run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
             for found in engine.index.methods_of(one):
                 if isinstance(found.what, Function) and not _made_by(found.what, one):
                     called = Written(f"{found.what.name}() is called")
-                    engine.later.append((Callable(found.what, found.path, thing), called))
+                    engine.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
     engine.run_later()
 
 
-def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
+def _run_made(engine: Interpreter, first: Obj | None = None) -> None:
     """Run what further nodes do that were made on the way: each class of them once."""
     seen: set[int] = {id(first)}
-    while fresh := [one for one in engine.made if id(one) not in seen and one.node is not None]:
+    while fresh := [one for one in engine.emitter.made if id(one) not in seen and one.node is not None]:
         for one in fresh:
             seen.add(id(one))
-            outer, engine.node = engine.node, one.node or engine.node
+            outer, engine.emitter.node = engine.emitter.node, one.node or engine.emitter.node
             try:
                 run_methods(engine, one, again=True)
             finally:
-                engine.node = outer
+                engine.emitter.node = outer
 
 
-def _run_plugged(engine: Evaluation) -> None:
+def _run_plugged(engine: Interpreter) -> None:
     """Run what plug-ins do that nobody was seen to call; they may load others."""
     done = 0
-    while done < len(engine.plugged):
-        thing, node = engine.plugged[done]
-        outer, engine.node = engine.node, node
+    while done < len(engine.emitter.plugged):
+        thing, node = engine.emitter.plugged[done]
+        outer, engine.emitter.node = engine.emitter.node, node
         try:
             run_methods(engine, thing)
         finally:
-            engine.node = outer
+            engine.emitter.node = outer
         done += 1
 
 
-def _run_callbacks(engine: Evaluation) -> None:
+def _run_callbacks(engine: Interpreter) -> None:
     """Run the callbacks of a program: by then, members of their objects may have changed."""
-    for callback, _ in engine.later:
+    for callback, _ in engine.callbacks.waiting:
         if isinstance(callback.self, Obj):
             _forget(engine, callback.self)
     engine.run_later()
 
 
-def _forget(engine: Evaluation, thing: Obj) -> None:
+def _forget(engine: Interpreter, thing: Obj) -> None:
     """Forget truth values that may have changed when a callback runs: those of members that methods set."""
     waiting, seen = [thing], set[int]()
     while waiting and len(seen) < 200:
@@ -330,11 +330,11 @@ def _made_by(function: Function, defined: Defined) -> bool:
 
 
 def finished(
-    engine: Evaluation, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
+    engine: Interpreter, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
 ) -> list[NodeFacts]:
     """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
     units = engine.index.units if unit else None
-    found, followed = (units or {}).get(unit) or (_made(engine, run), engine.reached)
+    found, followed = (units or {}).get(unit) or (_made(engine, run), engine.callbacks.reached)
     if units is not None:
         units[unit] = (found, followed)
     if reached is not None:
@@ -342,18 +342,20 @@ def finished(
     return list(found)
 
 
-def _made(engine: Evaluation, run: Callable1[[], None]) -> list[NodeFacts]:
+def _made(engine: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
     try:
         run()
     except (SpentError, RecursionError):
-        place = Evidence(engine.node.path, engine.node.line)
-        engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
-        for one in (engine.node, *engine.others):
+        node = engine.emitter.node
+        place = Evidence(node.path, node.line)
+        node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+        for one in (node, *engine.emitter.others):
             _doubt_conditions(one)
     except _ODD as error:
-        reason = f"what is written at {engine.site.path}:{engine.site.line} is evaluated to nonsense ({error})"
-        engine.node.unresolved.append((engine.site, f"{reason}; what was found until then is here"))
-    return [one.facts() for one in (engine.node, *engine.others)]
+        site = engine.state.site
+        reason = f"what is written at {site.path}:{site.line} is evaluated to nonsense ({error})"
+        engine.emitter.node.unresolved.append((site, f"{reason}; what was found until then is here"))
+    return [one.facts() for one in (engine.emitter.node, *engine.emitter.others)]
 
 
 def _doubt_conditions(node: Building) -> None:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from roslens.source.extract.domain.abstract_value import Callable, Obj, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.facts.node_facts import NodeFacts
-from roslens.source.extract.interpreter.evaluated_statements import block
-from roslens.source.extract.interpreter.evaluation import Evaluation
+from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.ir.program import Assign, Call, Evaluate, Function, Member
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
@@ -35,18 +34,18 @@ def _facts_of_tree_node(
     path, function, call = registered_by
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
     building.named = True
-    engine = Evaluation(index, building)
+    engine = Interpreter(index, building)
     unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
 
     def run() -> None:
-        engine.frame = Frame(path, function.qualified_name)
-        block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
+        engine.state.frame = Frame(path, function.qualified_name)
+        engine.block(tuple(one for one in function.body if isinstance(one, Assign)))
         builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
         match builder:
             case Callable():
                 thing = engine.call(builder, unknown, {})
             case _:
-                thing = engine.construct(defined, unknown, {})
+                thing = engine.objects.construct(defined, unknown, {})
         if isinstance(thing, Obj):
             run_methods(engine, thing)
 

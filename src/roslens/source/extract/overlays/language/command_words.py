@@ -95,7 +95,7 @@ def remove_ros_args(engine: Context, _thing: Value, called: Called) -> Value:
 @outer("rospy.myargv", quiet=True)
 def my_words(engine: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS."""
-    words = called.argument(0, "argv", default=engine.words)
+    words = called.argument(0, "argv", default=engine.given.words)
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
 
 
@@ -104,7 +104,7 @@ def my_words(engine: Context, _thing: Value, called: Called) -> Value:
 def of_program(engine: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
-    words = engine.words if words is None else words
+    words = engine.given.words if words is None else words
     return without_ros2(words) if isinstance(words, Words) else Unknown(f"result of {called.name}()")
 
 

@@ -59,7 +59,7 @@ def parser(engine: Context, thing: Value, called: Called) -> Value:
     """A parser of command lines; what parents of it know is not followed."""
     found = thing if isinstance(thing, Obj) else Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
-    found.fields[_UNDER] = _Under(tuple(engine.conditions))
+    found.fields[_UNDER] = _Under(tuple(engine.state.conditions))
     return found
 
 
@@ -84,7 +84,7 @@ def defaults(engine: Context, thing: Value, called: Called) -> Value:
         if isinstance(held, dict):
             held.update(called.keywords.items())
     for one in called.keywords.values():
-        engine.called_outer(one, Written("the command line asks for it"))
+        engine.callbacks.give(one, Written("the command line asks for it"))
     return None
 
 
@@ -93,7 +93,7 @@ def option(engine: Context, thing: Obj, called: Called) -> Value:
     """An argument is made known to the parser."""
     names = [known_text(one) for one in called.arguments]
     known = [one for one in names if one]
-    if len(known) < len(names) or not known or _Under(tuple(engine.conditions)) != thing.fields.get(_UNDER):
+    if len(known) < len(names) or not known or _Under(tuple(engine.state.conditions)) != thing.fields.get(_UNDER):
         thing.fields[_LOST] = True
         return None
     given = called.keywords
@@ -125,8 +125,8 @@ def _kind(value: Value) -> str:
 def parsed(engine: Context, thing: Obj, called: Called) -> Value:
     """The words are taken apart."""
     words = called.argument(0, "args")
-    if words is None and engine.words is not None:
-        words = engine.words.part(1, None)
+    if words is None and engine.given.words is not None:
+        words = engine.given.words.part(1, None)
     rest = called.name == "parse_known_args"
     options = all_of_kind(items_of(thing.fields.get(_OPTIONS)), Option)
     held = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})

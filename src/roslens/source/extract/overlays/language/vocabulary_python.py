@@ -52,7 +52,9 @@ def _forget_members(engine: Context, thing: Obj, name: Value) -> None:
         of_values = isinstance(value, list) and all(isinstance(one, _PLAIN) for one in value)
         if (of_values or isinstance(value, _PLAIN)) and fnmatchcase(member, pattern):
             reason = f"{member}, which setattr() may set"
-            engine.changes.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
+            engine.state.changes.put(
+                thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason)
+            )
 
 
 @outer("type", quiet=True)

@@ -33,7 +33,7 @@ def port(engine: Context, _thing: Value, called: Called) -> Value:
 
 def _port_default(engine: Context, name: Text) -> str | None:
     """Return the default that the class of a node of a behaviour tree gives a port."""
-    thing = engine.frame.self
+    thing = engine.state.frame.self
     if not isinstance(thing, Obj):
         return None
     if "ports" not in thing.fields:
@@ -49,7 +49,7 @@ def _port_default(engine: Context, name: Text) -> str | None:
 @outer("BT.InputPort", "BT.BidirectionalPort")
 def declared_port(engine: Context, _thing: Value, called: Called) -> Value:
     """A port is declared, with a default where it has three arguments."""
-    thing = engine.frame.self
+    thing = engine.state.frame.self
     default = called.argument(1)
     ports = thing.fields.get("ports") if isinstance(thing, Obj) else None
     if isinstance(ports, dict) and len(called.arguments) > 2:
@@ -63,7 +63,7 @@ def tree(engine: Context, _thing: Value, called: Called) -> Value:
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"
     note = (called.evidence, f"a behaviour tree is made of {name}: what its nodes make is unknown")
-    if note not in engine.node.unresolved:
-        engine.node.unresolved.append(note)
-        engine.touched()
+    if note not in engine.emitter.node.unresolved:
+        engine.emitter.node.unresolved.append(note)
+        engine.summaries.touch()
     return Unknown("a behaviour tree")

@@ -36,7 +36,7 @@ def _note(engine: Context, value: Text, kind: str) -> None:
     hole = value.only
     if hole is None or not hole.parameter:
         return
-    known = engine.node.parameters
+    known = engine.emitter.node.parameters
     for place in range(len(known) - 1, -1, -1):
         one = known[place]
         if one.access == "read" and hole.parameter in (one.name.known, one.name.pattern):

@@ -8,18 +8,22 @@ parameter_generator_catkin.py). Functions that it imports may call it as well.
 from __future__ import annotations
 
 import math
+from functools import partial
 from weakref import WeakKeyDictionary
 
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Building, Foreign, Named, Names, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.kinds import all_of_kind, is_number, is_whole, items_of
+from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
+from roslens.source.extract.interpreter.expressions import Expressions
+from roslens.source.extract.interpreter.interpreter import Interpreter, Parts
 from roslens.source.extract.interpreter.vocabulary import Called, method, outer
 from roslens.source.extract.symbolic.text import Conditions, Text, unknown
 from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.transfer.budget import SpentError
 from roslens.source.extract.transfer.context import Context
 
 _GENERATOR, _GROUP = "dynamic_reconfigure.ParameterGenerator", "dynamic_reconfigure.Group"
@@ -70,16 +74,16 @@ class ReconfigureFile(msgspec.Struct, frozen=True):
     whole: bool = True
 
 
-class _Reading(Evaluation):
-    """An evaluation of a ``.cfg`` file, which keeps what it generates."""
+class _Script(Expressions):
+    """Expressions of a ``.cfg`` file, which keep what it generates."""
 
-    def __init__(self, index: Index, path: str) -> None:
-        super().__init__(index, Building("<module>", path, 1, "ros1", parameters=[], endpoints=[], unresolved=[]))
-        self.frame = Frame(path, "", names={"__name__": Text.of("__main__")})
-        self.generated: list[ReconfigureFile] = []
+    def __init__(self, context: Context, generated: list[ReconfigureFile]) -> None:
+        super().__init__(context)
+        self.generated = generated
 
-    def _outside(self, name: str) -> Value:
-        return math.pi if name in ("math.pi", "pi") else super()._outside(name)
+    def outside(self, name: str) -> Value:
+        """Return what a name means that is not of the script."""
+        return math.pi if name in ("math.pi", "pi") else super().outside(name)
 
 
 _read: WeakKeyDictionary[Index, dict[str, tuple[ReconfigureFile, ...]]] = WeakKeyDictionary()
@@ -105,13 +109,19 @@ def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...
     program = index.programs[path]
     if program.language != "python":
         return ()
-    reading = _Reading(index, path)
+    generated: list[ReconfigureFile] = []
+    reading = Interpreter(
+        index,
+        Building("<module>", path, 1, "ros1", parameters=[], endpoints=[], unresolved=[]),
+        parts=Parts(partial(_Script, generated=generated)),
+        state=State(Frame(path, "", names={"__name__": Text.of("__main__")}), Evidence(path, 1)),
+    )
     whole = not program.incomplete
     try:
         reading.block(program.body)
     except (SpentError, *_ODD):
         whole = False
-    return tuple(msgspec.structs.replace(one, whole=whole) for one in reading.generated)
+    return tuple(msgspec.structs.replace(one, whole=whole) for one in generated)
 
 
 @outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
@@ -148,7 +158,7 @@ def add(engine: Context, thing: Obj, called: Called) -> Value:
             "..".join(ends) if any(ends) else "",
             description.known or "",
             called.evidence,
-            tuple(dict.fromkeys(engine.conditions)),
+            tuple(dict.fromkeys(engine.state.conditions)),
         )
     )
     return None
@@ -157,11 +167,11 @@ def add(engine: Context, thing: Obj, called: Called) -> Value:
 @method(_GENERATOR, "generate")
 def generate(engine: Context, thing: Obj, called: Called) -> Value:
     """A class is generated of what was declared until now."""
-    if isinstance(engine, _Reading):
+    if isinstance(engine.expressions, _Script):
         texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
         package, name = (one.known or "" for one in texts)
         added = all_of_kind(items_of(thing.fields[_ADDED]), Declaration)
-        engine.generated.append(ReconfigureFile(package, name, engine.frame.path, tuple(added)))
+        engine.expressions.generated.append(ReconfigureFile(package, name, engine.state.frame.path, tuple(added)))
     return 0
 
 

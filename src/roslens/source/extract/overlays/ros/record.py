@@ -82,7 +82,7 @@ def endpoint(
     written = below(receiver, as_text(name))
     if not written:
         written = unknown("a name that is not set")
-    asked = engine.asked_now()
+    asked = engine.state.asked_now()
     if asked and node.generation == "ros1" and written.holes:
         written = without_defaults(written, asked)
     evidence, through = origin(engine, called, name)
@@ -99,12 +99,12 @@ def endpoint(
         qos_unknown=quality.unknown if quality else "",
         queue=queue,
         latched=latched,
-        callback=engine.called_outer(callback),
+        callback=engine.callbacks.give(callback),
         group=group.name if isinstance(group, Group) else "",
-        conditions=tuple(dict.fromkeys(engine.conditions)),
+        conditions=tuple(dict.fromkeys(engine.state.conditions)),
         asked=asked,
         through=through,
-        overrides=_beyond(overrides, engine.conditions) if node.generation == "ros2" else None,
+        overrides=_beyond(overrides, engine.state.conditions) if node.generation == "ros2" else None,
     )
     for place, known in enumerate(node.endpoints):
         if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
@@ -187,7 +187,7 @@ def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text
     if not name:
         name = _as_interface(_meant(engine, written), generation)
     if not name:
-        name = included_interface(written, engine.index.programs[engine.frame.path])
+        name = included_interface(written, engine.index.programs[engine.state.frame.path])
     if not name:
         name = _in_scope(engine, written, KINDS[role])
     if not name:
@@ -197,7 +197,7 @@ def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text
 
 def _meant(engine: Context, written: str) -> str:
     """Return what a type means that is written by an alias or without its namespace."""
-    path, scope = engine.frame.path, engine.frame.scope
+    path, scope = engine.state.frame.path, engine.state.frame.scope
     inner = message_of(written)
     plain = dotted(inner) if "<" not in inner else ""
     alias = engine.index.alias(plain, path, scope) if plain else ""
@@ -225,12 +225,12 @@ def _adapted(engine: Context, written: str) -> str:
         return arguments[1]
     if name.startswith("rclcpp.adapt_type") and "." in inside:
         return inside
-    return engine.index.adapted(name, engine.frame.path, engine.frame.scope) or written
+    return engine.index.adapted(name, engine.state.frame.path, engine.state.frame.scope) or written
 
 
 def _in_scope(engine: Context, written: str, kind: str) -> str:
     """Return the interface that a name without package means: of a module that is used whole, or of its namespace."""
-    program = engine.index.programs[engine.frame.path]
+    program = engine.index.programs[engine.state.frame.path]
     if not written.isidentifier():
         return ""
     if program.dialect.classes_in_modules:
@@ -240,17 +240,21 @@ def _in_scope(engine: Context, written: str, kind: str) -> str:
     found = used_interface(written, kind, program.using, engine.index.headers)
     if found:
         return found
-    scope = engine.frame.scope
+    scope = engine.state.frame.scope
     while scope := scope.rpartition(".")[0]:
         last = scope.rpartition(".")[2]
-        if engine.index.includes(f"{last}/{written}.h", engine.frame.path):
+        if engine.index.includes(f"{last}/{written}.h", engine.state.frame.path):
             return f"{last}/{written}"
     return ""
 
 
-def type_of_callback(engine: Context, callback: Value, place: int = 0) -> str:
+def type_of_callback(callback: Value, place: int = 0) -> str:
     """Return the type that a callback takes, as its declaration says."""
-    return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
+    if not isinstance(callback, Callable):
+        return ""
+    bound = sum(not isinstance(one, Unknown) for one in callback.arguments)
+    parameters = callback.function.parameters[place + bound :]
+    return parameters[0].type if parameters else ""
 
 
 class Described(Foreign, frozen=True):
@@ -287,7 +291,7 @@ def parameter(
         kind or _type_by_default(node, default, python=called.evidence.path.endswith(".py")),
         text,
         described.range,
-        tuple(dict.fromkeys(engine.conditions)),
+        tuple(dict.fromkeys(engine.state.conditions)),
         described.description,
         terms=described.terms,
     )
@@ -295,11 +299,11 @@ def parameter(
         node.parameters.append(fact)
     known = written.known or written.pattern
     stated = text if text is not None else declared_default(node, written)
-    if engine.chosen is not None:
+    if engine.given.chosen is not None:
         known = written.usual or known
         if stated is None:
             stated = declared_default(node, Text.of(known))
-        decided = chosen_value(engine.chosen, node, known, stated)
+        decided = chosen_value(engine.given.chosen, node, known, stated)
         if decided is not None:
             return decided
     usual = None if stated is None else stated.usual
@@ -352,4 +356,4 @@ def timer(engine: Context, receiver: Value, called: Called, period: Value, callb
     node = node_of(engine, receiver)
     seconds = float(period) if is_number(period) else None
     name = group.name if isinstance(group, Group) else ""
-    node.timers.append(TimerFact(seconds, called.evidence, engine.called_outer(callback), name))
+    node.timers.append(TimerFact(seconds, called.evidence, engine.callbacks.give(callback), name))

@@ -42,14 +42,14 @@ def write_parameter(
         return
     text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
     writer = called.evidence
-    if engine.running:
+    if engine.callbacks.running:
         writer = msgspec.structs.replace(writer, how="while the node runs", sure=Sure.LIKELY)
     fact = ParameterFact(
         written,
         called.evidence,
         "written",
         "" if text.holes else type_of_value(value),
-        conditions=tuple(dict.fromkeys((*conditions, *engine.conditions))),
+        conditions=tuple(dict.fromkeys((*conditions, *engine.state.conditions))),
         value=text,
         writer=writer,
     )

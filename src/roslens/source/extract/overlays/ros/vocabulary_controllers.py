@@ -28,9 +28,9 @@ _SERVICES = (
 @outer("controller_manager.ControllerManager")
 def manager(engine: Context, _thing: Value, called: Called) -> Value:
     """A manager of controllers, in the namespace of the handle that it is given."""
-    if engine.node.generation == "ros1":
+    if engine.emitter.node.generation == "ros1":
         given = all_of_kind(called.arguments, Handle)
-        handle = given[0] if given else Handle(engine.node)
+        handle = given[0] if given else Handle(engine.emitter.node)
         for name, kind in _SERVICES:
             service = Text.of(f"controller_manager/{name}")
             endpoint(engine, handle, called, Role.SERVICE_SERVER, service, f"controller_manager_msgs::{kind}")

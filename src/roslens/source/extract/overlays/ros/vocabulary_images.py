@@ -29,7 +29,7 @@ def images(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 def _handle(thing: Value, engine: Context) -> Value:
-    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
+    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.emitter.node)
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")

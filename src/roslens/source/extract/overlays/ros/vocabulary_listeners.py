@@ -142,7 +142,7 @@ def _is_logger(value: Obj | Unknown) -> bool:
 
 def _library(engine: Context, called: Called) -> ParameterLibrary | None:
     """Return what the class of a listener is made of: by its namespace; of several of one package or included."""
-    frame, index = engine.frame, engine.index
+    frame, index = engine.state.frame, engine.index
     python = called.evidence.path.endswith(".py")
     known = [one for one in index.parameter_libraries if one.python is python]
     names = [called.name] if python else [called.name, *index.named(called.name, frame.path, frame.scope)]

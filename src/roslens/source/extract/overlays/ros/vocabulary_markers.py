@@ -39,8 +39,8 @@ def server(engine: Context, _thing: Value, called: Called) -> Value:
         else:
             for end, kind, role, latched in _ENDS:
                 endpoint(
-                    engine, Handle(engine.node), called, role, Text.of(name, end), f"visualization_msgs::{kind}",
-                    queue=_QUEUE, latched=latched,
+                    engine, Handle(engine.emitter.node), called, role, Text.of(name, end),
+                    f"visualization_msgs::{kind}", queue=_QUEUE, latched=latched,
                 )  # fmt: skip
     return found
 

@@ -39,15 +39,15 @@ def mapping(_engine: Context, _thing: Value, called: Called) -> Value:
 @outer("nodelet.Loader")
 def loader(engine: Context, _thing: Value, called: Called) -> Value:
     """A loader of nodelets, with services of a manager where it is told so."""
-    engine.node.generation = "ros1"
+    engine.emitter.node.generation = "ros1"
     given = called.argument(0, default=True)
     if isinstance(given, Handle) or given is True:
-        handle = given if isinstance(given, Handle) else Handle(engine.node, Text.of("~"))
+        handle = given if isinstance(given, Handle) else Handle(engine.emitter.node, Text.of("~"))
         for name, kind in _SERVICES:
             endpoint(engine, handle, called, Role.SERVICE_SERVER, Text.of(name), f"nodelet::{kind}")
     elif isinstance(given, Unknown | Text):
         reason = "whether this loader of nodelets has the services of a manager depends on " + str(as_text(given))
-        engine.node.unresolved.append((called.evidence, reason))
+        engine.emitter.node.unresolved.append((called.evidence, reason))
     return Obj("nodelet.Loader")
 
 
@@ -67,8 +67,8 @@ def load(engine: Context, _thing: Value, called: Called) -> Value:
         as_text(kind) if kind is not None else Text((Hole("class of the nodelet"),)),
         called.evidence,
         pairs,
-        tuple(dict.fromkeys(engine.conditions)),
+        tuple(dict.fromkeys(engine.state.conditions)),
     )
-    if fact not in engine.node.loads:
-        engine.node.loads.append(fact)
+    if fact not in engine.emitter.node.loads:
+        engine.emitter.node.loads.append(fact)
     return Unknown("whether the nodelet is loaded")

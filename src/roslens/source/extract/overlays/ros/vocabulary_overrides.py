@@ -61,12 +61,12 @@ def usual(engine: Context, _thing: Value, called: Called) -> Overrides:
 
 def _overrides(engine: Context, called: Called, kinds: Value, rest: list[Value]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
-    engine.touched()
+    engine.summaries.touch()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
     number = "" if given is None else as_text(given).known
     names = list(_USUAL) if kinds is None else _names(kinds)
     unknown = "" if names is not None and number is not None else f"which it may set is not known ({called.name})"
-    return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(engine.conditions)))
+    return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(engine.state.conditions)))
 
 
 def _names(kinds: Value) -> list[str] | None:

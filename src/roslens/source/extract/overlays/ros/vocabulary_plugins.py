@@ -40,19 +40,19 @@ def instance(engine: Context, thing: Obj, called: Called) -> Value:
     held = thing.fields.get("base")
     base = called.templates[0] if called.templates else held if isinstance(held, str) else ""
     node = deciding_node(engine, kind)
-    name = None if engine.chosen is None else kind.usual
-    defined = _class(engine, name) if name and len(engine.plugged) < _MOST else None
+    name = None if engine.given.chosen is None else kind.usual
+    defined = _class(engine, name) if name and len(engine.emitter.plugged) < _MOST else None
     fact = PluginFact(kind, called.evidence, base, "" if defined is None else defined.what.qualified_name)
     if fact not in node.plugins:
         node.plugins.append(fact)
-        engine.touched()
+        engine.summaries.touch()
     if defined is None:
         return Unknown(f"a plug-in of {base or 'some class'}")
-    engine.touched()
+    engine.summaries.touch()
     engine.budget.extend()
-    made = engine.construct(defined, [], {})
+    made = engine.objects.construct(defined, [], {})
     if isinstance(made, Obj):
-        engine.plugged.append((made, node))
+        engine.emitter.plugged.append((made, node))
     return made
 
 
@@ -68,22 +68,22 @@ def plain_name(_engine: Context, _thing: Value, called: Called) -> Value:
 
 def _class(engine: Context, name: str) -> Defined | None:
     """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
-    whole = type_name(engine.plugin_names.get(name, name).replace("/", "::"))[0]
-    return engine.index.class_of(whole, engine.frame.path, "")
+    whole = type_name(engine.given.plugin_names.get(name, name).replace("/", "::"))[0]
+    return engine.index.class_of(whole, engine.state.frame.path, "")
 
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
 def added(engine: Context, thing: Obj, called: Called) -> Value:
     """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
-        engine.called_outer(one)
+        engine.callbacks.give(one)
     given = called.argument(0)
     place = sum(isinstance(key, int) for key in held_in(thing))
     match given:
         case Obj():
-            if any(one is given for one, _ in engine.plugged):
+            if any(one is given for one, _ in engine.emitter.plugged):
                 hold(engine, thing, place, given)
-        case Text() if len(engine.conditions) <= engine.frame.depth + engine.frame.passed:
+        case Text() if len(engine.state.conditions) <= engine.state.frame.depth + engine.state.frame.passed:
             hold(engine, thing, place, given)
         case _:
             hold(engine, thing, None, Unknown("an item of a list"))

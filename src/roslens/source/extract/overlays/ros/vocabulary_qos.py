@@ -135,7 +135,7 @@ def refined(engine: Context, thing: Obj | QosValue, called: Called) -> Value:
     base = _held(thing) if isinstance(thing, Obj) else thing
     found = _refined(base, called)
     if isinstance(thing, Obj):
-        engine.changes.put(thing.fields, "qos", found)
+        engine.state.changes.put(thing.fields, "qos", found)
         return thing
     return found
 

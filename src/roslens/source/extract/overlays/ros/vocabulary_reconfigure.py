@@ -39,33 +39,33 @@ def reconfigure(engine: Context, _thing: Value, called: Called) -> Value:
         endpoint(engine, handle, called, role, Text.of(name), message, latched=role is Role.PUBLISHER)
     _declare(engine, handle, called, _written(engine, kind))
     if python:
-        engine.called_outer(called.argument(1, "callback"))
+        engine.callbacks.give(called.argument(1, "callback"))
     return Obj("dynamic_reconfigure.Server")
 
 
 @method("dynamic_reconfigure.Server", "setCallback")
 def reconfigured(engine: Context, _thing: Value, called: Called) -> Value:
     """What is called when parameters are changed."""
-    engine.called_outer(called.argument(0))
+    engine.callbacks.give(called.argument(0))
     return None
 
 
 def _handle(engine: Context, called: Called) -> Handle:
     """Return the namespace of a server in C++, ``~`` where none is given."""
     given = all_of_kind(called.arguments, Handle)
-    return given[0] if given else Handle(engine.node, Text.of("~"))
+    return given[0] if given else Handle(engine.emitter.node, Text.of("~"))
 
 
 def _space(engine: Context, called: Called) -> Handle:
     """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
-    engine.node.generation = "ros1"
+    engine.emitter.node.generation = "ros1"
     given = called.argument(2, "namespace")
     if given is None or (isinstance(given, Text) and not given.parts):
-        return Handle(engine.node, Text.of("~"))
+        return Handle(engine.emitter.node, Text.of("~"))
     name = as_text(given)
     if name.head[:1] not in ("/", "~"):
         name = Text.of("~", name)
-    return Handle(engine.node, _without_end(name))
+    return Handle(engine.emitter.node, _without_end(name))
 
 
 def _without_end(name: Text) -> Text:
@@ -76,8 +76,8 @@ def _written(engine: Context, kind: Value) -> str:
     """Return the class that a server is of, without aliases; in Python it is a module."""
     match kind:
         case str():
-            name = dotted(engine.frame.templates.get(kind, kind))
-            return engine.index.meaning(name, engine.frame.path, engine.frame.scope)
+            name = dotted(engine.state.frame.templates.get(kind, kind))
+            return engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope)
         case Named():
             return kind.name
     return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
@@ -86,7 +86,7 @@ def _written(engine: Context, kind: Value) -> str:
 def _declare(engine: Context, handle: Handle, called: Called, kind: str) -> None:
     """Record the parameters that the ``.cfg`` file of a class declares; without it, that they are unknown."""
     node = node_of(engine, handle)
-    conditions = tuple(dict.fromkeys(engine.conditions))
+    conditions = tuple(dict.fromkeys(engine.state.conditions))
     file, sure = _file_of(engine, kind)
     place, _ = origin(engine, called, None)
     known = file is not None and file.whole
@@ -135,8 +135,8 @@ def _file_of(engine: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
 
 def _around(engine: Context, name: str) -> Iterator[str]:
     """Yield the packages that a class without a namespace may be of: what is around it, used whole, or included."""
-    program = engine.index.programs[engine.frame.path]
-    scope = engine.frame.scope
+    program = engine.index.programs[engine.state.frame.path]
+    scope = engine.state.frame.scope
     while scope := scope.rpartition(".")[0]:
         yield scope
     yield from program.using

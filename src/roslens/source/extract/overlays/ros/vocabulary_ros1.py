@@ -28,7 +28,7 @@ _OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServic
 @outer("ros.init", "rospy.init_node")
 def init(engine: Context, _thing: Value, called: Called) -> Value:
     """The process becomes a node."""
-    node = engine.node
+    node = engine.emitter.node
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
     node.generation = "ros1"
     node.named = True
@@ -49,9 +49,9 @@ def handle(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 def _handle(engine: Context, called: Called) -> Handle:
-    engine.node.generation = "ros1"
+    engine.emitter.node.generation = "ros1"
     prefix = Text()
-    node: Building = engine.node
+    node: Building = engine.emitter.node
     for place, value in enumerate(called.arguments[:2]):
         match value:
             case Handle():
@@ -76,29 +76,29 @@ def _trimmed(name: Text) -> Text:
 @method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
 def public_handle(engine: Context, _thing: Value, _called: Called) -> Value:
     """The namespace of the node."""
-    return Handle(engine.node)
+    return Handle(engine.emitter.node)
 
 
 @method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
 @method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
 def private_handle(engine: Context, _thing: Value, _called: Called) -> Value:
     """The private namespace of the node."""
-    return Handle(engine.node, Text.of("~"))
+    return Handle(engine.emitter.node, Text.of("~"))
 
 
 @method("nodelet.Nodelet", "getName")
 def nodelet_name(engine: Context, _thing: Value, _called: Called) -> Value:
     """The name of the nodelet."""
-    return Text((Hole(OfNode(NamePart.NAME), default=engine.node.name.usual),))
+    return Text((Hole(OfNode(NamePart.NAME), default=engine.emitter.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
 def nodelet(engine: Context, thing: Value, _called: Called) -> Value:
     """A nodelet is constructed."""
-    engine.node.generation = "ros1"
-    engine.node.kind = "nodelet"
+    engine.emitter.node.generation = "ros1"
+    engine.emitter.node.kind = "nodelet"
     if isinstance(thing, Obj):
-        thing.node = engine.node
+        thing.node = engine.emitter.node
     return thing
 
 
@@ -133,7 +133,7 @@ def subscribe(engine: Context, thing: Value, called: Called) -> Value:
     if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
         return Unknown("result of subscribe()")
     callback = _callback(engine, called, 2, takes=1)
-    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    written = called.templates[0] if called.templates else type_of_callback(callback)
     kind: Value = written or Unknown("the type its callback takes")
     return endpoint(
         engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
@@ -161,7 +161,7 @@ def advertise_service(engine: Context, thing: Value, called: Called) -> Value:
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
     callback = _callback(engine, called, 1, takes=2)
-    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    written = called.templates[0] if called.templates else type_of_callback(callback)
     kind: Value = written or Unknown("the type its callback takes")
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
 
@@ -177,7 +177,7 @@ def service_client(engine: Context, thing: Value, called: Called) -> Value:
 def call_once(engine: Context, _thing: Value, called: Called) -> Value:
     """A service is called by its name."""
     kind = called.templates[0] if called.templates else _declared_type(engine, called)
-    return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
+    return endpoint(engine, Handle(engine.emitter.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
 def _declared_type(engine: Context, called: Called) -> Value:
@@ -191,7 +191,7 @@ def _declared_type(engine: Context, called: Called) -> Value:
 def wait_for_message(engine: Context, _thing: Value, called: Called) -> Value:
     """A topic is subscribed to for one message."""
     kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
-    endpoint(engine, Handle(engine.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
+    endpoint(engine, Handle(engine.emitter.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
     return Unknown("a message")
 
 
@@ -222,7 +222,7 @@ def read_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is read by its name."""
     named = "param" if called.name.endswith(".param") else "getParam"
     inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
-    return read(engine, Handle(engine.node), inner)
+    return read(engine, Handle(engine.emitter.node), inner)
 
 
 @method("handle", "setParam")
@@ -235,13 +235,13 @@ def write(engine: Context, thing: Value, called: Called) -> Value:
 @outer("ros.param.set")
 def write_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written by its name."""
-    return write(engine, Handle(engine.node), called)
+    return write(engine, Handle(engine.emitter.node), called)
 
 
 @outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
 def spin(engine: Context, _thing: Value, called: Called) -> Value:
     """The node runs until it is shut down; what is written after it is no part of that."""
-    engine.running = True
+    engine.callbacks.running = True
     return Unknown(f"result of {called.name}()")
 
 
@@ -263,13 +263,15 @@ def has(engine: Context, thing: Value, called: Called) -> Value:
 @outer("ros.param.has", "rospy.has_param", quiet=True)
 def has_by_name(engine: Context, _thing: Value, called: Called) -> Value:
     """Whether a parameter is set, by its name."""
-    return _has(engine, Handle(engine.node), called)
+    return _has(engine, Handle(engine.emitter.node), called)
 
 
 def _has(engine: Context, thing: Value, called: Called) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
-    test = is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(engine, thing) is engine.node else None
+    test = (
+        is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(engine, thing) is engine.emitter.node else None
+    )
     return Unknown(f"whether the parameter {name} is set", test)
 
 
@@ -318,8 +320,8 @@ def create_timer(engine: Context, thing: Value, called: Called) -> Value:
 
 def here(engine: Context) -> Handle:
     """Return the node that is built, which is one of ROS 1."""
-    engine.node.generation = "ros1"
-    return Handle(engine.node)
+    engine.emitter.node.generation = "ros1"
+    return Handle(engine.emitter.node)
 
 
 def _by_options(engine: Context, thing: Value, called: Called, role: Role, options: Obj) -> Value:
@@ -340,7 +342,7 @@ def endpoint_options(engine: Context, _thing: Value, called: Called) -> Value:
     return found
 
 
-def fill_options(engine: Context, thing: Obj, called: Called) -> Value:
+def fill_options(_engine: Context, thing: Obj, called: Called) -> Value:
     """Let options hold what they are made of, or what ``init`` gives them."""
     service = thing.type.endswith("ServiceOptions")
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))
@@ -350,7 +352,7 @@ def fill_options(engine: Context, thing: Obj, called: Called) -> Value:
     thing.fields["-callback"] = callback
     thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
     # Callbacks of a publisher are told who connects; its type is a text: name, size, checksum, type, definition.
-    by_callback = "" if thing.type == "ros.AdvertiseOptions" else type_of_callback(engine, callback)
+    by_callback = "" if thing.type == "ros.AdvertiseOptions" else type_of_callback(callback)
     kind = called.templates[0] if called.templates else by_callback
     thing.fields["-type"] = kind or Unknown("its type")
     return thing

@@ -39,11 +39,11 @@ def lifecycle_node(engine: Context, thing: Value, called: Called) -> Value:
 
 
 def _node(engine: Context, thing: Value, called: Called, kind: str) -> Value:
-    building = engine.node
+    building = engine.emitter.node
     if building.named and (not isinstance(thing, Obj) or thing.node is None):
-        building = engine.further(called.evidence)
+        building = engine.emitter.further(called.evidence, engine.state.conditions)
     building.named = True
-    building.conditions = tuple(dict.fromkeys(engine.conditions))
+    building.conditions = tuple(dict.fromkeys(engine.state.conditions))
     building.generation = "ros2"
     building.kind = kind if building.kind == "node" else building.kind
     name = called.argument(0, "node_name", "name")
@@ -109,7 +109,7 @@ def subscription(engine: Context, thing: Value, called: Called) -> Value:
         name, qos, callback = called.argument(0), called.argument(1), called.argument(2)
         if isinstance(qos, Callable):
             qos, callback = callback, qos
-        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+        kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
     return endpoint(
         engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
         group=_group(called, 3, 4), overrides=overrides_of(called),
@@ -127,7 +127,7 @@ def service(engine: Context, thing: Value, called: Called) -> Value:
         )
     else:
         name, callback = called.argument(0), called.argument(1)
-        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+        kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, kind, callback=callback, group=_group(called, 3))
 
 
@@ -190,7 +190,7 @@ def _action(engine: Context, called: Called, role: Role) -> Value:
         name, kind = called.argument(2, "action_name"), called.argument(1, "action_type")
     callbacks = all_of_kind((*called.arguments, *called.keywords.values()), Callable)
     for one in callbacks[1:]:
-        engine.called_outer(one)
+        engine.callbacks.give(one)
     return endpoint(
         engine, called.argument(0, "node"), called, role, name, kind, callback=callbacks[0] if callbacks else None,
         group=_group(called, 5, 6),
@@ -236,7 +236,7 @@ def sub_node(engine: Context, thing: Value, called: Called) -> Value:
         "weak_from_this", "lock", "get")  # fmt: skip
 def interface(engine: Context, thing: Value, _called: Called) -> Value:
     """A part of a node stands for the node."""
-    return thing if isinstance(thing, Obj | Handle) else Handle(engine.node)
+    return thing if isinstance(thing, Obj | Handle) else Handle(engine.emitter.node)
 
 
 @method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")

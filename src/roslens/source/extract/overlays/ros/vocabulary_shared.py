@@ -29,15 +29,15 @@ def handle_of(engine: Context, called: Called) -> Value:
     for value in given:
         if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
             return value
-    if engine.node.generation == "ros2" and given and is_guessed(given[0]):
+    if engine.emitter.node.generation == "ros2" and given and is_guessed(given[0]):
         return given[0]
-    return Handle(engine.node)
+    return Handle(engine.emitter.node)
 
 
 def follow_visitors(engine: Context, called: Called, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
-        engine.called_outer(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
+        engine.callbacks.give(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
@@ -56,14 +56,14 @@ def listener(engine: Context, _thing: Value, called: Called) -> Value:
 def _listening(engine: Context, called: Called) -> Value:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
-    if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
+    if given or engine.emitter.node.generation != "ros2" or called.evidence.path.endswith(".py"):
         return Handle(node_of(engine, handle_of(engine, called)))
     perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
     if perhaps:
         return perhaps[0]
     name = Text.of("transform_listener_impl_", Hole(RandomEnd()))
     words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
-    return Handle(engine.further(called.evidence, name, words))
+    return Handle(engine.emitter.further(called.evidence, engine.state.conditions, name, words))
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
@@ -133,7 +133,7 @@ def action_client(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 def _action(engine: Context, called: Called, role: Role) -> Value:
-    engine.node.generation = "ros1"
+    engine.emitter.node.generation = "ros1"
     texts = all_of_kind(called.arguments, Text)
     name = texts[0] if texts else called.argument(0, "name", "ns")
     kind: Value = called.templates[0] if called.templates else called.argument(1, "ActionSpec")

@@ -25,19 +25,19 @@ def buffer(engine: Context, thing: Value, called: Called) -> Value:
     by default in Python, and not in C++ (tf2_ros, buffer.py, buffer.h, buffer.cpp).
     """
     found = thing if isinstance(thing, Obj) else Obj("tf2_ros.Buffer")
-    if engine.node.generation == "ros2":
+    if engine.emitter.node.generation == "ros2":
         node = next((one for one in _given(called) if _is_node(one)), None)
         if node is not None:
             endpoint(engine, node, called, Role.SERVICE_SERVER, Text.of(_FRAMES), _TYPE)
         return found
     debug = called.argument(1, "debug", default=called.evidence.path.endswith(".py"))
     holds, name = engine.truth(debug), Text.of("~", _FRAMES)
-    if holds is False or any(one.name == name for one in engine.node.endpoints):
+    if holds is False or any(one.name == name for one in engine.emitter.node.endpoints):
         return found
     note = [] if holds else [Written("its buffer of transforms is made with debug")]
-    engine.conditions += note
-    endpoint(engine, Handle(engine.node), called, Role.SERVICE_SERVER, name, _TYPE)
-    del engine.conditions[len(engine.conditions) - len(note) :]
+    engine.state.conditions += note
+    endpoint(engine, Handle(engine.emitter.node), called, Role.SERVICE_SERVER, name, _TYPE)
+    del engine.state.conditions[len(engine.state.conditions) - len(note) :]
     return found
 
 

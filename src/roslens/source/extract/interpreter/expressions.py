@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Function1
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import (
     Callable,
@@ -17,14 +17,14 @@ from roslens.source.extract.domain.abstract_value import (
     as_text,
     test_of,
 )
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.list_slices import is_slice, part_of
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.plain_methods import SAME
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
 from roslens.source.extract.domain.word_list import Words
-from roslens.source.extract.interpreter.evaluated_operations import chosen, computed, decided, opened
+from roslens.source.extract.interpreter.operations import chosen, computed, decided, opened
 from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
 from roslens.source.extract.ir.program import (
     Call,
@@ -45,38 +45,45 @@ from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.captured import names_around
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
-from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.module_values import module_value
 from roslens.source.extract.transfer.overload_choice import known_function
 from roslens.source.extract.transfer.plugin_held import item_held
 
 if TYPE_CHECKING:
     from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.transfer.context import Context
 
 
 _PACKAGE_NAME = "ROS_PACKAGE_NAME"
 
 
-class Expressions(Context):
-    """Values of expressions; what they need of the evaluation is in it.
+class Expressions:
+    """Values of expressions."""
 
-    Attributes:
-        kinds: what evaluates each kind of expression.
-    """
-
-    kinds: ClassVar[dict[type[Any], Function1[[Any, Any], Value]]] = {}
-
-    def __init_subclass__(cls) -> None:
-        """Look up once what evaluates each kind of expression."""
-        cls.kinds = {kind: getattr(cls, name) for kind, name in _KINDS.items() if hasattr(cls, name)}
+    def __init__(self, context: Context) -> None:
+        """Evaluate them in an evaluation of which the part for calls is there."""
+        self.context = context
+        self._state, self._budget = context.state, context.budget
+        self._kinds: dict[type[Any], Function1[[Any], Value]] = {
+            Literal: self.literal,
+            Name: self.name,
+            Member: self.member,
+            Item: self.item,
+            Call: context.calls.called,
+            Operation: self.operation,
+            Sequence: self.sequence,
+            Mapping: self.mapping,
+            Format: self.format,
+            Lambda: self.closure,
+            Opaque: self.opaque,
+        }
 
     def value(self, expression: Expression) -> Value:
         """Return the value of an expression."""
-        engine: Context = self
-        engine.budget.spend()
-        if type(expression) is Name and expression.name in (names := engine.frame.names):
+        self._budget.spend()
+        if type(expression) is Name and expression.name in (names := self._state.frame.names):
             return names[expression.name]
-        return self.kinds[type(expression)](engine, expression)
+        return self._kinds[type(expression)](expression)
 
     def literal(self, expression: Literal) -> Value:
         """Return a literal."""
@@ -87,8 +94,8 @@ class Expressions(Context):
 
     def name(self, expression: Name) -> Value:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
-        engine: Context = self
-        frame, name = engine.frame, expression.name
+        engine = self.context
+        frame, name = engine.state.frame, expression.name
         if name in frame.names:
             return frame.names[name]
         if name in frame.aliases:
@@ -98,28 +105,29 @@ class Expressions(Context):
             return thing if thing is not None else Unknown("self")
         if isinstance(thing, Obj) and name in thing.fields:
             return thing.fields[name]
-        if engine.globals:
+        if engine.state.globals:
             whole = engine.index.global_name(name, frame.path, frame.scope)
-            if whole in engine.globals:
-                return engine.globals[whole]
+            if whole in engine.state.globals:
+                return engine.state.globals[whole]
         found = self.defined(name)
         if found is not None:
             return found
-        return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+        return self.outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
 
-    def _outside(self, name: str) -> Value:
-        engine: Context = self
+    def outside(self, name: str) -> Value:
+        """Return what a name means that is not of the workspace."""
+        engine = self.context
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
-            return Text.of(engine.index.package(engine.frame.path))
+            return Text.of(engine.index.package(engine.state.frame.path))
         if name == "cls":
             return class_of_scope(engine)
-        return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
+        return engine.given.words if name == "sys.argv" and engine.given.words is not None else Named(name)
 
     def defined(self, name: str) -> Value:
         """Return what the workspace defines under a name; None where it does not."""
-        engine: Context = self
-        frame = engine.frame
+        engine = self.context
+        frame = engine.state.frame
         of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
         known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
         found = known.get(key)
@@ -138,38 +146,38 @@ class Expressions(Context):
         return Callable(one, other) if kind == "function" else None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Value:
-        engine: Context = self
+        engine = self.context
         path, expression = found
-        if (path, name) in engine.constants:
-            return engine.constants[path, name]
-        engine.constants[path, name] = Unknown(f"the constant {name}")
+        if (path, name) in engine.state.constants:
+            return engine.state.constants[path, name]
+        engine.state.constants[path, name] = Unknown(f"the constant {name}")
         runs = engine.index.programs[path].dialect.modules_run
         of_module = module_value(engine, path, name.rpartition(".")[2], expression) if runs else None
         if of_module is not None:
-            engine.constants[path, name] = of_module[0]
+            engine.state.constants[path, name] = of_module[0]
             return of_module[0]
         of_class = runs and "." in name
-        outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
+        outer, engine.state.frame = engine.state.frame, Frame(path, name.rpartition(".")[0])
         try:
             value = self.value(expression)
         finally:
-            engine.frame = outer
-        engine.constants[path, name] = read_first(engine, name, value) if of_class else value
-        return engine.constants[path, name]
+            engine.state.frame = outer
+        engine.state.constants[path, name] = read_first(engine, name, value) if of_class else value
+        return engine.state.constants[path, name]
 
     def member(self, expression: Member) -> Value:
         """Return a member of an object."""
-        engine: Context = self
         of = self.value(expression.of)
-        return self.member_of(of, expression.name, engine)
+        return self.member_of(of, expression.name)
 
-    def member_of(self, of: Value, name: str, engine: Context) -> Value:
+    def member_of(self, of: Value, name: str) -> Value:
         """Return a member of a value by name."""
+        engine = self.context
         match of:
             case Obj():
-                return self._member_of_object(of, name, engine)
+                return self._member_of_object(of, name)
             case Named():
-                return self._outside(f"{of.name}.{name}")
+                return self.outside(f"{of.name}.{name}")
             case Class():
                 constant = engine.index.member(of.defined, name)
                 if constant is not None:
@@ -181,7 +189,8 @@ class Expressions(Context):
             return of
         return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
 
-    def _member_of_object(self, of: Obj, name: str, engine: Context) -> Value:
+    def _member_of_object(self, of: Obj, name: str) -> Value:
+        engine = self.context
         if name in of.fields:
             return of.fields[name]
         if name == "__class__" and of.defined is not None:
@@ -199,7 +208,7 @@ class Expressions(Context):
 
     def item(self, expression: Item) -> Value:
         """Return an item."""
-        engine: Context = self
+        engine = self.context
         of = self.value(expression.of)
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
@@ -210,26 +219,26 @@ class Expressions(Context):
                 return found.value if type(found) is Perhaps else found
             case list() if isinstance(key, int) and -len(of) <= key < len(of):
                 known = of.has(key) if isinstance(of, Words) else is_counted(of)
-                return of[key] if known else opened(self, expression)
+                return of[key] if known else opened(self.context, expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
         if isinstance(of, Text) and key == 0 and of.head:
             return Text.of(of.head[:1])
-        return of if isinstance(of, Unknown) else opened(self, expression)
+        return of if isinstance(of, Unknown) else opened(self.context, expression)
 
     def operation(self, expression: Operation) -> Value:
         """Return the result of an operator."""
-        engine: Context = self
+        engine = self.context
         operator = expression.operator
         if operator in ("and", "or"):
-            return decided(self, expression)
+            return decided(self.context, expression)
         if operator == "?:":
             decides = self.value(expression.operands[0])
             holds = engine.truth(decides)
             if holds is not None:
                 return self.value(expression.operands[1 if holds else 2])
-            return self._either(expression, decides)
+            return self.either(expression, decides)
         if operator == "=":
             value = self.value(expression.operands[1])
             engine.assign(expression.operands[0], value)
@@ -247,14 +256,16 @@ class Expressions(Context):
             if holds is not None:
                 return not holds
             test = test_of(values[0])
-            return opened(self, expression, None if test is None else negated(test))
-        return self._computed(operator, values, expression)
+            return opened(self.context, expression, None if test is None else negated(test))
+        return self.computed(operator, values, expression)
 
-    def _either(self, expression: Operation, decides: Value) -> Value:
-        return chosen(self, expression, decides)
+    def either(self, expression: Operation, decides: Value) -> Value:
+        """Return one of two values, or what is known of both."""
+        return chosen(self.context, expression, decides)
 
-    def _computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
-        return computed(self, operator, values, expression)
+    def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
+        """Return what an operator makes of values."""
+        return computed(self.context, operator, values, expression)
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
@@ -288,8 +299,8 @@ class Expressions(Context):
 
     def closure(self, expression: Lambda) -> Value:
         """Return a function without name."""
-        engine: Context = self
-        frame = engine.frame
+        engine = self.context
+        frame = engine.state.frame
         program = engine.index.programs[frame.path]
         names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names
         return Callable(program.functions[expression.function], frame.path, frame.self, names)
@@ -322,7 +333,7 @@ class Expressions(Context):
 
 def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
     """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
-    frame, index = engine.frame, engine.index
+    frame, index = engine.state.frame, engine.index
     if of is not None:
         method = engine.named.method_of(of, name)
         if method is not None:
@@ -340,7 +351,7 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     if found is not None:
         return "class", found, None
     functions = index.functions_of(name, frame.path, frame.scope)
-    chosen = known_function(index, functions, (frame.path, engine.first.path))
+    chosen = known_function(index, functions, (frame.path, engine.emitter.first.path))
     if chosen is not None and isinstance(chosen.what, Function):
         return "function", chosen.what, chosen.path
     return "", None, None
@@ -355,17 +366,3 @@ _TRUTHS = {True: Text(("True",)), False: Text(("False",))}
 _NUMBER = (int, float)
 _DECIDED = (bool, int, float, list, dict)
 _FUNCTIONS = (Callable, Class)
-_KINDS: dict[type[Any], str] = {
-    Literal: "literal",
-    Name: "name",
-    Member: "member",
-    Item: "item",
-    Call: "called",
-    Operation: "operation",
-    Sequence: "sequence",
-    Mapping: "mapping",
-    Format: "format",
-    Lambda: "closure",
-    Opaque: "opaque",
-}
-"""Method for each kind of expression; calls are in another file."""

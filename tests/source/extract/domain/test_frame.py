@@ -1,5 +1,5 @@
 from roslens.source.extract.domain.abstract_value import Building, Made, Obj, Unknown
-from roslens.source.extract.domain.evaluation_frame import Frame, join
+from roslens.source.extract.domain.frame import Frame, join
 from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Text, Written, unknown
 

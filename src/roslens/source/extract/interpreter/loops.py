@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value, test_of
-from roslens.source.extract.domain.evaluation_frame import WayOut, Ways
+from roslens.source.extract.domain.frame import WayOut, Ways
 from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.domain.unknown_lists import Each, each_of
@@ -44,26 +44,26 @@ MOST_COUNTED = 16
 
 def left(engine: Context, statement: Leave) -> None:
     """Leave a loop, or a turn of it."""
-    frame = engine.frame
+    frame = engine.state.frame
     if frame.ways is None:
         return
-    frame.ways.out.append(WayOut(tuple(engine.conditions), frame.ways.turn, frame.snapshot(), statement.again))
+    frame.ways.out.append(WayOut(tuple(engine.state.conditions), frame.ways.turn, frame.snapshot(), statement.again))
     frame.stopped = True
 
 
 def without_ways_out(engine: Context, since: int) -> None:
     """Note of what follows that no way out was taken of those that were found since."""
-    ways = engine.frame.ways
-    if ways is None or engine.frame.stopped:
+    ways = engine.state.frame.ways
+    if ways is None or engine.state.frame.stopped:
         return
-    here = len(engine.conditions)
+    here = len(engine.state.conditions)
     for way in ways.out[since:]:
         _hold_not(engine, way.conditions[here:])
 
 
 def block_of_loop(engine: Context, body: tuple[Statement, ...]) -> None:
     """Follow statements of a turn; what comes after them has not taken a way out that is in them."""
-    ways = engine.frame.ways
+    ways = engine.state.frame.ways
     known = len(ways.out) if ways is not None else 0
     engine.block(body)
     if ways is not None and len(ways.out) > known:
@@ -74,21 +74,21 @@ def _hold_not(engine: Context, conditions: Conditions) -> None:
     if not conditions:
         return
     note = negated(all_of(conditions))
-    if note not in engine.conditions:
-        engine.under(note)
-        engine.frame.passed += 1
+    if note not in engine.state.conditions:
+        engine.state.under(note)
+        engine.state.frame.passed += 1
 
 
 def looped(engine: Context, statement: Loop) -> None:
     """Follow a loop."""
-    frame, depth = engine.frame, len(engine.conditions)
+    frame, depth = engine.state.frame, len(engine.state.conditions)
     around, frame.ways = frame.ways, Ways(depth)
     try:
         _followed(engine, statement)
     finally:
         ways, frame.ways = frame.ways, around
-        frame.passed -= len(engine.conditions) - depth
-        del engine.conditions[depth:]
+        frame.passed -= len(engine.state.conditions) - depth
+        del engine.state.conditions[depth:]
         frame.stopped = False
     for way in ways.out:
         if not way.again and len(way.conditions) > way.turn:
@@ -146,7 +146,7 @@ def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: l
 
 def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
-    before, frame = engine.frame.snapshot(), engine.frame
+    before, frame = engine.state.frame.snapshot(), engine.state.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
     _turn_for_all(engine, statement, over, once=once)
     if once:
@@ -162,7 +162,7 @@ def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:
 
 def _turn_for_all(engine: Context, statement: Loop, over: Value, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
-    changes, frame = engine.changes, engine.frame
+    changes, frame = engine.state.changes, engine.state.frame
     since = changes.count
     changes.open += 1
     _forget_counters(engine, statement)
@@ -189,20 +189,20 @@ def _perhaps_turned(engine: Context, statement: Loop, over: Value) -> None:
     if always or isinstance(over, Each | Text) or _RUNS.search(written.text):
         _turn(engine, statement)
         return
-    here = len(engine.conditions)
-    engine.under(written, test_of(over) if statement.target is None else None)
+    here = len(engine.state.conditions)
+    engine.state.under(written, test_of(over) if statement.target is None else None)
     _turn(engine, statement)
-    del engine.conditions[here]
+    del engine.state.conditions[here]
 
 
 def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
     """Follow the turn of an item that the list may have."""
-    frame, here, before = engine.frame, len(engine.conditions), engine.frame.snapshot()
-    engine.under(item.condition, item.test)
+    frame, here, before = engine.state.frame, len(engine.state.conditions), engine.state.frame.snapshot()
+    engine.state.under(item.condition, item.test)
     if statement.target is not None:
         engine.assign(statement.target, item.value)
     _turn(engine, statement)
-    del engine.conditions[here]
+    del engine.state.conditions[here]
     after = frame.snapshot()
     returned, frame.returned = frame.returned, False
     frame.restore(before)
@@ -217,7 +217,7 @@ def _gone_through(engine: Context, statement: Loop, over: Value) -> tuple[Expres
         reads = isinstance(statement.over, Operation) and statement.over.operator == ">>"
         return (words_read(engine, statement.over) if reads else None) or (None, None)
     items = engine.items(over)
-    return target, plugged_in(engine, over) if items is None and engine.plugged else items
+    return target, plugged_in(engine, over) if items is None and engine.emitter.plugged else items
 
 
 def _keep_filled(names: Names, after: Names) -> None:
@@ -235,11 +235,11 @@ def _written(engine: Context, statement: Loop) -> Written:
 
 def _turn(engine: Context, statement: Loop) -> bool:
     """Follow one turn; return whether another one may follow."""
-    frame = engine.frame
+    frame = engine.state.frame
     ways = frame.ways
     if ways is None:
         return False
-    here, known = len(engine.conditions), len(ways.out)
+    here, known = len(engine.state.conditions), len(ways.out)
     ways.turn = here
     engine.block(statement.body)
     found = ways.out[known:]
@@ -294,7 +294,7 @@ def _step(statement: Loop) -> tuple[str, int | float] | None:
 
 def _forget_counters(engine: Context, statement: Loop) -> None:
     """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
-    frame = engine.frame
+    frame = engine.state.frame
     for place, grows in _assigned((*statement.body, *statement.update)):
         if isinstance(place, Name) and place.name in frame.names:
             holder = frame.names

@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, Unknown, Value
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.evaluated_calls import Calls
 from roslens.source.extract.interpreter.vocabulary import Called, find_class, find_outer
 from roslens.source.extract.ir.program import Assign, Field, Function, Member
 from roslens.source.extract.symbolic.reason import NotSet
@@ -26,80 +25,86 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-class Objects(Calls):
+class Objects:
     """Makes objects and values of a type."""
+
+    __slots__ = ("context",)
+
+    def __init__(self, context: Context) -> None:
+        """Make them in an evaluation."""
+        self.context = context
 
     def constructed(self, declared: str, value: Value) -> Value:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
-        engine: Context = self
+        engine = self.context
         name, inside = type_name(declared)
         if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
-            return engine.converted(declared, value)
+            return self.converted(declared, value)
         if is_list(declared) and isinstance(value, Text):
             # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
             return [value] if value.known is not None else value
-        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+        defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
         same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
-        outer = find_outer(engine, engine.index.meaning(name, engine.frame.path, engine.frame.scope))
+        outer = find_outer(engine, engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope))
         if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
-            return engine.converted(declared, value)
-        return engine.of_type(name, [value], {}, tuple(type_arguments(inside)))
+            return self.converted(declared, value)
+        return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def construct(
         self, defined: Defined, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()
     ) -> Value:
         """Make an object of a class of the workspace, its constructor evaluated."""
-        engine: Context = self
+        engine = self.context
         known = find_class(engine, defined.what.qualified_name, defined.path)
         if known is not None:
             name, word = known
-            return word(engine, None, Called(name, arguments, keywords, templates, (), engine.site))
+            return word(engine, None, Called(name, arguments, keywords, templates, (), engine.state.site))
         thing = Obj(defined.what.qualified_name, defined, {})
         names = getattr(defined.what, "templates", ())
         thing.templates.update(zip(names, templates, strict=False))
-        site, written, since = engine.site, engine.written, engine.changes.count
-        engine.prepare(thing)
-        engine.site, engine.written = site, written
-        engine.construct_as(thing, defined, arguments, keywords)
-        if engine.changes.count > since:
-            engine.changes.made(thing.fields, since)
+        site, written, since = engine.state.site, engine.state.written, engine.state.changes.count
+        self.prepare(thing)
+        engine.state.site, engine.state.written = site, written
+        self.construct_as(thing, defined, arguments, keywords)
+        if engine.state.changes.count > since:
+            engine.state.changes.made(thing.fields, since)
         if thing.node is not None:
-            engine.made.append(thing)
+            engine.emitter.made.append(thing)
         return thing
 
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
-        engine: Context = self
+        engine = self.context
         bind_bases(engine, thing)
-        if thing.type in engine.preparing:
+        if thing.type in engine.state.preparing:
             # By value no class holds itself: what is taken for it here is a pointer, or something else of its name.
             return
-        engine.preparing.append(thing.type)
+        engine.state.preparing.append(thing.type)
         for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
             for field, always in self._members(one):
                 if always is not _OF_TYPE:
                     thing.fields[field.name] = always
                     continue
-                outer, engine.frame = engine.frame, Frame(one.path, one.what.qualified_name, thing)
-                engine.frame.templates.update(thing.templates_of(one.what.qualified_name))
-                engine.site = Evidence(one.path, field.line)
+                outer, engine.state.frame = engine.state.frame, Frame(one.path, one.what.qualified_name, thing)
+                engine.state.frame.templates.update(thing.templates_of(one.what.qualified_name))
+                engine.state.site = Evidence(one.path, field.line)
                 try:
                     if field.value is not None:
-                        value = engine.typed(field.type, engine.value(field.value))
+                        value = self.typed(field.type, engine.value(field.value))
                         python = one.path[-3:] == ".py"
                         thing.fields[field.name] = of_object(engine, one, field.name, value) if python else value
                     elif field.type and "*" not in field.type:
-                        value = engine.declared(field.type)
+                        value = self.declared(field.type)
                         # Who sets it may not be followed: it is not sure to be empty.
                         not_set = unknown(NotSet(field.name))
                         thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
-                    engine.frame = outer
-        engine.preparing.pop()
+                    engine.state.frame = outer
+        engine.state.preparing.pop()
 
     def _members(self, defined: Defined) -> tuple[tuple[Field, Value], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
-        engine: Context = self
+        engine = self.context
         known = engine.index.lookups.members
         found = known.get(id(defined.what))
         if found is None:
@@ -125,7 +130,7 @@ class Objects(Calls):
 
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Evaluate the constructor of one class of an object."""
-        engine: Context = self
+        engine = self.context
         dialect = engine.index.programs[defined.path].dialect
         name = dialect.constructor or defined.what.name
         found = engine.index.methods(defined, name)
@@ -134,10 +139,10 @@ class Objects(Calls):
             whole = thing.defined
             if dialect.bases_are_constructed:
                 for base in bases_by_default(engine.index, defined, chosen.what):
-                    engine.construct_as(thing, base, [], {})
+                    self.construct_as(thing, base, [], {})
                 # While a base is constructed, its own virtual methods are called.
                 thing.defined = defined
-            engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
+            engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.state.written)
             thing.defined = whole
             return
         if (
@@ -147,27 +152,26 @@ class Objects(Calls):
         ):
             return
         for base in engine.index.chain(defined)[1:2]:
-            engine.construct_as(thing, base, arguments, keywords)
+            self.construct_as(thing, base, arguments, keywords)
         if not engine.index.chain(defined)[1:]:
-            engine.base_constructed(thing, defined, arguments, keywords)
+            self.base_constructed(thing, defined, arguments, keywords)
 
     def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Construct the bases that are not in the workspace."""
-        engine: Context = self
+        engine = self.context
         for base in engine.index.outer_bases(defined):
-            engine.construct_outer(thing, base, arguments, keywords)
+            engine.calls.construct_outer(thing, base, arguments, keywords)
 
     def declared(self, declared: str) -> Value:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
-        engine: Context = self
         name, inside = type_name(declared)
         if ("*" in declared or "ptr" in declared.lower()) and name != "std.vector":
             return None
-        return engine.of_type(name, [], {}, tuple(type_arguments(inside)))
+        return self.of_type(name, [], {}, tuple(type_arguments(inside)))
 
     def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
-        engine: Context = self
+        engine = self.context
         if isinstance(value, _MADE_BY_TYPE) and not engine.dialect.types_convert:
             # Annotations make nothing.
             return value
@@ -179,48 +183,51 @@ class Objects(Calls):
                     and not declared.startswith("std::map")
                 ):
                     name, inside = type_name(declared)
-                    return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
+                    return self.of_type(name, value, {}, tuple(type_arguments(inside)))
             case int():
                 name = type_name(declared)[0]
                 if name == "double" or name == "float":
                     return float(value)
                 if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
-                    return engine.of_type(name, [value], {})
+                    return self.of_type(name, [value], {})
         return value
 
     def converted(self, declared: str, value: Value) -> Value:
         """Return a value as a declaration makes it."""
-        engine: Context = self
         if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
             return value
-        return engine.typed(declared, value)
+        return self.typed(declared, value)
 
     def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
         """Return an object of a class by its name as written."""
-        engine: Context = self
+        engine = self.context
         if not name or name in _PLAIN:
-            return engine.plain(name, arguments)
-        name = engine.frame.templates.get(name, name)
-        alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
+            return plain(name, arguments)
+        name = engine.state.frame.templates.get(name, name)
+        alias = "" if templates else engine.index.alias(name, engine.state.frame.path, engine.state.frame.scope)
         if alias.endswith("*"):
             return arguments[0] if arguments else None
         if "<" in alias:
             name, inside = type_name(alias)
-            templates = tuple(engine.template(one) for one in type_arguments(inside))
-        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+            templates = tuple(engine.calls.template(one) for one in type_arguments(inside))
+        defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
         if defined is not None:
-            return engine.construct(defined, arguments, keywords, templates)
-        return engine.made_outer(
-            engine.index.meaning(name, engine.frame.path, engine.frame.scope), arguments, keywords, templates
+            return self.construct(defined, arguments, keywords, templates)
+        return engine.calls.made_outer(
+            engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope),
+            arguments,
+            keywords,
+            templates,
         )
 
-    def plain(self, name: str, arguments: list[Value]) -> Value:
-        """Return a value of a fundamental type."""
-        if name in _TEXTS:
-            return text_made(name, arguments) if arguments else Text()
-        if not arguments:
-            return Unknown("a value that is not set")
-        return arguments[0]
+
+def plain(name: str, arguments: list[Value]) -> Value:
+    """Return a value of a fundamental type."""
+    if name in _TEXTS:
+        return text_made(name, arguments) if arguments else Text()
+    if not arguments:
+        return Unknown("a value that is not set")
+    return arguments[0]
 
 
 def _at_first(field: Field) -> Value:

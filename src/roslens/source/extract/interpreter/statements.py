@@ -19,16 +19,16 @@ from roslens.source.extract.domain.abstract_value import (
     test_of,
 )
 from roslens.source.extract.domain.earlier_values import forget_defaults
-from roslens.source.extract.domain.evaluation_frame import join
+from roslens.source.extract.domain.frame import join
 from roslens.source.extract.domain.kinds import items_of
 from roslens.source.extract.domain.made_texts import with_sign
 from roslens.source.extract.domain.owned_pointer import owns_first
 from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.quality import changed, quality_of
+from roslens.source.extract.domain.summaries import same
 from roslens.source.extract.domain.table_key import hashable
-from roslens.source.extract.interpreter.evaluated_again import same
-from roslens.source.extract.interpreter.evaluated_loops import block_of_loop, left, looped, without_ways_out
-from roslens.source.extract.interpreter.evaluated_objects import is_list
+from roslens.source.extract.interpreter.loops import block_of_loop, left, looped, without_ways_out
+from roslens.source.extract.interpreter.objects import is_list
 from roslens.source.extract.ir.program import (
     Assign,
     Branch,
@@ -59,7 +59,7 @@ from roslens.source.extract.transfer.refined_values import refine
 from roslens.source.extract.transfer.xml_rpc_values import XML_RPC, put_part
 
 if TYPE_CHECKING:
-    from roslens.source.extract.domain.evaluation_frame import Held
+    from roslens.source.extract.domain.frame import Held
     from roslens.source.extract.transfer.context import Context
 
 
@@ -68,31 +68,31 @@ def initialise(engine: Context, statement: Statement) -> None:
     match statement:
         case Evaluate(expression=Call() as call):
             arguments = [engine.value(one) for one in call.arguments]
-            engine.at(call)
+            engine.state.at(call)
             _initialise_base(engine, call, arguments, {})
         case Assign(target=Member(name=name)) if statement.value is not None:
-            thing = engine.frame.self
+            thing = engine.state.frame.self
             declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
             value = engine.value(statement.value)
-            engine.written_at(statement.line)
+            engine.state.written_at(statement.line)
             if isinstance(statement.value, Sequence):
                 kind, inside = type_name(declared)
                 items = items_of(value)
                 if "ptr" in declared.lower() and owns_first(items):
                     value = items[0]
                 elif not is_list(declared):
-                    value = engine.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
+                    value = engine.objects.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
                 elif items and isinstance(items[0], int | float) and inside.endswith("string"):
                     value = Unknown(f"{name}, which is so many texts")
             elif declared:
-                value = engine.constructed(declared, value)
+                value = engine.objects.constructed(declared, value)
             if isinstance(thing, Obj):
                 thing.fields[name] = value
 
 
 def _initialise_base(engine: Context, call: Call, arguments: list[Value], keywords: Names) -> None:
     """Construct a base, or delegate to another constructor of the class."""
-    thing = engine.frame.self
+    thing = engine.state.frame.self
     if not isinstance(call.function, Name) or not isinstance(thing, Obj):
         return
     written = call.function.name
@@ -100,24 +100,24 @@ def _initialise_base(engine: Context, call: Call, arguments: list[Value], keywor
     # ``Base::Base(…)`` names the constructor.
     written = scope if scope.rpartition(".")[2] == last else written
     written = _base_named(engine, thing, written)
-    base = engine.index.class_of(written, engine.frame.path, engine.frame.scope)
+    base = engine.index.class_of(written, engine.state.frame.path, engine.state.frame.scope)
     if base is not None:
         names = getattr(base.what, "templates", ())
         if call.templates:
-            given = dict(zip(names, (engine.template(one) for one in call.templates), strict=False))
+            given = dict(zip(names, (engine.calls.template(one) for one in call.templates), strict=False))
             thing.base_templates[base.what.qualified_name] = given
     if base is None:
-        name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
+        name = engine.index.meaning(written, engine.state.frame.path, engine.state.frame.scope)
         bases = engine.index.outer_bases(thing.defined) if thing.defined is not None else []
         name = next((one for one in bases if one.rpartition(".")[2] == name), name)
-        engine.construct_outer(thing, name, arguments, keywords)
+        engine.calls.construct_outer(thing, name, arguments, keywords)
     else:
-        engine.construct_as(thing, base, arguments, keywords)
+        engine.objects.construct_as(thing, base, arguments, keywords)
 
 
 def _base_named(engine: Context, thing: Obj, written: str) -> str:
     """Return a base as its class writes it: its last name is known there, whatever else has that name elsewhere."""
-    inside = engine.frame.scope.rpartition(".")[0]
+    inside = engine.state.frame.scope.rpartition(".")[0]
     for one in engine.index.chain(thing.defined) if thing.defined is not None and "." not in written else ():
         if one.what.qualified_name == inside:
             bases = getattr(one.what, "bases", ())
@@ -127,7 +127,7 @@ def _base_named(engine: Context, thing: Obj, written: str) -> str:
 
 def block(engine: Context, body: tuple[Statement, ...]) -> None:
     """Follow statements in order."""
-    frame, before = engine.frame, len(engine.conditions)
+    frame, before = engine.state.frame, len(engine.state.conditions)
     try:
         for statement in body:
             engine.budget.spend()
@@ -135,40 +135,42 @@ def block(engine: Context, body: tuple[Statement, ...]) -> None:
             if frame.returned or frame.stopped:
                 return
     finally:
-        frame.passed -= len(engine.conditions) - before
-        del engine.conditions[before:]
+        frame.passed -= len(engine.state.conditions) - before
+        del engine.state.conditions[before:]
 
 
 def _assigned(engine: Context, statement: Assign) -> None:
     if statement.operator == "static" and isinstance(statement.target, Name):
-        engine.frame.names[statement.target.name] = once(engine, statement)
+        engine.state.frame.names[statement.target.name] = once(engine, statement)
         return
     if statement.operator in _REFERRING and refer(engine, statement):
         return
     if statement.value is None:
-        engine.written_at(statement.line)
+        engine.state.written_at(statement.line)
         if isinstance(statement.target, Name):
             of_module = statement.declared == "global"
-            value = _set_from_here(engine, statement.target) if of_module else engine.declared(statement.declared)
-            engine.frame.names[statement.target.name] = value
+            value = (
+                _set_from_here(engine, statement.target) if of_module else engine.objects.declared(statement.declared)
+            )
+            engine.state.frame.names[statement.target.name] = value
         return
     value = engine.value(statement.value)
     if statement.declared:
-        value = engine.converted(statement.declared, value)
+        value = engine.objects.converted(statement.declared, value)
     if statement.operator == "+=":
-        value = engine.sum(engine.value(statement.target), value)
+        value = engine.expressions.sum(engine.value(statement.target), value)
     if statement.declared and isinstance(statement.target, Name):
-        engine.frame.names[statement.target.name] = value
+        engine.state.frame.names[statement.target.name] = value
     else:
         assign(engine, statement.target, value)
 
 
 def _set_from_here(engine: Context, name: Name) -> Value:
     """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
-    key, value = (engine.frame.path, name.name), engine.value(name)
-    if key in engine.constants and isinstance(value, _PLAIN):
-        reason = f"{name.name}, which {engine.frame.scope.rpartition('.')[2]}() sets"
-        engine.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
+    key, value = (engine.state.frame.path, name.name), engine.value(name)
+    if key in engine.state.constants and isinstance(value, _PLAIN):
+        reason = f"{name.name}, which {engine.state.frame.scope.rpartition('.')[2]}() sets"
+        engine.state.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
     return value
 
 
@@ -176,27 +178,27 @@ def assign(engine: Context, target: Expression, value: Value) -> None:
     """Put a value where an expression says."""
     match target:
         case Name():
-            thing = engine.frame.self
+            thing = engine.state.frame.self
             if (
-                target.name not in engine.frame.names
+                target.name not in engine.state.frame.names
                 and isinstance(thing, Obj)
                 and _is_field(engine, thing, target.name)
             ):
-                engine.changes.put(thing.fields, target.name, value)
+                engine.state.changes.put(thing.fields, target.name, value)
             else:
                 _assign_name(engine, target.name, value)
         case Member():
             of = engine.value(target.of)
             match of:
                 case Obj():
-                    engine.changes.put(of.fields, target.name, value)
+                    engine.state.changes.put(of.fields, target.name, value)
                 case Class():
                     set_attribute(engine, of, target.name, value)
                 case QosValue() | Named() if (quality := quality_of(of)) is not None:
                     refine(engine, target.of, of, changed(quality, target.name, value))
             if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
                 # A member of what is not in the workspace: options that hold callbacks.
-                engine.called_outer(value)
+                engine.callbacks.give(value)
         case Call():
             no_place(engine)
             put_where_it_stands(engine, engine.value(target), value)
@@ -211,13 +213,16 @@ def assign(engine: Context, target: Expression, value: Value) -> None:
 
 def _assign_item(engine: Context, target: Item, value: Value) -> None:
     of, key = engine.value(target.of), engine.value(target.key)
-    if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+    if (
+        isinstance(of, Remappings)
+        and len(engine.state.conditions) > engine.state.frame.depth + engine.state.frame.passed
+    ):
         # It may hold, or not: nobody knows what the name becomes.
-        value = unknown(said(as_text(value), f" if {engine.conditions[-1]}"))
+        value = unknown(said(as_text(value), f" if {engine.state.conditions[-1]}"))
     if isinstance(of, Remappings):
         of[hashable(key)] = value
     elif isinstance(of, dict) and (condition := is_open(engine)) and hashable(key) not in of:
-        of[hashable(key)] = Perhaps(value, condition, engine.frame.tests.get(condition))
+        of[hashable(key)] = Perhaps(value, condition, engine.state.frame.tests.get(condition))
     elif isinstance(of, dict | list):
         put_item(engine, of, key, value)
     elif isinstance(of, Text) and isinstance(target.of, Name | Member):
@@ -229,7 +234,7 @@ def _assign_item(engine: Context, target: Item, value: Value) -> None:
 
 
 def _assign_name(engine: Context, name: str, value: Value) -> None:
-    frame = engine.frame
+    frame = engine.state.frame
     if name in frame.kept:
         keep(engine, name, value)
         return
@@ -240,18 +245,18 @@ def _assign_name(engine: Context, name: str, value: Value) -> None:
     if not whole:
         frame.names[name] = value
         return
-    before = engine.globals.get(whole)
-    if len(engine.conditions) > frame.passed:
-        engine.globals.setdefault(whole, engine.value(Name(name)))
-        join(engine.globals, {whole: value}, engine.conditions[-1])
+    before = engine.state.globals.get(whole)
+    if len(engine.state.conditions) > frame.passed:
+        engine.state.globals.setdefault(whole, engine.value(Name(name)))
+        join(engine.state.globals, {whole: value}, engine.state.conditions[-1])
     else:
-        engine.globals[whole] = value
-    if before is None or not same(before, engine.globals[whole]):
-        engine.forget_calls()
+        engine.state.globals[whole] = value
+    if before is None or not same(before, engine.state.globals[whole]):
+        engine.summaries.forget_all()
 
 
 def _is_field(engine: Context, thing: Obj, name: str) -> bool:
-    if engine.frame.path in engine.index.programs and not engine.dialect.members_without_object:
+    if engine.state.frame.path in engine.index.programs and not engine.dialect.members_without_object:
         return False
     return name in thing.fields or bool(declared_field(engine.index, thing.defined, name)) or name.endswith("_")
 
@@ -259,28 +264,33 @@ def _is_field(engine: Context, thing: Obj, name: str) -> bool:
 def _evaluated(engine: Context, statement: Evaluate) -> None:
     engine.value(statement.expression)
     called = statement.expression.function if isinstance(statement.expression, Call) else None
-    if called == Name("throw") and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+    if called == Name("throw") and len(engine.state.conditions) > engine.state.frame.depth + engine.state.frame.passed:
         # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
-        engine.frame.returned, engine.frame.plainly = True, False
+        engine.state.frame.returned, engine.state.frame.plainly = True, False
+
+
+def _returned_value(engine: Context, written: Expression) -> Value:
+    value = engine.value(written)
+    return engine.state.frame.as_returned(value, open_=len(engine.state.conditions) > engine.state.frame.depth)
 
 
 def _returned(engine: Context, statement: Return) -> None:
-    value = None if statement.value is None else engine.as_returned(engine.value(statement.value))
+    value = None if statement.value is None else _returned_value(engine, statement.value)
     returned(engine, statement)
-    engine.frame.give(value, engine.conditions[engine.frame.depth :])
-    engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
+    engine.state.frame.give(value, engine.state.conditions[engine.state.frame.depth :])
+    engine.state.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 
 
 def _branched(engine: Context, statement: Branch) -> None:
     decides = engine.value(statement.condition)
     holds = engine.truth(decides)
     if holds is not None:
-        follow = block if engine.frame.ways is None else block_of_loop
+        follow = block if engine.state.frame.ways is None else block_of_loop
         follow(engine, statement.then if holds else statement.otherwise)
         return
-    written, frame = engine.index.lookups.condition(statement.condition), engine.frame
+    written, frame = engine.index.lookups.condition(statement.condition), engine.state.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
-    otherwise, changes = negated(written), engine.changes
+    otherwise, changes = negated(written), engine.state.changes
     since = changes.count
     changes.open += 1
     frame.know(written, otherwise, test_of(decides))
@@ -314,18 +324,18 @@ def _branched(engine: Context, statement: Branch) -> None:
         frame.join(after, written)
     frame.returned = returned and other_returned
     frame.stopped = gone and other_gone and not frame.returned
-    if gone is not other_gone and engine.node.generation == "ros1":
+    if gone is not other_gone and engine.emitter.node.generation == "ros1":
         forget_defaults(frame, frame.tests.get(otherwise if gone else written))
     if returned and not other_gone and plainly and _asks_parameter(engine, statement.condition):
         # What follows is reached only where the function was not left.
-        engine.under(otherwise, frame.tests.get(otherwise))
+        engine.state.under(otherwise, frame.tests.get(otherwise))
         frame.passed += 1
     without_ways_out(engine, ways)
 
 
 def _handled(engine: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[Condition, Condition]) -> None:
     """Follow handlers of exceptions: in them may hold what was set until the exception came."""
-    frame, (before, after) = engine.frame, held
+    frame, (before, after) = engine.state.frame, held
     frame.join(after, notes[0])
     now_held = (frame.names, frame.members or {})
     lost = [forget_set_again(tried.then, now, was) for now, was in zip(now_held, before, strict=True)]
@@ -352,11 +362,11 @@ def _asks_parameter(engine: Context, condition: Expression) -> bool:
 
 def _noted(engine: Context, note: Condition, body: tuple[Statement, ...]) -> None:
     """Follow statements under a condition."""
-    engine.under(note, engine.frame.tests.get(note))
+    engine.state.under(note, engine.state.frame.tests.get(note))
     try:
         block(engine, body)
     finally:
-        engine.conditions.pop()
+        engine.state.conditions.pop()
 
 
 _REFERRING = ("&", "*")

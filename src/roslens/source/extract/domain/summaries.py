@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import Assign, Function, Member, Name
@@ -28,7 +28,7 @@ Given = tuple[list[Any], tuple[str, ...]]
 """Arguments of a call, and its template arguments."""
 
 
-class Done:
+class Summary:
     """What a call did.
 
     Attributes:
@@ -106,7 +106,7 @@ class Done:
         return all(name in fields and same(value, fields[name]) for name, value in self._seen.items())
 
 
-class Again:
+class Summaries:
     """The heavy calls of an evaluation that made nothing.
 
     Attributes:
@@ -118,9 +118,9 @@ class Again:
         """Begin without any."""
         self.touched = 0
         self.cuts: set[Key] = set()
-        self._done: dict[Key, list[Done]] = {}
+        self._done: dict[Key, list[Summary]] = {}
 
-    def known(self, key: Key, thing: Any, given: Given, stack: list[Key]) -> Done | None:
+    def known(self, key: Key, thing: Any, given: Given, stack: list[Key]) -> Summary | None:
         """Return what a call did that would do the same again; None where there was none."""
         for one in self._done.get(key, ()):
             if one.fits(thing, given, stack):
@@ -128,11 +128,16 @@ class Again:
                 return one
         return None
 
-    def forget(self) -> None:
-        """Forget what calls did: they may see something else from now on."""
+    def touch(self) -> None:
+        """Note that a word of the vocabulary is said, or a callback given away."""
+        self.touched += 1
+
+    def forget_all(self) -> None:
+        """Forget what calls did: what all functions see is changed."""
+        self.touched += 1
         self._done.clear()
 
-    def keep(self, key: Key, done: Done) -> None:
+    def keep(self, key: Key, done: Summary) -> None:
         """Remember what a call did."""
         self._done.setdefault(key, []).append(done)
 

@@ -132,6 +132,10 @@ class Frame:
             self._given = ALWAYS
         self.returned = True
 
+    def as_returned(self, value: Value, *, open_: bool) -> Value:  # noqa: ARG002 - frames of launch files ask
+        """Return a value as it is where the function returns it, under a condition or not."""
+        return value
+
     def outcome(self) -> Value:
         """Return what the call returned, which is None where its end was reached, and may be where it may have been."""
         if not self.returned and self._given is not None:

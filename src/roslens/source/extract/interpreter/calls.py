@@ -10,7 +10,7 @@ from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_first
 from roslens.source.extract.domain.plain_methods import plain_method
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.evaluated_expressions import Expressions
+from roslens.source.extract.interpreter.bound_functions import bound
 from roslens.source.extract.interpreter.vocabulary import Called, find_method, find_outer, guessed_method, is_method
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
@@ -59,12 +59,18 @@ def _dotted(expression: Expression) -> str:
     return f"{before}.{expression.name}" if before and isinstance(expression, Member) else ""
 
 
-class Calls(Expressions):
+class Calls:
     """Results of calls."""
+
+    __slots__ = ("context",)
+
+    def __init__(self, context: Context) -> None:
+        """Call in an evaluation."""
+        self.context = context
 
     def called(self, expression: Call) -> Value:
         """Return the result of a call."""
-        engine: Context = self
+        engine = self.context
         function = expression.function
         templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
         if isinstance(function, Member):
@@ -72,30 +78,30 @@ class Calls(Expressions):
         name = function.name if isinstance(function, Name) else ""
         known = name in _KNOWN
         if known and name == "super" and not expression.arguments:
-            return engine.frame.self
+            return engine.state.frame.self
         if (known and name in _BINDS) or name.endswith((".bind", ".partial")):
-            return self._bound(expression)
+            return bound([engine.value(one) for one in expression.arguments])
         arguments, keywords = self._arguments(expression)
-        engine.at(expression)
+        engine.state.at(expression)
         if known:
-            if name in _FROM_THIS and isinstance(engine.frame.self, Obj):
-                return engine.frame.self
+            if name in _FROM_THIS and isinstance(engine.state.frame.self, Obj):
+                return engine.state.frame.self
             if name in _POINTERS and templates:
                 kind, inside = type_name(templates[0])
-                return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
+                return engine.objects.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
             if (name in _CASTS and arguments) or (name in OWNERS and owns_first(arguments)):
                 return arguments[0]
             if name in _TEXTS and arguments:
                 return text_made(name, arguments)
-        if name in engine.frame.names or not name:
-            return self._apply(self.value(function), expression, arguments, keywords, templates)
+        if name in engine.state.frame.names or not name:
+            return self._apply(engine.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
 
     def _called_name(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
-        engine: Context = self
-        thing = engine.frame.self
+        engine = self.context
+        thing = engine.state.frame.self
         if isinstance(thing, Obj) and "." not in name:
             method = engine.named.methods(thing, name, len(arguments), arguments)
             if method is not None:
@@ -116,14 +122,14 @@ class Calls(Expressions):
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
-        engine: Context = self
-        thing = engine.frame.self
-        frame, lookups = engine.frame, engine.index.lookups
+        engine = self.context
+        thing = engine.state.frame.self
+        frame, lookups = engine.state.frame, engine.index.lookups
         of = thing.defined if isinstance(thing, Obj) else None
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = lookups.outside.get(key)
         if meant is None:
-            found = engine.named.function(name, key[-1], arguments) or self.defined(name)
+            found = engine.named.function(name, key[-1], arguments) or engine.expressions.defined(name)
             if isinstance(found, Callable) and "." in name:
                 found = self._overload(found, name, arguments)
             place = (name, frame.path, frame.scope)
@@ -142,13 +148,13 @@ class Calls(Expressions):
             for one in (beside, plain):
                 defined = engine.index.class_of(one, frame.path, frame.scope)
                 if defined is not None:
-                    return engine.construct(defined, arguments, keywords, templates)
+                    return engine.objects.construct(defined, arguments, keywords, templates)
         return self.outer(meaning, expression, arguments, keywords, templates)
 
     def _overload(self, found: Callable, name: str, arguments: list[Value]) -> Callable:
         """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
-        engine: Context = self
-        several = engine.index.functions_of(name, engine.frame.path, engine.frame.scope)
+        engine = self.context
+        several = engine.index.functions_of(name, engine.state.frame.path, engine.state.frame.scope)
         chosen = overload(engine.index, several, len(arguments), arguments) if len(several) > 1 else None
         if chosen is None or not isinstance(chosen.what, Function):
             return found
@@ -158,7 +164,7 @@ class Calls(Expressions):
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         """Return the result of calling something outside of the workspace."""
-        engine: Context = self
+        engine = self.context
         called = self._call_of(expression, name, arguments, keywords, templates)
         known = find_outer(engine, name)
         if known is not None:
@@ -166,13 +172,13 @@ class Calls(Expressions):
         if is_owner(name) and owns_first(arguments):
             return arguments[0]
         for one in (*arguments, *keywords.values()):
-            engine.called_outer(one)
+            engine.callbacks.give(one)
         self._may_set(expression, arguments, name)
         return Unknown(f"result of {name}()")
 
     def _may_set(self, expression: Call, arguments: list[Value], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
-        engine: Context = self
+        engine = self.context
         for written, value in zip(expression.arguments, arguments, strict=False):
             if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
                 continue
@@ -181,27 +187,27 @@ class Calls(Expressions):
 
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
-        engine: Context = self
-        called = Called(name, arguments, keywords, templates, (), engine.site)
+        engine = self.context
+        called = Called(name, arguments, keywords, templates, (), engine.state.site)
         known = find_outer(engine, name)
         return known(engine, None, called) if known is not None else Obj(name)
 
     def construct_outer(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> None:
         """Construct a base of an object that is outside of the workspace."""
-        engine: Context = self
+        engine = self.context
         known = find_outer(engine, name)
         if known is not None:
-            known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
+            known(engine, thing, Called(name, arguments, keywords, (), (), engine.state.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:
-        engine: Context = self
+        engine = self.context
         name, on = function.name, function.of
         of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
-        of = engine.frame.self if of_super else self.value(on)
+        of = engine.state.frame.self if of_super else engine.value(on)
         arguments, keywords = self._arguments(expression)
-        engine.at(expression)
+        engine.state.at(expression)
         if type(of) is Unknown and not is_method(name):
-            return self._plain_method(expression, function, of, arguments, keywords)
+            return self.plain_method(expression, function, of, arguments, keywords)
         if name in _FROM_THIS and isinstance(of, Obj):
             return of
         if of_super and isinstance(of, Obj):
@@ -225,14 +231,14 @@ class Calls(Expressions):
             found = known(engine, of, called)
             return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
         guessed = self._guessed(of, called) if isinstance(of, Obj) else None
-        return guessed or self._plain_method(expression, function, of, arguments, keywords)
+        return guessed or self.plain_method(expression, function, of, arguments, keywords)
 
     def _of_ways(
         self, of: Obj, expression: Call, name: str, arguments: list[Value], keywords: Names,
         templates: tuple[str, ...],
     ) -> Value:  # fmt: skip
         """Call a method of each object that it may be."""
-        engine: Context = self
+        engine = self.context
 
         def call(thing: Obj) -> Value:
             method = engine.named.methods(thing, name, len(arguments) + len(keywords), arguments)
@@ -242,22 +248,23 @@ class Calls(Expressions):
 
         return each_way(engine, of, call)
 
-    def _plain_method(
+    def plain_method(
         self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
     ) -> Value:
-        engine: Context = self
+        """Call a method of a text, a list or a table, or of what is not known."""
+        engine = self.context
         name = function.name
         change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
         if change is not None:
             return change[0]
-        if name in _ADDING and engine.changes.open and isinstance(of, list):
-            engine.changes.items(of)
+        if name in _ADDING and engine.state.changes.open and isinstance(of, list):
+            engine.state.changes.items(of)
         found = plain_method(of, name, arguments)
         if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)
         if arguments and isinstance(found, Unknown) and not isinstance(of, _LISTS):
             for one in arguments:
-                engine.called_outer(one)
+                engine.callbacks.give(one)
         return found
 
     def _of_module(
@@ -265,7 +272,7 @@ class Calls(Expressions):
         templates: tuple[str, ...],
     ) -> Value:  # fmt: skip
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
-        engine: Context = self
+        engine = self.context
         count = len(arguments) + len(keywords)
         inside = engine.named.function(_dotted(function), count) or self._class_of_module(function)
         if inside is not None:
@@ -283,17 +290,17 @@ class Calls(Expressions):
 
     def _guessed(self, of: Value, called: Called) -> Value:
         """Return what a method makes that is known by its name alone; None where it is not."""
-        engine: Context = self
+        engine = self.context
         word = guessed_method(engine, of, called)
         return None if word is None else word(engine, Unknown("an object of a class outside of the workspace"), called)
 
     def _place(self, name: str) -> tuple[str, str, str]:
-        engine: Context = self
-        return name, engine.frame.path, engine.frame.scope
+        engine = self.context
+        return name, engine.state.frame.path, engine.state.frame.scope
 
     def _class_of_module(self, function: Member) -> Class | None:
-        engine: Context = self
-        frame, name = engine.frame, _dotted(function)
+        engine = self.context
+        frame, name = engine.state.frame, _dotted(function)
         if not name or not engine.dialect.classes_in_modules:
             return None
         found = engine.index.class_of(name, frame.path, frame.scope)
@@ -301,37 +308,37 @@ class Calls(Expressions):
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a method of the next class after the one that is evaluated."""
-        engine: Context = self
+        engine = self.context
         if thing.defined is None:
             return Unknown(f"{name} of a base")
         chain = engine.index.chain(thing.defined)
-        here = engine.frame.scope.rpartition(".")[0]
+        here = engine.state.frame.scope.rpartition(".")[0]
         places = [
             place
             for place, one in enumerate(chain)
-            if one.what.qualified_name == here and one.path in (engine.frame.path, chain[place].path)
+            if one.what.qualified_name == here and one.path in (engine.state.frame.path, chain[place].path)
         ]
         rest = chain[places[0] + 1 :] if places else chain[1:]
         if name == "__init__":
             if rest:
-                engine.construct_as(thing, rest[0], arguments, keywords)
+                engine.objects.construct_as(thing, rest[0], arguments, keywords)
             else:
-                engine.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
+                engine.objects.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
             return None
         for one in rest:
             found = engine.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
                 return engine.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
-        called = Called(name, arguments, keywords, (), (), engine.site)
+        called = Called(name, arguments, keywords, (), (), engine.state.site)
         known = find_method(engine, thing, called)
         return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
 
     def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a function of a class: of a base with the object, or a static one."""
-        engine: Context = self
+        engine = self.context
         found = engine.index.methods(of.defined, name)
         if name == "__init__" and arguments and isinstance(arguments[0], Obj):
-            engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
+            engine.objects.construct_as(arguments[0], of.defined, arguments[1:], keywords)
             return None
         if found and isinstance(found[0].what, Function):
             what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
@@ -344,12 +351,12 @@ class Calls(Expressions):
     def _apply(
         self, of: Value, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
-        engine: Context = self
+        engine = self.context
         match of:
             case Callable():
                 return engine.call(of, arguments, keywords, expression.arguments, templates)
             case Class():
-                return engine.construct(of.defined, arguments, keywords, templates)
+                return engine.objects.construct(of.defined, arguments, keywords, templates)
             case Named():
                 return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
             case Unknown():
@@ -357,44 +364,29 @@ class Calls(Expressions):
         return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
 
     def _arguments(self, expression: Call) -> tuple[list[Value], Names]:
-        value = self.value
+        value = self.context.value
         if not expression.keywords:
             return [value(one) for one in expression.arguments], {}
         keywords = {name: value(one) for name, one in expression.keywords if name[0] != "*"}
         if len(keywords) < len(expression.keywords):
-            return spread(self, expression)
+            return spread(self.context, expression)
         return [value(one) for one in expression.arguments], keywords
-
-    def _bound(self, expression: Call) -> Value:
-        """Return a function bound to its object: ``std::bind(&A::f, this, _1)``."""
-        arguments = [self.value(one) for one in expression.arguments]
-        function = arguments[0] if arguments else None
-        if not isinstance(function, Callable):
-            return function if function is not None else Unknown("a bound function")
-        rest = arguments[1:]
-        thing = function.self
-        if function.function.class_name and rest and isinstance(rest[0], Obj):
-            thing, rest = rest[0], rest[1:]
-        real = tuple(
-            one for one in rest if not (isinstance(one, Named) and one.name.rpartition(".")[2].startswith("_"))
-        )
-        return Callable(function.function, function.path, thing, function.names, real)
 
     def _call_of(
         self, expression: Call, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Called:
-        engine: Context = self
-        place = Evidence(engine.frame.path, expression.line, expression.column)
+        engine = self.context
+        place = Evidence(engine.state.frame.path, expression.line, expression.column)
         return Called(name, arguments, keywords, templates, expression.arguments, place)
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
-        engine: Context = self
-        bound = engine.frame.templates
+        engine = self.context
+        bound = engine.state.frame.templates
         if bound:
             written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)
-        whole = engine.index.alias(dotted(written), engine.frame.path, engine.frame.scope)
+        whole = engine.index.alias(dotted(written), engine.state.frame.path, engine.state.frame.scope)
         if "<" in whole and "<" not in written:
             return whole
-        meaning = engine.index.meaning(dotted(written), engine.frame.path, engine.frame.scope)
+        meaning = engine.index.meaning(dotted(written), engine.state.frame.path, engine.state.frame.scope)
         return meaning.replace(".", "::") if "<" not in written and meaning != dotted(written) else written

@@ -6,7 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Named, Unknown, Value, as_text, test_of
-from roslens.source.extract.domain.evaluation_frame import either, one_of, one_or_none
+from roslens.source.extract.domain.frame import either, one_of, one_or_none
 from roslens.source.extract.domain.plain_methods import formatted
 from roslens.source.extract.domain.word_list import AtLeast
 from roslens.source.extract.ir.program import Expression, Operation

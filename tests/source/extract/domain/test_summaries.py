@@ -3,10 +3,10 @@
 import pytest
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown
-from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.summaries import Summaries, Summary
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.evaluated_again import Again, Done
-from roslens.source.extract.interpreter.evaluation import Evaluation
+from roslens.source.extract.interpreter.functions import Functions
 from roslens.source.extract.ir.program import Assign, Function, Literal, Name
 from roslens.source.extract.symbolic.text import Text
 
@@ -18,19 +18,21 @@ HEAVY = "\n".join(f"write(level_ + {number});" for number in range(30))
 def followed(monkeypatch):
     """Return the names of functions whose body was followed, in order."""
     names = []
-    original = Evaluation._followed
+    original = Functions._followed
 
     def counted(self, function, *rest):
         names.append(function.function.name)
         return original(self, function, *rest)
 
-    monkeypatch.setattr(Evaluation, "_followed", counted)
+    monkeypatch.setattr(Functions, "_followed", counted)
     return names
 
 
 def done(thing=None, arguments=(), templates=(), depth=1, before=None, cuts=(), body=()):
     function, frame = Function("f", "f", 1, body=body), Frame("a.cpp", "f")
-    return Done(function, thing, (list(arguments), templates), depth, frame, before or {}, set(cuts), Evidence("", 0))
+    return Summary(
+        function, thing, (list(arguments), templates), depth, frame, before or {}, set(cuts), Evidence("", 0)
+    )
 
 
 def fits(one, thing=None, arguments=(), templates=(), stack=(OUTER,)):
@@ -75,11 +77,11 @@ def test_fields_are_those_that_changed_or_are_assigned():
 
 
 def test_what_was_cut_is_handed_on():
-    again = Again()
-    again.keep(KEY, done(cuts=[OUTER]))
-    assert again.known(KEY, None, ([], ()), [OUTER]) is not None
-    assert again.cuts == {OUTER}
-    assert again.known(OUTER, None, ([], ()), [OUTER]) is None
+    summaries = Summaries()
+    summaries.keep(KEY, done(cuts=[OUTER]))
+    assert summaries.known(KEY, None, ([], ()), [OUTER]) is not None
+    assert summaries.cuts == {OUTER}
+    assert summaries.known(OUTER, None, ([], ()), [OUTER]) is None
 
 
 def test_a_heavy_call_that_makes_nothing_is_followed_once(node_of, followed):

@@ -1,0 +1,170 @@
+"""Expressions of launch files in Python: texts may be substitutions, and a choice keeps both of its values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.domain.abstract_value import Class, Named, Table, Unknown, Value
+from roslens.source.extract.interpreter.expressions import Expressions
+from roslens.source.extract.interpreter.operations import opened
+from roslens.source.extract.ir.program import Expression, Format, Item, Mapping, Member, Name, Opaque, Operation
+from roslens.source.extract.ir.program import Sequence as Listed
+from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
+from roslens.source.extract.launch_python.launch_action import text
+from roslens.source.extract.launch_python.launch_values import Made, as_value, lifted, plain
+from roslens.source.extract.launch_python.launch_ways import either, kept
+from roslens.source.extract.launch_python.launch_weight import bounded
+from roslens.source.extract.launch_python.visit import Visit
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.transfer.context import Context
+from roslens.source.extract.transfer.spread_lists import spread_out
+
+_PLAIN = (str, bool, int, float, list, dict, type(None))
+
+
+class LaunchExpressions(Expressions):
+    """Values of expressions of a launch file."""
+
+    def __init__(self, context: Context, visit: Visit) -> None:
+        """Evaluate them while an action is visited, or the file is read."""
+        super().__init__(context)
+        self.visit = visit
+
+    def outside(self, name: str) -> Value:
+        """Return what a name means that is not of the file."""
+        if name == "__file__":
+            return Deferred("file")
+        return Text.of("launch") if name == "__name__" else super().outside(name)
+
+    def member(self, expression: Member) -> Value:
+        """Return a member of an object, or what a module of the workspace has."""
+        of = self.value(expression.of)
+        found = self.defined(_dotted(expression)) if isinstance(of, Named) else None
+        return self.member_of(of, expression.name) if found is None else found
+
+    def member_of(self, of: Value, name: str) -> Value:
+        """Return a member of a value by name."""
+        if not isinstance(of, Class):
+            return super().member_of(of, name)
+        # A class from outside may say what a member means: ``Enum``.
+        for one in self.context.index.chain(of.defined) if not self.context.index.outer_bases(of.defined) else ():
+            found = super().member_of(Class(one), name)
+            if not isinstance(found, Unknown):
+                return found
+        return Unknown(f"class {of.defined.what.qualified_name} of {of.defined.path}")
+
+    def truth(self, value: Value) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
+        return True if isinstance(value, Made) else super().truth(self.visit.performed(value))
+
+    def sequence(self, expression: Listed) -> list[Value]:
+        """Return a list."""
+        return bounded(spread_out(self.context, expression))
+
+    def mapping(self, expression: Mapping) -> Table:
+        """Return a dictionary; keys may be substitutions."""
+        found: Table = {}
+        for key, value in expression.items:
+            inner = self.value(value)
+            if isinstance(key, Opaque) and key.text == "**":
+                found.update(inner if isinstance(inner, dict) else {})
+                continue
+            name: Any = self.value(key)
+            name = text(*map(as_value, name)) if isinstance(name, list) else name
+            if isinstance(name, Text | int | float | Deferred | str):
+                held: Any = lifted(name)
+                found[held] = inner
+        return bounded(found)
+
+    def format(self, expression: Format) -> Text:
+        """Return a text put together."""
+        return Text.of(*(self._piece(one) for one in expression.parts))
+
+    def _piece(self, expression: Expression) -> Text:
+        value = self.visit.performed(self.value(expression))
+        if isinstance(value, Deferred):
+            value = Unknown(f"a substitution in an f-string: {self.context.index.lookups.text(expression)}")
+        found = as_value(value)
+        if isinstance(found, Deferred):
+            found = resolve(found, Scope(_NO_FILES, {}, {}, self.visit.path))
+        return found if isinstance(found, Text) else Text.of(found)
+
+    def sum(self, one: Value, other: Value) -> Value:
+        """Return two values added: texts and substitutions one after the other."""
+        if isinstance(one, list) and isinstance(other, list):
+            return bounded([*one, *(kept(self.context, one) for one in other)])
+        if not isinstance(one, list) and (isinstance(one, Deferred) or isinstance(other, Deferred)):
+            return bounded(lifted(text(as_value(one), as_value(other))))
+        return super().sum(one, other)
+
+    def item(self, expression: Item) -> Value:
+        """Return an item."""
+        of = self.value(expression.of) if isinstance(expression.of, Name | Member) else None
+        if isinstance(of, Named) and of.name == "os.environ":
+            return Deferred("environment", (as_value(self.value(expression.key)),))
+        found = super().item(expression)
+        return opened(self.context, expression) if isinstance(of, dict) and isinstance(found, Unknown) else found
+
+    def either(self, expression: Operation, decides: Value) -> Value:  # noqa: ARG002 - nothing is asked of it
+        """Return one of two values, or both with what decides."""
+        then, otherwise = expression.operands[1:]
+        condition = self.context.index.lookups.condition(expression.operands[0])
+        return either(self.value(then), self.value(otherwise), condition)
+
+    def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
+        """Return what an operator makes of values: ``/`` joins paths."""
+        if operator == "/" and any(isinstance(one, Deferred | Text) for one in values):
+            return Deferred("path", tuple(map(as_value, values)))
+        values = [self.visit.performed(one) for one in values]
+        compare = _COMPARE.get(operator)
+        if compare is None or len(values) != 2:
+            return super().computed(operator, values, expression)
+        one, other = map(plain, values)
+        if not (_is_plain(one) and _is_plain(other)):
+            return opened(self.context, expression)
+        try:
+            return bool(compare(one, other))
+        except TypeError:
+            return opened(self.context, expression)
+
+
+def _is_plain(value: Any) -> bool:
+    """Return whether all of a value is known."""
+    match value:
+        case list():
+            return all(map(_is_plain, value))
+        case dict():
+            return all(_is_plain(one) for one in (*value, *value.values()))
+    return isinstance(value, _PLAIN)
+
+
+def _dotted(expression: Expression) -> str:
+    match expression:
+        case Name():
+            return expression.name
+        case Member():
+            before = _dotted(expression.of)
+            return f"{before}.{expression.name}" if before else ""
+    return ""
+
+
+class _NoFiles:
+    """No files at all."""
+
+    def package(self, name: str) -> str | None:  # noqa: ARG002 - there is none
+        return None
+
+    def content(self, path: str) -> bytes | None:  # noqa: ARG002 - there is none
+        return None
+
+
+_NO_FILES = _NoFiles()
+_COMPARE: dict[str, Any] = {
+    "==": lambda one, other: one == other,
+    "!=": lambda one, other: one != other,
+    "<": lambda one, other: one < other,
+    ">": lambda one, other: one > other,
+    "<=": lambda one, other: one <= other,
+    ">=": lambda one, other: one >= other,
+    "in": lambda one, other: one in other,
+}

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack
+    from roslens.source.kept_outcomes import KeptOutcomes
     from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.measure.finished_package import FinishedPackage, Finishing
     from roslens.store.cache import Cache
@@ -196,6 +197,7 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.judged_process import judged_process, not_judged
     from roslens.source.history.process_stage import Told, with_process
+    from roslens.source.kept_outcomes import KeptOutcomes
     from roslens.source.measure.finish_package import Finisher
     from roslens.source.measure.finished_package import FinishedPackage, Finishing, rules_in
 
@@ -225,7 +227,8 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     alone = not stage.members and run.tools is None and not run.silence.acceptances.entries
     finishing = Finishing(run.settings, models, failures, brief=run.revision is not None) if alone else None
     with stage, store.writing(header) as writer:
-        for measured, said in _looked_at(stage, _measured(run, changed, cache, watch, finishing), rest):
+        kept = KeptOutcomes(cache, run.units)
+        for measured, said in _looked_at(stage, _measured(run, changed, cache, watch, finishing), kept, rest):
             if isinstance(measured, FinishedPackage):
                 seen.update(measured.rules)
                 writer.add_rows(run.units[measured.package], measured.rows)
@@ -318,7 +321,10 @@ def _bytes(task: PackageTask) -> int:
 
 
 def _looked_at(
-    stage: PluginStage, packages: Iterator[MeasuredPackage | FinishedPackage], rest: list[Outcome]
+    stage: PluginStage,
+    packages: Iterator[MeasuredPackage | FinishedPackage],
+    kept: KeptOutcomes,
+    rest: list[Outcome],
 ) -> Iterator[tuple[MeasuredPackage | FinishedPackage, Outcome]]:
     """Yield each package with what plug-ins say of it; what they say of no package goes to ``rest``."""
     from roslens.plugins.outcome import Outcome
@@ -327,11 +333,12 @@ def _looked_at(
     if not stage.wide:
         for measured in packages:
             # Only where there are no plug-ins is one finished already.
-            yield measured, stage.run_package(measured) if isinstance(measured, MeasuredPackage) else Outcome()
+            said = kept.of(measured, stage.run_package) if isinstance(measured, MeasuredPackage) else Outcome()
+            yield measured, said
         return
     measuring = (one for one in packages if isinstance(one, MeasuredPackage))
     all_measured = sorted(measuring, key=lambda measured: measured.package)
-    outcomes = [stage.run_package(measured) for measured in all_measured]
+    outcomes = [kept.of(measured, stage.run_package) for measured in all_measured]
     shares, none = shared_out(stage.run_workspace(all_measured, outcomes), stage.files)
     rest.append(none)
     for measured, outcome in zip(all_measured, outcomes, strict=True):

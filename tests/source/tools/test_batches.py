@@ -118,3 +118,19 @@ def test_a_reader_that_breaks_is_a_failure_of_the_tool():
     request = Request("played", "/robot", (), {}, "")
     result = Batches(Broken(), request, Runner(), jobs=1, time_limit_s=5).look_at(files(1))
     assert result.failed == (("printed what cannot be read: KeyError: 'column'", ("f000.cpp",)),)
+
+
+def test_what_calls_found_is_heard_of_while_others_are_still_to_come():
+    heard = []
+
+    class Ending(Runner):
+        def run(self, words, **more):
+            if len(self.calls) == 1:
+                raise KeyboardInterrupt
+            return super().run(words, **more)
+
+    request = Request("played", "/robot", (), {}, "")
+    looking = Batches(Played(), request, Ending(), jobs=1, time_limit_s=5, keep=heard.append)
+    with pytest.raises(KeyboardInterrupt):
+        looking.look_at(files(100))
+    assert [len(found) for found in heard] == [50]

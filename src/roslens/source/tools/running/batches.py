@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 import msgspec
@@ -49,8 +49,21 @@ def batches(tool: Tool, files: Sequence[SourceFile], jobs: int) -> list[tuple[st
 class Batches:
     """Calls of one tool, several at a time."""
 
-    def __init__(self, tool: Tool, request: Request, runner: ToolRunner, *, jobs: int, time_limit_s: float) -> None:
-        """Make calls like ``request``, each with files of its own; at most ``jobs`` at a time."""
+    def __init__(
+        self,
+        tool: Tool,
+        request: Request,
+        runner: ToolRunner,
+        *,
+        jobs: int,
+        time_limit_s: float,
+        keep: Callable[[Mapping[str, tuple[ToolFinding, ...]]], None] | None = None,
+    ) -> None:
+        """Make calls like ``request``, each with files of its own; at most ``jobs`` at a time.
+
+        ``keep`` hears of the findings of each call, by file, as soon as it has ended.
+        """
+        self._keep = keep
         self._tool = tool
         self._request = request
         self._runner = runner
@@ -67,7 +80,10 @@ class Batches:
             if isinstance(result, ToolError):
                 failed.setdefault(str(result), []).extend(paths)
                 continue
-            findings.update(_by_file(paths, result))
+            found = _by_file(paths, result)
+            findings.update(found)
+            if self._keep is not None:
+                self._keep(found)
             for path, why in result.skipped.items():
                 if path in paths:
                     failed.setdefault(f"skipped the file: {why}", []).append(path)

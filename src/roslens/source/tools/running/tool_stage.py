@@ -235,11 +235,14 @@ class ToolStage:
         )
         limit = self._settings.tools.time_limit_s
         found: dict[str, tuple[ToolFinding, ...]] = {}
+
+        def keep(ended: Mapping[str, tuple[ToolFinding, ...]]) -> None:
+            self._cache.put({keys[path]: _encode(findings) for path, findings in ended.items()})
+
         for group in sorted({ready.tool.group_of(file) for file in files}):
             one = msgspec.structs.replace(request, group=group)
-            batches = Batches(ready.tool, one, self._runner, jobs=self._jobs, time_limit_s=limit)
+            batches = Batches(ready.tool, one, self._runner, jobs=self._jobs, time_limit_s=limit, keep=keep)
             looked = batches.look_at([file for file in files if ready.tool.group_of(file) == group])
-            self._cache.put({keys[path]: _encode(findings) for path, findings in looked.findings.items()})
             self._tell(ready.tool, looked)
             found |= looked.findings
         return found

@@ -30,16 +30,22 @@ from roslens.dashboard.live.serving import LivePage
 from roslens.dashboard.live.sight import LASTING_S
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
-from roslens.live.past.keeper import in_memory
+from roslens.live.past.keeper import Keeper, in_memory
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
+from roslens.store.live.history import History
+from roslens.store.live.series import Tier
 
 CHROMIUM = Path(shutil.which("chromium") or shutil.which("chromium-headless-shell") or "/usr/bin/chromium")
 TURN_S = 0.25
 TURNS = 4
 """Each connection tells in one of so many turns."""
+TOOL_TURNS = 20
+"""So many turns a tool lasts."""
+BRIEF = (Tier(1, 60), Tier(10, 120), Tier(60, 360))
+"""What is kept for a soak: as much after ten minutes as later."""
 HOSTS = 3
 FIRST_PAINTS = 5
 ROWS, LINES = 45, 40
@@ -54,9 +60,13 @@ constraints:
 
 
 class Robot:
-    """Topics from one node to two others each; rates and latencies waver."""
+    """Topics from one node to two others each; rates and latencies waver.
 
-    def __init__(self, connections: int) -> None:
+    With ``tools`` there is a further node besides, which gives way to another one every few seconds.
+    """
+
+    def __init__(self, connections: int, *, tools: bool = False) -> None:
+        self._tools = tools
         topics = connections // 2
         nodes = [f"/part{number // 10}/node{number}" for number in range(max(topics // 8, 3))]
         self._nodes = tuple(
@@ -77,7 +87,12 @@ class Robot:
     def frame(self, turn: int, now: float) -> Frame:
         """Return what is told in a turn."""
         tallies = [self._tally(wire, now) for wire in self._wires[turn % TURNS :: TURNS]]
-        graph = None if turn else Graph("ros2", self._nodes, self._ends)
+        graph = None
+        if not turn % TOOL_TURNS if self._tools else not turn:
+            number = turn // TOOL_TURNS
+            tool = (Node(f"/tool{number}", "host0", 10_000 + number),) if self._tools else ()
+            ends = tuple(Endpoint(one.name, Role.PUBLISHER, f"{one.name}/topic", "x/msg/X") for one in tool)
+            graph = Graph("ros2", (*self._nodes, *tool), (*self._ends, *ends))
         return Frame(VERSION, "ros2", 0, now, tallies, [], [], graph, [])
 
     def _tally(self, wire: tuple[str, str, str, int], now: float) -> Tally:
@@ -93,13 +108,16 @@ class Robot:
         )  # fmt: skip
 
 
-def robot_served(connections: int) -> None:
-    """Serve until the input ends; each line of it is answered with what was used so far."""
+def robot_served(connections: int, *, soak: bool) -> None:
+    """Serve until the input ends; each line of it is answered with what was used so far.
+
+    In a ``soak`` there are tools, and little is kept of the past.
+    """
     session = Session(load_reference([GivenText("large.yaml", REFERENCE)], BY_KEY), start=time.time() - 1)
     page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic, spent=time.thread_time)
-    keeper = in_memory(session)
+    keeper = Keeper(session, History.open(None, BRIEF), flush_s=1.0) if soak else in_memory(session)
     page.remember(keeper.recall())
-    robot, made, spent = Robot(connections), 0, 0.0
+    robot, made, spent = Robot(connections, tools=soak), 0, 0.0
     ended: list[bool] = []
 
     def turns() -> Iterator[int]:
@@ -271,7 +289,7 @@ def with_browser(url: str, seconds: float) -> None:
 def main() -> None:
     """Measure and tell."""
     if sys.argv[1:2] == ["--served"]:
-        robot_served(int(sys.argv[2]))
+        robot_served(int(sys.argv[2]), soak="--soak" in sys.argv)
         return
     everything = "--all" in sys.argv
     if everything:

@@ -121,7 +121,7 @@ def test_everything_has_its_turn_within_a_round():
     monitor = watched.monitor
     now = monitor._clock.now
     glances = monitor._glances
-    glances.topics((), now)
+    glances.turn((), now)
     turns = set()
     for step in range(1, 42):
         turns.update(one.name for one in glances._in_turn(now + step * ROUND_S / 40))

@@ -67,6 +67,7 @@ def grown(values):
     return max(values[middle:]) - max(values[:middle])
 
 
+@pytest.mark.timeout(SOAK_S + 300)
 def test_memory_of_a_live_page_stays_level(served):
     process, url = served
     for number in range(READERS):

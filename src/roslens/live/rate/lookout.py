@@ -117,6 +117,15 @@ class Lookout:
                 self._queue.put(topic)
         return changed
 
+    def pass_over(self, now: float, topics: Iterable[Topic]) -> None:
+        """Bring topics to the present that are fine, and of which and of whose connections nothing new was told."""
+        if self.suspended:
+            return
+        for topic in topics:
+            for one in chain(chain.from_iterable(topic.connections.values()), (topic,)):
+                if one.looked < now and not one.planless:
+                    one.looked = now
+
     def _judge_one(self, one: Measured, now: float) -> Iterable[Judged]:
         if isinstance(one, Sampled):
             judged = judge_sampled(one, now)

@@ -326,9 +326,10 @@ class Monitor:
 
     def glance(self, now: float, looked_at: Collection[str]) -> Glance:
         """Return tree and verdicts; values of topics that nobody looks at may be some seconds old, states never."""
-        topics = self._glances.topics(looked_at, now)
-        self._moved += self._lookout.look_again(self._clock.now, topics)
-        return self._glances.at(self._standing(), now, topics)
+        turn = self._glances.turn(looked_at, now)
+        self._moved += self._lookout.look_again(self._clock.now, turn.stirred)
+        self._lookout.pass_over(self._clock.now, turn.still)
+        return self._glances.at(self._standing(), now, turn)
 
     def _entities(self) -> Iterator[Measured]:
         return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())

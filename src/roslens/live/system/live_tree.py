@@ -26,6 +26,10 @@ class LiveTree:
         self._judged: list[Standing] = []
         self._found: list[State] = []
 
+    def holds(self, topic: Topic, now: float) -> bool:
+        """Return whether values of a topic and its connections are at ``now`` what they were when they were read."""
+        return self._readings.holds(topic, now)
+
     def view(self, standing: Iterable[Standing], now: float, topics: Sequence[Topic] | None = None) -> SystemView:
         """Return the tree at ``now``; an entity below several others counts once in what is above them all.
 

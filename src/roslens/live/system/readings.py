@@ -43,6 +43,20 @@ class Readings:
         """Return the latest values of an entity, and how they were observed."""
         return self._told.get(entity, _NOTHING)
 
+    def holds(self, topic: Topic, now: float) -> bool:
+        """Return whether a topic and its connections tell at ``now`` what they told when they were read last."""
+        if self._graph is not self._world.graph:
+            return False
+        ends = 0
+        marks = self._connections
+        for connections in topic.connections.values():
+            for one in connections:
+                mark = marks.get(one)
+                if mark is None or not mark.holds(one, now):
+                    return False
+                ends += 1
+        return self._topics.get(topic.name) == ends
+
     def refresh(self, now: float, topics: Sequence[Topic] | None = None) -> list[EntityId]:
         """Bring everything to ``now`` on the monitor's clock; return of what the values are others than before.
 

@@ -122,9 +122,9 @@ class Topic(Measured):
         for key in keys:
             if key in ENDS:
                 yield key, (self._of_graph(key, every), None)
-            else:
-                told = publishers if key in _OF_PUBLISHERS else every
-                yield key, _joined(key, (one.value(key, at) for one in told))
+                continue
+            told = publishers if key in _OF_PUBLISHERS else every
+            yield key, told[0].value(key, at) if len(told) == 1 else _joined(key, [one.value(key, at) for one in told])
 
     def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
         if key == "misfits":

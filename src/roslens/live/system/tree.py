@@ -156,6 +156,7 @@ class Plan:
     def __init__(self, parts: Parts, states: Collection[EntityId]) -> None:
         """Place what is there, and what ``states`` are about."""
         self._hosts = _Placing(parts, states).hosts()
+        self._whole: tuple[States, _Sums] | None = None
         self._places: dict[EntityId, list[_Part]] = {}
         waiting = [*self._hosts]
         while waiting:
@@ -187,8 +188,11 @@ class Plan:
     def view(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
         """Return the whole tree."""
         hosts = tuple([one.made(values_of, states) for one in self._hosts])
-        worst, counts = _sum(states, states)
-        return SystemView("system", "system", "system", None, counts, {}, "", hosts, counts, worst)
+        if self._whole is None or self._whole[0] is not states:
+            worst, counts = _sum(states, states)
+            self._whole = states, _Sums(None, worst, counts, counts)
+        sums = self._whole[1]
+        return SystemView("system", "system", "system", None, sums.counts, {}, "", hosts, sums.below, sums.worst)
 
 
 _NOTHING: tuple[None, dict[str, int]] = (None, {})

@@ -6,9 +6,13 @@ import msgspec
 import pytest
 from live.test_live_tree import SECONDS, Watched, history
 
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.rate.glance import LEAST_LOOKS, ROUND_S
+from roslens.live.rate.monitor import Monitor
 from roslens.live.system.connection_name import connection_ends
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
+from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.verdict import State
 
 
@@ -128,6 +132,32 @@ def test_everything_has_its_turn_within_a_round():
     assert turns == set(monitor.world.topics)
     few = glances._in_turn(now + 1000)
     assert len(few) <= 1 + len(monitor.world.topics) / LEAST_LOOKS
+
+
+def of_a_second(topic, second):
+    gaps = Moments(10, 1.0, 0.1, 0.1, 0.1)
+    return Tally(
+        topic, "/talker", "/listener", second, second + 1.0, 10, 1000, second + 0.05, second + 0.95, gaps,
+        observer=Observer.SCRIPTED,
+    )  # fmt: skip
+
+
+def test_of_what_is_fine_only_what_told_something_is_judged_and_read_again():
+    rules = b"kind: reference\nname: r\ndefaults: {grace: 0 s}\nconstraints:\n  - {topic: '/**', rate: '>= 5 Hz'}\n"
+    monitor = Monitor(load_reference([GivenText("r.yaml", rules)], BY_KEY), start=0.0)
+    for second in range(8):
+        monitor.add_tallies(of_a_second(topic, float(second)) for topic in ("/a", "/b"))
+        monitor.tick(second + 1.0)
+    first = monitor.glance(8.0, ["/a", "/b"])
+    monitor.add_tally(of_a_second("/a", 8.0))
+    monitor.tick(9.25)
+    turn = monitor._glances.turn(["/a", "/b"], 9.25)
+    assert [[one.name for one in topics] for topics in turn] == [["/a"], ["/b"]]
+    later = monitor.glance(9.25, ["/a", "/b"])
+    assert [one.time for one in first.standing] == [8.0, 8.0]
+    # That the other one is still fine was found out as well.
+    assert [one.time for one in later.standing] == [9.25, 9.25]
+    assert {one.state for one in later.standing} == {State.OK}
 
 
 @pytest.mark.nightly

@@ -8,8 +8,9 @@ from operator import attrgetter
 import msgspec
 
 from roslens.cli.page.half_lines import Ends, HalfLine, fed_by
-from roslens.cli.page.whole_lines import joined
+from roslens.cli.page.whole_lines import halves_of, joined
 from roslens.dashboard.live.snapshot import Picture, Row
+from roslens.dashboard.live.stirred import stirred
 from roslens.model.graph import Graph
 
 _STANDS = attrgetter("key", "state")
@@ -39,7 +40,8 @@ class DrawnLines:
         """
         self.picture = picture
         self._graph, self._rows, self._judged, self._grounds = graph, rows, judged, grounds
-        self._halves, self._lines = halves, lines
+        self._halves = halves
+        self._lines = [halves_of(ends, by, halves) if by else ([], [halves[ends]]) for ends, by in lines]
         self._fed = fed_by(rows)
         self._places: dict[Ends, list[int]] = {}
         for place, ((start, end), by) in enumerate(lines):
@@ -52,7 +54,7 @@ class DrawnLines:
             return False
         if len(rows) != len(self._rows):
             return False
-        changed = [place for place, pair in enumerate(zip(self._rows, rows, strict=True)) if pair[0] is not pair[1]]
+        changed = stirred(self._rows, rows)
         if any(_STANDS(self._rows[place]) != _STANDS(rows[place]) for place in changed):
             return False
         self._rows = rows
@@ -74,5 +76,5 @@ class DrawnLines:
 
     def _made(self, places: set[int]) -> Iterator[tuple[int, HalfLine]]:
         for place in places:
-            ends, by = self._lines[place]
-            yield place, joined(ends, by, self._halves) if by else self._halves[ends]
+            gives, takes = self._lines[place]
+            yield place, joined(gives, takes) if gives else takes[0]

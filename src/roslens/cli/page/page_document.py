@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from roslens.live.system.tree import SystemView
 
 _GRAVITY = {severity.value: severity.rank for severity in Severity}
-_SHOWN = attrgetter("shown")
 _PROCESS = f"{EntityKind.PROCESS.value}:"
 
 
@@ -51,8 +49,10 @@ def document(
     Rows of what did not change since ``row_list`` made the ones before are the same again. The picture is ``drawn``
     where that is given, because nobody sees it.
     """
-    rows = (row_list or RowList()).of(view, live=live)
-    known = set[str]().union(*map(_SHOWN, rows))
+    row_list = row_list or RowList()
+    rows = row_list.of(view, live=live)
+    # What is fine is no alert, nothing explains it, and no node is bad by it.
+    uneasy = [one for one in standing if one.state is not State.OK]
     return Snapshot(
         version=VERSION,
         time=time,
@@ -61,14 +61,13 @@ def document(
         live=live,
         state=view.worst.value if view.worst else UNJUDGED,
         counts=view.counts,
-        unjudged=len({row.entity for row in rows if row.state == UNJUDGED and not row.entity.endswith(":")}),
+        unjudged=row_list.unjudged,
         cost=cost,
-        columns=tuple(column for column in COLUMNS if column[0] in known),
+        columns=tuple(column for column in COLUMNS if column[0] in row_list.columns),
         rows=rows,
-        # What is fine is no alert, and nothing explains it.
-        alerts=_alerts([one for one in standing if one.state is not State.OK], clock),
+        alerts=_alerts(uneasy, clock),
         causes=causes_of(standing, shown_text),
-        picture=drawn or picture.of(graph, rows, standing),
+        picture=drawn or picture.of(graph, rows, uneasy),
         happened=tuple(happened),
         failures=failures,
     )

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 from hashlib import blake2b
-
-import msgspec
+from operator import attrgetter
 
 from roslens.cli.page.half_lines import encodable, ends_of
 from roslens.cli.page.watch_screen import nameless, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, Row
+from roslens.dashboard.live.stirred import stirred
 from roslens.live.system.shown_rows import badge, is_shown
 from roslens.live.system.tree import SystemView
 
@@ -23,23 +23,51 @@ COLUMNS = (
     ("cpu", "CPU"),
     ("memory", "Memory"),
 )
+_COLUMNS = tuple(key for key, _ in COLUMNS)
 RECORDED = "all nodes (a recording names no hosts)"
 """In place of a host, above what was recorded."""
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
 _SPARE = 1000
 """Rows of parts that went which are kept besides the present ones."""
+_SHOWN = attrgetter("shown")
 
 
 class RowList:
-    """Makes the rows of one tree after the other."""
+    """Makes the rows of one tree after the other.
+
+    Attributes:
+        order: another object once rows came, went or moved.
+        columns: keys of the values that any row shows.
+        unjudged: how many entities with a name have rows that nothing judges.
+    """
 
     def __init__(self) -> None:
         self._kept: dict[str, tuple[SystemView, Row | None, tuple[Row, ...]]] = {}
         self._live = True
+        self._rows: tuple[Row, ...] = ()
+        self.order = object()
+        self.columns: frozenset[str] = frozenset()
+        self.unjudged = 0
 
     def of(self, whole: SystemView, *, live: bool = True) -> tuple[Row, ...]:
         """Return the rows of everything below the whole, in order; where nothing is live, hosts are not missing."""
+        before, self._rows = self._rows, self._made(whole, live=live)
+        rows = self._rows
+        if len(before) != len(rows):
+            moved = anew = True
+        else:
+            pairs = [(before[place], rows[place]) for place in stirred(before, rows)]
+            moved = any(was.key != row.key for was, row in pairs)
+            anew = moved or any(was.state != row.state or was.shown.keys() != row.shown.keys() for was, row in pairs)
+        if moved:
+            self.order = object()
+        if anew:
+            self.columns = frozenset[str]().union(*map(_SHOWN, rows))
+            self.unjudged = len({row.entity for row in rows if row.state == UNJUDGED and not row.entity.endswith(":")})
+        return rows
+
+    def _made(self, whole: SystemView, *, live: bool) -> tuple[Row, ...]:
         if live is not self._live:
             self._live = live
             self._kept.clear()
@@ -58,9 +86,7 @@ class RowList:
         found: list[Row] = []
         row = None
         if is_shown(part):
-            row = _row(part, depth, key)
-            if part.kind == "host" and not part.name and not self._live:
-                row = msgspec.structs.replace(row, name=RECORDED)
+            row = _row(part, depth, key, self._name(part) if kept is None else self._name_again(part, *kept[:2]))
             if kept is not None and kept[1] == row:
                 row = kept[1]
             found.append(row)
@@ -70,14 +96,23 @@ class RowList:
         self._kept[key] = part, row, rows
         return rows
 
+    def _name(self, part: SystemView) -> str:
+        return RECORDED if part.kind == "host" and not part.name and not self._live else _name(part)
 
-def _row(part: SystemView, depth: int, key: str) -> Row:
-    values = {name: value for name, value in part.values.items() if math.isfinite(value)}
-    shown = {name: _shown(name, float(f"{values[name]:.3g}")) for name, _ in COLUMNS if name in values}
+    def _name_again(self, part: SystemView, before: SystemView, row: Row | None) -> str:
+        """Return the name of a part that had one; what has none is called by what is below it."""
+        return row.name if row is not None and part.name and part.name == before.name else self._name(part)
+
+
+def _row(part: SystemView, depth: int, key: str, name: str) -> Row:
+    values = part.values
+    if not all(map(math.isfinite, values.values())):
+        values = {key: value for key, value in values.items() if math.isfinite(value)}
+    shown = {column: _shown(column, f"{values[column]:.3g}") for column in _COLUMNS if column in values}
     return Row(
         key,
         encodable(part.id),
-        _name(part),
+        name,
         part.kind,
         depth,
         part.state.value if part.state else UNJUDGED,
@@ -97,8 +132,8 @@ def row_key(above: str, entity: str) -> str:
 
 
 @lru_cache(maxsize=65536)
-def _shown(key: str, value: float) -> str:
-    return value_text(key, value)
+def _shown(key: str, digits: str) -> str:
+    return value_text(key, float(digits))
 
 
 def _name(part: SystemView) -> str:

@@ -16,7 +16,7 @@ from roslens.cli.page.row_list import RowList, shown_name, shown_text
 from roslens.cli.page.topics_seen import topics_seen
 from roslens.cli.page.watch_detail import detail_of
 from roslens.cli.page.watch_graph import GraphPicture
-from roslens.dashboard.live.sight import Sight
+from roslens.dashboard.live.sight import Seen, Sight
 from roslens.dashboard.live.snapshot import Happening, Snapshot
 from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.graph_json import graph_bytes
@@ -75,6 +75,7 @@ class PageSource:
         self._picture = GraphPicture(shown_name)
         self._rows = RowList()
         self._drawn = -math.inf
+        self._seen: tuple[tuple[Seen, object, int], frozenset[str]] | None = None
         self.sight = Sight(steady)
         self._happened: deque[Happening] = deque(maxlen=_KEPT)
         self._failures: deque[str] = deque(maxlen=_KEPT)
@@ -160,7 +161,7 @@ class PageSource:
         begun, spent = self._steady(), self._spent()
         # Of what ended nothing newer will come.
         seen = self.sight.seen() if self._live else None
-        looked = _look(session, now, topics_seen(seen, self._shown) if seen is not None else None)
+        looked = _look(session, now, self._topics(seen))
         draw = seen is None or seen.picture or begun - self._drawn >= _PICTURE_S
         if draw:
             self._drawn = begun
@@ -169,6 +170,15 @@ class PageSource:
         self._looked = looked
         self._made = self._steady()
         self._took = self._spent() - spent
+
+    def _topics(self, seen: Seen | None) -> frozenset[str] | None:
+        """Return which topics are seen; None where that is everything."""
+        if seen is None:
+            return None
+        mark = seen, self._rows.order, self._shown.picture.version if self._shown is not None else 0
+        if self._seen is None or self._seen[0] != mark:
+            self._seen = mark, topics_seen(seen, self._shown)
+        return self._seen[1]
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""

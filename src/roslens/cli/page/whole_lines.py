@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
+from functools import reduce
 
 import msgspec
 
@@ -30,7 +31,7 @@ def whole_lines(
             giving[end].append(start)
         elif start in taking:
             taking[start].append(end)
-    lines: dict[Ends, WholeLine] = {}
+    by: dict[Ends, list[str]] = {}
     loose, many = [], []
     room = MOST_LINES
     for topic in sorted(topics, key=lambda one: (len(giving[one]) * len(taking[one]), one)):
@@ -42,32 +43,24 @@ def whole_lines(
             many.append(topic)
         else:
             for pair in pairs:
-                _join(lines, pair, topic, halves[pair[0], topic], halves[topic, pair[1]])
-    return lines, loose, many
+                by.setdefault(pair, []).append(topic)
+    return {pair: WholeLine(mine, joined(*halves_of(pair, mine, halves))) for pair, mine in by.items()}, loose, many
 
 
-def joined(pair: Ends, by: Collection[str], halves: Mapping[Ends, HalfLine]) -> HalfLine:
-    """Return what is known of the line between two nodes by these topics."""
-    lines: dict[Ends, WholeLine] = {}
-    for topic in by:
-        _join(lines, pair, topic, halves[pair[0], topic], halves[topic, pair[1]])
-    return lines[pair].line
+def halves_of(pair: Ends, by: Sequence[str], halves: Mapping[Ends, HalfLine]) -> tuple[list[HalfLine], list[HalfLine]]:
+    """Return the lines from one node to each of these topics, and those from the topics to the other."""
+    start, end = pair
+    return [halves[start, topic] for topic in by], [halves[topic, end] for topic in by]
 
 
-def _join(lines: dict[Ends, WholeLine], pair: Ends, topic: str, give: HalfLine, take: HalfLine) -> None:
-    state = worse(give.state, take.state)
-    known = lines.get(pair)
-    if known is None:
+def joined(gives: Sequence[HalfLine], takes: Sequence[HalfLine]) -> HalfLine:
+    """Return what is known of the line between two nodes, by the lines to its topics and from them."""
+    state = reduce(worse, {line.state for lines in (gives, takes) for line in lines})
+    if len(takes) == 1:
+        give, take = gives[0], takes[0]
         rate, bandwidth = take.rate or give.rate, take.bandwidth or give.bandwidth
-        lines[pair] = WholeLine([topic], HalfLine(state, rate, take.latency, bandwidth, take.age, take.lag))
-        return
-    known.by.append(topic)
-    line = known.line
-    line.state = worse(line.state, state)
+        return HalfLine(state, rate, take.latency, bandwidth, take.age, take.lag)
     # Of several topics there is no one rate; how old data is at most is told of the oldest.
-    line.rate = line.bandwidth = line.latency = ""
-    line.age, line.lag = _older(line.age, take.age), _older(line.lag, take.lag)
-
-
-def _older(one: float | None, other: float | None) -> float | None:
-    return max((value for value in (one, other) if value is not None), default=None)
+    ages = [take.age for take in takes if take.age is not None]
+    lags = [take.lag for take in takes if take.lag is not None]
+    return HalfLine(state, age=max(ages, default=None), lag=max(lags, default=None))

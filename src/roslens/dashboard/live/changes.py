@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 
 from roslens.dashboard.live.snapshot import Picture, Row, Snapshot
+from roslens.dashboard.live.stirred import stirred
 
 _LARGE = ("rows", "picture")
 _WHOLE = tuple(name for name in Snapshot.__struct_fields__ if name not in _LARGE)
@@ -51,12 +52,12 @@ def held(snapshot: Snapshot) -> Snapshot:
 
 def change(before: Snapshot, after: Snapshot) -> Change | None:
     """Return what makes ``after`` of ``before``; None where only all of it can be told."""
+    changed = stirred(before.rows, after.rows)
+    moved = len(before.rows) != len(after.rows) or any(_KEY(before.rows[at]) != _KEY(after.rows[at]) for at in changed)
     order = tuple(map(_KEY, after.rows))
-    former = tuple(map(_KEY, before.rows))
-    moved = former != order
-    if len(set(former)) != len(former) or (moved and len(set(order)) != len(order)):
+    old = {row.key: row for row in before.rows} if moved else {}
+    if len(set(order)) != len(order) or (moved and len(old) != len(before.rows)):
         return None
-    old = dict(zip(former, before.rows, strict=True)) if moved else {}
     parts = {name: getattr(after, name) for name in _WHOLE if getattr(after, name) != getattr(before, name)}
     drawn = _in_picture(before.picture, after.picture)
     if drawn is None:
@@ -64,8 +65,9 @@ def change(before: Snapshot, after: Snapshot) -> Change | None:
     items, links = drawn or ((), ())
     keys = tuple(key for key, _ in after.columns)
     whole, cells = [], []
-    pairs = zip(map(old.get, order) if moved else before.rows, after.rows, strict=True)
-    for place, (was, row) in enumerate(pairs):
+    for place in range(len(after.rows)) if moved else changed:
+        row = after.rows[place]
+        was = old.get(row.key) if moved else before.rows[place]
         if was is row:
             continue
         if was is None or _BESIDES_VALUES(was) != _BESIDES_VALUES(row):

@@ -41,7 +41,7 @@ CHROMIUM = Path(shutil.which("chromium") or shutil.which("chromium-headless-shel
 TURN_S = 0.25
 TURNS = 4
 """Each connection tells in one of so many turns."""
-TOOL_TURNS = 20
+TOOL_TURNS = 4
 """So many turns a tool lasts."""
 BRIEF = (Tier(1, 60), Tier(10, 120), Tier(60, 360))
 """What is kept for a soak: as much after ten minutes as later."""

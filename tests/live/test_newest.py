@@ -53,6 +53,27 @@ def test_a_watch_forgets_what_came_and_went_but_not_what_is_expected():
     assert len([one for one in world.sampled if one.name.startswith("/tool_")]) <= 301
 
 
+def test_a_watch_forgets_topics_that_only_a_pattern_judges():
+    """A pattern that matches everything matches what tools of the command line leave behind, too."""
+    every = REFERENCE + "  - {topic: '/**', rate: '>= 5 Hz'}\n"
+    session = Session(load_reference([GivenText("r.yaml", every.encode())], BY_KEY), start=0.0)
+    world = session.monitor.world
+    many = MOST_GONE + 200
+    for number in range(many):
+        names = ["/stays", f"/tool_{number}"] + (["/expected"] if number == 0 else [])
+        ends = [Endpoint(name, Role.PUBLISHER, name) for name in names]
+        graph = Graph("ros2", tuple(Node(name, "base", 7) for name in names), tuple(ends), ("base",))
+        session.take([Frame(VERSION, "base/ros2", number, float(number), [], [], [], graph)])
+        session.look(float(number))
+    session.look(many + 1000.0)
+    tools = [name for name in world.topics if name.startswith("/tool_")]
+    assert len(tools) <= MOST_GONE + 1
+    assert f"/tool_{many - 2}" in tools
+    assert {"/stays", "/expected"} <= set(world.topics)
+    assert len([one for one in session.monitor.standing() if one.entity.name.startswith("/tool_")]) == len(tools)
+    assert "/tool_0" not in str(session.tree(many + 1000.0))
+
+
 @pytest.mark.parametrize("reports", [1, 2])
 def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(reports):
     """A tool that ends at once was counted, and is in no graph."""

@@ -7,6 +7,8 @@ from roslens.model.errors import StoreError
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
 from roslens.store.live.history import KEPT_VERDICTS_S, History
+from roslens.store.live.series import Tier
+from roslens.store.past.moment import Moment
 
 SCAN = EntityId(EntityKind.TOPIC, "/scan")
 NOW = 1_700_000_000.0
@@ -53,6 +55,38 @@ def test_old_things_go_and_coarse_ones_stay():
         history.prune(NOW + KEPT_VERDICTS_S + 1)
         assert history.verdicts(NOW - 1, NOW + 2 * KEPT_VERDICTS_S) == (verdict(NOW + KEPT_VERDICTS_S),)
         assert history.points("host:a", "cpu", NOW, NOW + 7200, most=800) == ()
+
+
+def test_how_everything_stood_is_kept_less_often_the_longer_it_is_ago():
+    tiers = (Tier(1, 60), Tier(10, 600), Tier(60, 6000))
+    begun = 1_200_000.0
+    with History.open(None, tiers) as history:
+        for second in range(3000):
+            history.add_moment(Moment(begun + second + 0.5))
+        history.prune(begun + 3000)
+        recall = history.recall()
+        known = sorted({recall.moment(begun + at).time for at in range(1, 3001)})
+        assert [time for time in known if time > begun + 2940] == [begun + 2940.5 + at for at in range(60)]
+        assert [time for time in known if begun + 2400 < time < begun + 2940] == [
+            begun + at + 9.5 for at in range(2400, 2940, 10)
+        ]
+        assert [time for time in known if time < begun + 2400] == [
+            begun + 0.5, *(begun + at + 59.5 for at in range(0, 2400, 60))
+        ]  # fmt: skip
+
+
+def test_series_of_which_nothing_is_left_are_forgotten():
+    with History.open(None, (Tier(1, 60), Tier(10, 600))) as history:
+        for second in range(0, 2000, 5):
+            history.add_values(f"process:a/{second}", NOW + second, {"cpu": 1.0})
+            history.add_values("host:a", NOW + second, {"cpu": 1.0})
+        history.prune(NOW + 2000)
+        kept = {entity for (entity,) in history._connection.execute("SELECT entity FROM series")}
+        assert "host:a" in kept
+        assert len(kept) <= 1 + 600 / 5 + 1
+        history.add_values("host:a", NOW + 2001, {"cpu": 2.0})
+        history.flush(final=True)
+        assert history.points("host:a", "cpu", NOW + 2001, NOW + 2002)[-1].mean == 2.0
 
 
 def test_hostile_names_are_stored():

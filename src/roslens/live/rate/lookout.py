@@ -101,8 +101,13 @@ class Lookout:
                 self._queue.put(one)
         return changed
 
-    def look_again(self, now: float, topics: Iterable[Topic] | None = None) -> list[Judged]:
-        """Bring values of ``topics``, or of all, to the present that nobody had to look at; return what changed."""
+    def look_again(
+        self, now: float, topics: Iterable[Topic] | None = None, still: Iterable[Topic] = ()
+    ) -> list[Judged]:
+        """Bring values of ``topics``, or of all, to the present that nobody had to look at; return what changed.
+
+        All is fine of ``still`` ones, and of them and of their connections nothing new was told.
+        """
         self._plan(self.waiting, now)
         changed: list[Judged] = []
         if self.suspended:
@@ -115,16 +120,10 @@ class Lookout:
             if topic.looked < now and topic.judged and not topic.planless:
                 changed += judge_topic(topic, now, graph_known=self._world.graph is not None, silent=self.silent)
                 self._queue.put(topic)
+        for topic in still:
+            for measured in (*chain.from_iterable(topic.connections.values()), topic):
+                measured.looked = max(measured.looked, now)
         return changed
-
-    def pass_over(self, now: float, topics: Iterable[Topic]) -> None:
-        """Bring topics to the present that are fine, and of which and of whose connections nothing new was told."""
-        if self.suspended:
-            return
-        for topic in topics:
-            for one in chain(chain.from_iterable(topic.connections.values()), (topic,)):
-                if one.looked < now and not one.planless:
-                    one.looked = now
 
     def _judge_one(self, one: Measured, now: float) -> Iterable[Judged]:
         if isinstance(one, Sampled):

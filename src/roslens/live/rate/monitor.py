@@ -54,11 +54,7 @@ class Monitor:
     """
 
     def __init__(self, reference: Reference, *, start: float) -> None:
-        """Begin to watch at ``start``.
-
-        Raises:
-            ValueError: a pattern of the reference is none.
-        """
+        """Begin to watch at ``start``; a pattern of the reference that is none is a ``ValueError``."""
         self._world = World()
         self._glances = Glances(self._world)
         self._clock = ClockWatch(start)
@@ -327,8 +323,7 @@ class Monitor:
     def glance(self, now: float, looked_at: Collection[str]) -> Glance:
         """Return tree and verdicts; values of topics that nobody looks at may be some seconds old, states never."""
         turn = self._glances.turn(looked_at, now)
-        self._moved += self._lookout.look_again(self._clock.now, turn.stirred)
-        self._lookout.pass_over(self._clock.now, turn.still)
+        self._moved += self._lookout.look_again(self._clock.now, *turn)
         return self._glances.at(self._standing(), now, turn)
 
     def _entities(self) -> Iterator[Measured]:
@@ -481,6 +476,7 @@ class Monitor:
             self._retire(sampled.judged, now)
         for topic in self._world.outdated_topics():
             del self._world.topics[topic.name]
+            self._retire(topic.judged, now)
 
     def _silence(self, topic_name: str) -> float:
         """Return for how many seconds a topic has been silent for longer than is usual of it; 0 where it speaks."""

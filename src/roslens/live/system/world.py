@@ -173,11 +173,11 @@ class World:
         ]
 
     def outdated_topics(self) -> list[Topic]:
-        """Return the topics that are gone, that nobody judges, and after which many others went.
+        """Return the topics that are gone, that nobody expects by their name, and after which many others went.
 
         Those with connections that are remembered count among the many.
         """
-        gone = [one for one in self.topics.values() if _ended(one)]
+        gone = [one for one in self.topics.values() if _gone(one) and not _expected(one)]
         return [one for one in gone[: max(len(gone) - MOST_GONE, 0)] if not one.connections]
 
     def ended(self) -> set[EntityId]:
@@ -360,6 +360,16 @@ def _observers(topic: Topic) -> set[str]:
     return {one.host for group in topic.connections.values() for one in group} - {""}
 
 
+def _gone(topic: Topic) -> bool:
+    """Whether graphs had a topic and have it no more."""
+    return bool(topic.seen) and not (topic.known or topic.planless)
+
+
 def _ended(topic: Topic) -> bool:
     """Whether graphs had a topic and have it no more, and nobody judges it."""
-    return bool(topic.seen) and not (topic.known or topic.judged or topic.planless)
+    return _gone(topic) and not topic.judged
+
+
+def _expected(topic: Topic) -> bool:
+    """Whether a constraint names a topic, and not only a pattern that others match too."""
+    return any(one.sentence.literal is not None for one in topic.judged)

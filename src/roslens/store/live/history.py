@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from threading import RLock
 from types import TracebackType
@@ -38,6 +39,16 @@ ON CONFLICT (series, tier, bucket) DO UPDATE SET
     greatest = max(greatest, excluded.greatest)
 """
 """After a silence, or a restart, a bucket may come in two parts."""
+
+_THIN_MOMENTS = """
+DELETE FROM moment WHERE time < :before AND time > (SELECT min(time) FROM moment) AND EXISTS (
+    SELECT 1 FROM moment AS later
+    WHERE later.time > moment.time AND later.time < (CAST(moment.time / :bucket AS INTEGER) + 1) * :bucket
+)
+"""
+"""Where what is kept begins stays."""
+_EMPTY_SERIES = "SELECT id FROM series WHERE NOT EXISTS (SELECT 1 FROM point WHERE point.series = series.id)"
+"""Of what came and went: of tools of the command line, of processes."""
 
 
 class History:
@@ -152,6 +163,8 @@ class History:
     def prune(self, now: float) -> None:
         """Give up what is older than its tier is kept for.
 
+        Of how everything stood, one instant is left in each bucket of the finest tier that reaches so far back.
+
         Raises:
             StoreError: the file cannot be written.
         """
@@ -169,6 +182,11 @@ class History:
                 "DELETE FROM moment WHERE time < (SELECT max(time) FROM moment WHERE time <= ?)",
                 (now - kept,),
             )
+            for tier, coarser in pairwise(self._tiers):
+                self._connection.execute(_THIN_MOMENTS, {"before": now - tier.kept_s, "bucket": coarser.seconds})
+            used = set(self._ids.values())
+            empty = [one for (one,) in self._connection.execute(_EMPTY_SERIES) if one not in used]
+            self._connection.executemany("DELETE FROM series WHERE id = ?", [(one,) for one in empty])
             shrink(self._connection)
 
     def recall(self) -> Recall:

@@ -16,6 +16,7 @@ import csv
 import os
 import subprocess
 import time
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -23,6 +24,7 @@ import yaml
 
 from roslens.children.git import git_environment, git_words
 from roslens.cli.main import main as roslens_main
+from roslens.model.result import PackageSummary
 from roslens.model.study import Column, Corpus, Figures, Subject
 from roslens.report.study.study_tables import written
 from roslens.source.study.describe import describe
@@ -188,17 +190,23 @@ def page(
     return "\n".join([*lines, "", *_coding_lines(rows, broken), "", _COMMITS])
 
 
-def broken_of(folder: Path) -> dict[str, dict[str, int]]:
+def broken_of(folder: Path) -> dict[str, Counter[str]]:
     """Return how often packages break coding rules in own code, by package and rule, of the last run by `ros`."""
     with Store.open(folder / ".roslens" / "store.sqlite") as store:
         for run in store.runs():
             view = store.view(run.id)
             if view.header.models == ("ros",):
-                return {
-                    one.name: {rule.rule: rule.gated for rule in one.rules if rule.gated and "metrics" not in rule.tags}
-                    for one in view.packages()
-                }
+                return {one.name: coding_findings(one) for one in view.packages()}
     return {}
+
+
+def coding_findings(package: PackageSummary) -> Counter[str]:
+    """Return how often a package breaks each coding rule in own code, in all severities together."""
+    found: Counter[str] = Counter()
+    for rule in package.rules:
+        if rule.gated and "metrics" not in rule.tags:
+            found[rule.rule] += rule.gated
+    return found
 
 
 def _coding_lines(rows: Sequence[Mapping[str, str]], broken: Mapping[str, Mapping[str, int]]) -> list[str]:

@@ -22,7 +22,7 @@ from pathlib import Path
 import msgspec
 import yaml
 from study_2026_tables import ROWS, TITLES, changed, correlations, figures_of, roles, rules, shares, table
-from study_2026_today import Today, coding, definitions, today_of
+from study_2026_today import Today, coding, definitions, lasting, today_of
 
 from roslens.children.git import git_environment, git_words
 from roslens.cli.main import main as roslens_main
@@ -176,8 +176,10 @@ def absent(without: Mapping[str, LeftOut]) -> list[str]:
     return lines
 
 
-def page(corpora: Mapping[str, Corpus], without: Mapping[str, LeftOut], today: Mapping[str, Today]) -> str:
-    """Return the page."""
+def page(
+    corpora: Mapping[str, Corpus], without: Mapping[str, LeftOut], today: Mapping[str, Today], checked: str
+) -> str:
+    """Return the page; ``checked`` says when the runs were."""
     figures = {name: figures_of(corpus) for name, corpus in corpora.items()}
     sizes = [
         f"| {TITLES[name]} | {len(corpus.repositories)} | {len(corpus.packages)} | "
@@ -191,6 +193,8 @@ def page(corpora: Mapping[str, Corpus], without: Mapping[str, LeftOut], today: M
                 "| corpus | repositories | packages with C or C++ | lines of code |",
                 "| --- | ---: | ---: | ---: |",
                 *sizes,
+                "",
+                f"Checked on {checked} by the rules and definitions of that day; what is left out stands at the end.",
             ]
         ),
         _TABLE,
@@ -206,7 +210,7 @@ def page(corpora: Mapping[str, Corpus], without: Mapping[str, LeftOut], today: M
         _ROLES,
         "\n".join(roles(corpora)),
         _TODAY,
-        "\n".join(definitions(today, TITLES)),
+        "\n".join([*definitions(today, TITLES), "", *lasting(today, TITLES)]),
         _CODING,
         "\n".join(coding(today, TITLES)),
         _ABSENT,
@@ -268,7 +272,8 @@ _TODAY = """
 
 Medians (quartiles) over the same packages by the quality model `ros`: C, C++ and Python; every function and class
 once, 0 included; classes of all files of a package see each other; code of others that lies in a package, and tests,
-left out. [study.md](study.md) says of each row what is different from the paper's.
+left out. [study.md](study.md) says of each row what is different from the paper's. The last columns are Cliff's delta
+as above.
 """
 _CODING = """
 ## Coding rules that are broken most
@@ -296,7 +301,8 @@ def main() -> None:
     corpora = {name: corpus for name, (corpus, _) in found.items()} | {"2015": studied(found["2015"][0])}
     summaries = [one for view in views(options.folder, "ros") for one in view.packages()]
     today = {name: today_of(corpus, summaries) for name, corpus in corpora.items()}
-    PAGE.write_text(page(corpora, {name: without for name, (_, without) in found.items()}, today))
+    checked = max(view.header.started[:10] for view in views(options.folder, "ros"))
+    PAGE.write_text(page(corpora, {name: without for name, (_, without) in found.items()}, today, checked))
     for name, corpus in corpora.items():
         left = len(found[name][1].repositories)
         print(

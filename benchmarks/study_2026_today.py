@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 import msgspec
+from study_2015 import coding_findings
+from study_2026_tables import NEGLIGIBLE, change
 
 from roslens.model.result import PackageSummary
 from roslens.model.study import Column, Corpus, Subject
@@ -59,10 +61,7 @@ def today_of(corpus: Corpus, summaries: Sequence[PackageSummary]) -> Today:
     findings: Counter[str] = Counter()
     having: Counter[str] = Counter()
     for one in mine:
-        counts: Counter[str] = Counter()
-        for rule in one.rules:
-            if rule.gated and "metrics" not in rule.tags:
-                counts[rule.rule] += rule.gated
+        counts = coding_findings(one)
         findings.update(counts)
         having.update(counts.keys())
     lines = sum(one.values.get("loc", 0.0) for one in mine)
@@ -75,14 +74,32 @@ def definitions(today: Mapping[str, Today], titles: Mapping[str, str]) -> list[s
     for name, one in today.items():
         with measurements(one.corpus) as connection:
             figures[name] = {row.key: row for row in describe(connection, one.corpus)}
-    lines = ["| row | " + " | ".join(titles[name] for name in today) + " |", "| --- |" + " ---: |" * len(today)]
+    first, *others = today
+    heads = [titles[name] for name in today] + [f"{titles[name]} against {titles[first]}" for name in others]
+    lines = ["| row | " + " | ".join(heads) + " |", "| --- |" + " ---: |" * len(heads)]
     for key, title, _ in KEYS:
         write = written(Column(key, title))
         cells = []
         for name in today:
             found = figures[name].get(key)
             cells.append(f"**{write(found.median)}** ({write(found.lower)} to {write(found.upper)})" if found else "")
+        deltas = [change(today[first].corpus, today[name].corpus, Column(key, title)) for name in others]
+        cells += [f"{delta:+.2f}" + ("" if p < 0.05 else "*") for delta, p in deltas]
         lines.append(f"| {title} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def lasting(today: Mapping[str, Today], titles: Mapping[str, str]) -> list[str]:
+    """Return what differs more than negligibly, and not by chance, by these definitions."""
+    first, *others = today
+    lines = []
+    for name in others:
+        rows = []
+        for key, title, _ in KEYS:
+            delta, p = change(today[first].corpus, today[name].corpus, Column(key, title))
+            if abs(delta) >= NEGLIGIBLE and p < 0.05:
+                rows.append(f"{title} ({delta:+.2f})")
+        lines.append(f"- {titles[name]}, more than a negligible difference: {', '.join(rows) or 'nothing'}.")
     return lines
 
 

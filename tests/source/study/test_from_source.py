@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from roslens.model.finding import Severity
+from roslens.model.result import PackageSummary, RuleCount
+
 ROOT = Path(__file__).parents[3]
 
 
@@ -68,3 +71,14 @@ def test_the_page_is_of_the_raw_data_that_is_here(benchmark):
         assert f"| {name} | 180 of 180 |" in text
     assert "| #Rev | 45 of 45 repositories |" in text
     assert "\n## What differs\n\nNothing.\n" in text
+
+
+def test_findings_of_a_rule_count_in_all_severities(benchmark):
+    rules = (
+        RuleCount("package.undeclared_dependency", Severity.WARNING, 2, gated=2),
+        RuleCount("package.undeclared_dependency", Severity.ERROR, 3, gated=3),
+        RuleCount("cpp.override", Severity.WARNING, 4),
+        RuleCount("ros.cbo.max", Severity.WARNING, 9, gated=9, tags=("metrics",)),
+    )
+    found = benchmark.coding_findings(PackageSummary("arm", "arm", "arm", rules=rules))
+    assert found == {"package.undeclared_dependency": 5}

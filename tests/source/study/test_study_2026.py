@@ -12,7 +12,7 @@ from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.study import Corpus, Subject
 
 BENCHMARKS = Path(__file__).parents[3] / "benchmarks"
-NAMES = ("study_2026", "study_2026_tables", "study_2026_today")
+NAMES = ("study_2015", "study_2026", "study_2026_tables", "study_2026_today")
 
 
 @pytest.fixture

@@ -15,6 +15,7 @@ count together as one alone: more than that no engine gets of it.
 from __future__ import annotations
 
 import argparse
+import compileall
 import os
 import resource
 import shutil
@@ -26,6 +27,8 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+import roslens
 
 MANIFEST = """\
 <package format="3"><name>p{0}</name><version>1.0.0</version><description>d</description>
@@ -137,6 +140,8 @@ def main() -> None:
     )
     arguments.add_argument("--rounds", type=int, default=1, help="of each number of workers")
     options = arguments.parse_args()
+    # As pip leaves an installed one: without, each process that is started compiles half of it for itself.
+    compileall.compile_dir(Path(roslens.__file__).parent, quiet=2)
     with tempfile.TemporaryDirectory(prefix="roslens-scale-") as name:
         folder = Path(name)
         if options.of:

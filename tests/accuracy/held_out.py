@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import TypeVar
 
 import msgspec
-import yaml
 from graph_findings.judgements import TABLES, Judgement, Sample, read
 
 from accuracy.system import ROOT
+from roslens.intake.safe_yaml import load_yaml
 
 SETS = ROOT / "tests" / "fixtures" / "held_out"
 RIGHT, OPEN, WRONG = "right", "open", "wrong"
@@ -126,7 +126,7 @@ def held_out(folder: Path = SETS) -> Iterator[HeldOut]:
     for path in sorted(one for one in folder.iterdir() if one.is_dir()):
         yield HeldOut(
             path.name,
-            msgspec.convert(yaml.safe_load((path / "about.yaml").read_text("utf-8")), About),
+            msgspec.convert(load_yaml((path / "about.yaml").read_bytes()), About),
             rows_of(path / "calls.csv", Calls),
             rows_of(path / "endpoints.csv", Endpoint),
             read(TABLES / f"held_out_{path.name}.yaml"),

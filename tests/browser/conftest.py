@@ -25,6 +25,7 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Response
 from roslens.dashboard.server import create_app
 
 ROOT = Path(__file__).parents[2]
+HERE = f"{Path(__file__).parent}/"
 ARGUMENTS = [
     "--headless",
     "--no-sandbox",
@@ -47,7 +48,7 @@ expect.set_options(timeout=WAIT_MS)  # how long pages take is measured elsewhere
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark everything here; without Chromium there is nothing to drive."""
     for item in items:
-        if Path(__file__).parent in item.path.parents:
+        if str(item.path).startswith(HERE):
             item.add_marker(pytest.mark.browser)
             if not CHROMIUM.exists():
                 item.add_marker(

@@ -10,6 +10,8 @@ from typing import Any
 import msgspec
 import yaml
 
+from roslens.intake.safe_yaml import load_yaml
+
 ROOT = Path(__file__).parents[2]
 TABLES = ROOT / "tests" / "fixtures" / "graph_findings"
 NATIVE_TABLES = ROOT / "tests" / "fixtures" / "rule_findings"
@@ -135,7 +137,7 @@ def read(path: Path) -> Sample:
     Raises:
         ValidationError: the file is none.
     """
-    return msgspec.convert(yaml.safe_load(path.read_text("utf-8")), Sample)
+    return msgspec.convert(load_yaml(path.read_bytes()), Sample)
 
 
 def write(sample: Sample, path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 
+from roslens.intake.safe_yaml import load_yaml
 from roslens.judge.pages.reactions_page import EXAMPLE, TIME_LINE
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reading.read_time_line import parse_time_lines
@@ -19,7 +20,7 @@ LINES = sorted((Path(__file__).parent / "time_lines").glob("*.yaml"))
 def rows():
     """Yield the reactions and a time line of each file; its `checks` are `[at, decision, verification]`."""
     for path in LINES:
-        document = yaml.safe_load(path.read_text())
+        document = load_yaml(path.read_bytes())
         reference = {"kind": "reference", "name": "r", **document.pop("reference")}
         checks = document.pop("checks", {})
         document.pop("about")

@@ -43,12 +43,22 @@ def pytest_configure(config):
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
-    """Put what waits for nodes first, so that one worker waits while the others compute, and they share its rest."""
-    items.sort(key=lambda item: item.get_closest_marker("real") is None)
+    """Put what waits for nodes first in the share of one worker, and what waits for a browser in that of the next.
+
+    So two workers mostly wait while the others compute, and those that are done first take what is left of the rest.
+    """
+    real = [item for item in items if item.get_closest_marker("real")]
+    browser = [item for item in items if item.get_closest_marker("browser") and not item.get_closest_marker("real")]
+    waiting = {*real, *browser}
+    rest = [item for item in items if item not in waiting]
+    share = len(items) // int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    first = max(share - len(real), 0)
+    items[:] = [*real, *rest[:first], *browser, *rest[first:]]
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config):
-    """Return how many workers `-n auto` means: one more than there are processors, as one of them mostly waits."""
-    return len(os.sched_getaffinity(0)) + 1
+    """Return how many workers `-n auto` means: two more than there are processors, as two of them mostly wait."""
+    return len(os.sched_getaffinity(0)) + 2

@@ -71,8 +71,15 @@ def test_a_loop_without_end_spends_what_there_is():
 
 def test_what_stands_behind_else_is_followed_where_no_break_was_met():
     assert returned(["for i in [1]:", "    pass", "else:", "    return 'a'", "return 'b'"]) == "a"
-    found = returned(["for i in [1]:", "    break", "else:", "    return 'a'", "return 'b'"])
+    assert returned(["for i in [1]:", "    break", "else:", "    return 'a'", "return 'b'"]) == "b"
+    found = returned(["for i in [1]:", "    if ask():", "        break", "else:", "    return 'a'", "return 'b'"])
     assert choice(found) == ("no break", "a", "b")
+
+
+@pytest.mark.parametrize(("met", "found"), [("a", "a"), ("b", "b"), ("c", "other")])
+def test_a_break_that_is_certain_leaves_out_what_stands_behind_else(met, found):
+    body = ["for one in ['a', 'b']:", f"    if one == {met!r}:", "        found = one", "        break"]
+    assert returned([*body, "else:", "    found = 'other'", "return found"]) == found
 
 
 @pytest.mark.parametrize(

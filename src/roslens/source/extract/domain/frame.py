@@ -86,6 +86,7 @@ class Frame:
         returned: whether it returned for sure.
         stopped: whether the turn of the loop around was left for sure.
         ways: out of the loop around; None outside of loops.
+        broken: whether the last loop was left by ``break``; None where that depends.
         result: what it returned.
         depth: conditions around the call, of which a return in it does not depend.
         passed: how many of the conditions hold because the function was not left before.
@@ -107,6 +108,7 @@ class Frame:
         self.returned = False
         self.stopped = False
         self.ways: Ways | None = None
+        self.broken: bool | None = None
         self.result: Value = None
         self.depth = 0
         self.passed = 0

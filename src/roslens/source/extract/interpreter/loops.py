@@ -83,9 +83,11 @@ def looped(engine: Context, statement: Loop) -> None:
     """Follow a loop."""
     frame, depth = engine.state.frame, len(engine.state.conditions)
     around, frame.ways = frame.ways, Ways(depth)
+    broken = None
     try:
-        _followed(engine, statement)
+        broken = _followed(engine, statement)
     finally:
+        frame.broken = broken
         ways, frame.ways = frame.ways, around
         frame.passed -= len(engine.state.conditions) - depth
         del engine.state.conditions[depth:]
@@ -95,25 +97,26 @@ def looped(engine: Context, statement: Loop) -> None:
             frame.join(way.held, all_of(way.conditions[way.turn :]))
 
 
-def _followed(engine: Context, statement: Loop) -> None:
+def _followed(engine: Context, statement: Loop) -> bool | None:
+    """Follow the turns of a loop; return whether it was left by ``break``, None where that depends."""
     over = engine.value(statement.over) if statement.over is not None else None
     target, items = _gone_through(engine, statement, over)
     if target is not None and items is not None:
-        _each_in_turn(engine, statement, target, items)
-        return
+        return _each_in_turn(engine, statement, target, items)
     holds = engine.truth(over) if statement.over is not None else True
     if statement.target is None and holds is False:
-        return
+        return False
     if statement.target is None and holds and engine.budget.repeats:
         _repeated(engine, statement)
-        return
+        return None
     count = _count(engine, statement) if statement.target is None else None
     if count is not None and count <= MOST_COUNTED:
         for _ in range(count):
             if not _turn(engine, statement):
-                return
-        return
+                break
+        return None
     _once_for_all(engine, statement, over)
+    return None
 
 
 def _repeated(engine: Context, statement: Loop) -> None:
@@ -134,14 +137,21 @@ def _repeated(engine: Context, statement: Loop) -> None:
     raise SpentError
 
 
-def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Value]) -> None:
+def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Value]) -> bool | None:
+    """Follow a turn for each item; return whether one was left by ``break``, None where that depends."""
+    frame, depth = engine.state.frame, len(engine.state.conditions)
+    ways = frame.ways
     for item in items[: engine.budget.turns]:
         if type(item) is Perhaps:
             _perhaps_with(engine, statement, item)
             continue
         engine.assign(target, item)
         if not _turn(engine, statement):
-            return
+            break
+    breaks = [len(way.conditions) > depth for way in ways.out if not way.again] if ways is not None else [True]
+    if breaks:
+        return None if all(breaks) else True
+    return None if len(items) > engine.budget.turns or any(type(one) is Perhaps for one in items) else False
 
 
 def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:

@@ -30,6 +30,7 @@ from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.interpreter.loops import block_of_loop, left, looped, without_ways_out
 from roslens.source.extract.interpreter.objects import is_list
 from roslens.source.extract.ir.program import (
+    NO_BREAK,
     Assign,
     Branch,
     Call,
@@ -281,9 +282,17 @@ def _returned(engine: Context, statement: Return) -> None:
     engine.state.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 
 
+def _holds(engine: Context, statement: Branch, decides: Value) -> bool | None:
+    """Return whether a condition holds; None where that is unknown."""
+    if statement.condition == NO_BREAK:
+        broken = engine.state.frame.broken
+        return None if broken is None else not broken
+    return engine.truth(decides)
+
+
 def _branched(engine: Context, statement: Branch) -> None:
     decides = engine.value(statement.condition)
-    holds = engine.truth(decides)
+    holds = _holds(engine, statement, decides)
     if holds is not None:
         follow = block if engine.state.frame.ways is None else block_of_loop
         follow(engine, statement.then if holds else statement.otherwise)

@@ -118,6 +118,8 @@ Expression = Literal | Name | Member | Item | Call | Operation | Sequence | Mapp
 
 NO_EXCEPTION = Opaque("no exception")
 """The condition of ``try``: its block has run to its end."""
+NO_BREAK = Opaque("no break")
+"""The condition of what stands behind ``else`` of the loop before."""
 
 
 class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from roslens.source.extract.ir.program import (
+    NO_BREAK,
     NO_EXCEPTION,
     Assign,
     Branch,
@@ -20,7 +21,6 @@ from roslens.source.extract.lowering.python.python_program_patterns import Patte
 from roslens.source.extract.lowering.python.python_program_reading import DEEPEST
 from roslens.source.syntax.python_tree import LANGUAGE
 
-_NO_BREAK = Opaque("no break")
 _ARMS = frozenset({"except_clause", "except_group_clause"})
 _BLOCK = LANGUAGE.id_for_node_kind("block", True) or 0
 
@@ -99,7 +99,7 @@ class Control(Patterns):
         if rest is None:
             return
         found = self.block(rest.child_by_field_name("body"))
-        self.pending += (Branch(_NO_BREAK, found, (), self.line(rest)),) if found and _breaks(body) else found
+        self.pending += (Branch(NO_BREAK, found, (), self.line(rest)),) if found and _breaks(body) else found
 
     def _on_try(self, node: Node) -> None:
         depth, then = self._depth, self.block(node.child_by_field_name("body"))

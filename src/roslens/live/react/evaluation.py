@@ -31,6 +31,8 @@ _CLOSE_S = 1e-6
 
 _OTHER, _BEGAN, _OTHER_BEGAN, _SETTLING = -1, -2, -3, -4
 """Places below a condition that no part of it has."""
+LONG_GONE_S = 60.0
+"""So long after it ended nothing will be known any more of what `each` is about: it was not merely restarted."""
 _BAD = frozenset(state.value for state in State if state.bad)
 _FAULTS = frozenset(one.value for one in Being if one is not Being.THERE)
 
@@ -210,6 +212,8 @@ class Evaluation:
                 False if truth is None and self._is_over(condition, one) else truth
                 for one, truth in zip(entities, truths, strict=True)
             ]
+        if condition.matching is Matching.EACH and truths == [None] and self._is_gone_for_long(entities[0]):
+            return False
         if not truths:
             return condition.unknown
         return (all_of if condition.matching is Matching.ALL else any_of)(truths)
@@ -224,6 +228,10 @@ class Evaluation:
         ):
             return True
         return entity.kind is not EntityKind.HOST and self._known.presences.gone(entity) is not None
+
+    def _is_gone_for_long(self, entity: EntityId) -> bool:
+        since = self._known.presences.gone(entity)
+        return entity.kind is not EntityKind.HOST and since is not None and self._known.now - since > LONG_GONE_S
 
 
 def _silent_since(said: Said) -> float:

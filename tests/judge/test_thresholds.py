@@ -58,6 +58,7 @@ def test_a_finding_carries_everything():
         value=23.0,
         bound=15,
         model="ros",
+        breach="cyclomatic complexity 23 (limit 15, 1.5 x)",
     )
     assert finding.rule in {rule.id for rule in rules_of(ROS)}
 

@@ -26,7 +26,7 @@ REASONS = frozenset({"of node", "of parameter", "of handle", "of controller", "e
                      "of environment", "random end", "not set", "of many"})  # fmt: skip
 IN_WORDS = CONDITIONS | REASONS
 """Tags of conditions and reasons, which are compared in words: older revisions had nothing else."""
-PARTS = frozenset({"missing", "cause", "doubts", "elsewhere", "by_parameter", "clauses"})
+PARTS = frozenset({"missing", "cause", "doubts", "elsewhere", "by_parameter", "clauses", "breach"})
 """Fields that name what is said in words beside them."""
 
 

@@ -57,7 +57,9 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     names the ``others``, each with its place; one that holds for several entities alike has the rest in ``also``.
     ``witnesses`` are the ids of the other rules, of whichever tool, that reported the same at the same place.
     ``edits`` mend it without a change of what the code does otherwise; none where that takes a person.
-    ``doubts`` are the reasons why it may be none; they stand at the end of the message too.
+    ``doubts`` are the reasons why it may be none; they stand at the end of the message too. ``breach`` of one that a
+    quality model makes says which limit is broken, as its message does before it names the entity; where several of
+    one entity are one, it is part of the message alone.
     """
 
     rule: str
@@ -82,6 +84,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     witnesses: tuple[str, ...] = ()
     edits: tuple[Edit, ...] = ()
     doubts: tuple[str, ...] = ()
+    breach: str = ""
 
     @property
     def excess(self) -> float:

@@ -42,23 +42,18 @@ def limits_broken(finding: Finding) -> tuple[str, ...]:
 
 def _folded(alike: list[Finding]) -> Finding:
     if len(alike) == 1:
-        return alike[0]
+        return msgspec.structs.replace(alike[0], breach="")
     worst, *others = sorted(alike, key=lambda one: (-one.severity.rank, -one.excess, one.rule))
     kind = worst.entity.partition(":")[0]
-    reasons = tuple(_parts(one)[0] for one in others)
-    first, where = _parts(worst)
+    *reasons, last = (one.breach for one in (worst, *others))
+    where = worst.message.removeprefix(worst.breach)
     rule = f"{worst.model}.{kind}{SUFFIX}"
     return msgspec.structs.replace(
         worst,
         rule=rule,
-        message=f"{', '.join((first, *reasons[:-1]))} and {reasons[-1]}{where}",
+        message=f"{', '.join(reasons)} and {last}{where}",
         tags=tuple(dict.fromkeys(tag for one in (worst, *others) for tag in one.tags)),
         fingerprint=fingerprint(rule, worst.entity),
-        others=tuple(f"{one.rule}: {text}" for one, text in zip((worst, *others), (first, *reasons), strict=True)),
+        others=tuple(f"{one.rule}: {one.breach}" for one in (worst, *others)),
+        breach="",
     )
-
-
-def _parts(finding: Finding) -> tuple[str, str]:
-    """Return what a limit's message says of the number, and of whom, which follows the closing parenthesis."""
-    number, closing, where = finding.message.partition(")")
-    return number + closing, where

@@ -106,10 +106,11 @@ def _holds(limit: _Limit, entity: Entity, value: float) -> bool:
 
 def _finding(limit: _Limit, entity: Entity, value: float) -> Finding:
     joint = "of" if entity.kind is EntityKind.FILE else "in"
+    breach = limit.constraint.breach_text(value, limit.side)
     return Finding(
         rule=limit.rule,
         severity=limit.severity,
-        message=f"{limit.constraint.breach_text(value, limit.side)} {joint} {name_of(entity)}",
+        message=f"{breach} {joint} {name_of(entity)}",
         path=entity.path,
         line=entity.line,
         end_line=entity.end_line,
@@ -121,6 +122,7 @@ def _finding(limit: _Limit, entity: Entity, value: float) -> Finding:
         value=value,
         bound=limit.bound,
         model=limit.model,
+        breach=breach,
     )
 
 

@@ -167,7 +167,7 @@ class Reactor:
         latest = self._latest.get(key)
         wait = 0.0 if latest is None else latest + plan.reaction.cool_down_s - self._now
         if wait > 0:
-            self._withhold(key, f"cools down for {wait:.0f} s more")
+            self._withhold(key, "cools down")
             return []
         self._number += 1
         chain = Chain(self._number, plan.reaction.steps)

@@ -54,7 +54,7 @@ class Simulation:
         self.decisions += found
         self.checks += self._reactor.checks()
         for (reaction, entity), reason in self._reactor.withheld.items():
-            self.withheld.setdefault((reaction, entity, reason.partition(" for ")[0]), step.time)
+            self.withheld.setdefault((reaction, entity, reason), step.time)
         return found
 
 

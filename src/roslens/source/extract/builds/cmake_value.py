@@ -11,9 +11,9 @@ import warnings
 from functools import lru_cache
 
 OPEN, CLOSE = "\ue000", "\ue001"
-MADE = "files that are made by "
-"""How the reason begins of a hole that stands for files that the build makes."""
-_HOLE = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){CLOSE}")
+_MADE = "\ue002"
+"""Behind what opens a hole: it stands for files that the build makes."""
+_HOLE = re.compile(f"{OPEN}({_MADE}?)([^{OPEN}{CLOSE}]*){CLOSE}")
 
 _TRUE = frozenset({"1", "ON", "YES", "TRUE", "Y"})
 _FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE"})
@@ -32,6 +32,17 @@ def hole(reason: str) -> str:
     return OPEN + reason.replace(OPEN, "").replace(CLOSE, "").replace(";", ",") + CLOSE
 
 
+def made_by(command: str) -> str:
+    """Return a text that stands for files which a command of the build makes."""
+    return f"{OPEN}{_MADE}files that are made by {command}(){CLOSE}"
+
+
+def is_made(value: str) -> bool:
+    """Return whether what is unknown first in a value are files that the build makes."""
+    found = _HOLE.search(value)
+    return found is not None and bool(found[1])
+
+
 def is_unknown(value: str) -> bool:
     """Return whether a part of a value is unknown."""
     return OPEN in value
@@ -40,12 +51,12 @@ def is_unknown(value: str) -> bool:
 def reason_of(value: str) -> str:
     """Return why a value is unknown; empty where it is known."""
     found = _HOLE.search(value)
-    return found[1] if found else ""
+    return found[2] if found else ""
 
 
 def shown(value: str) -> str:
     """Return a value for people: holes as ``{reason}``."""
-    return _HOLE.sub(r"{\1}", value) if OPEN in value else value
+    return _HOLE.sub(r"{\2}", value) if OPEN in value else value
 
 
 def items_of(value: str, *, empty: bool = False) -> list[str]:

@@ -61,6 +61,15 @@ class Called(msgspec.Struct, frozen=True):
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
 
 
+def written_as(engine: Context, called: Called, place: int) -> str:
+    """Return an argument by position as source has it; empty where that is not known.
+
+    Where an object is made, its arguments are those of the call that makes it.
+    """
+    written = called.written or engine.state.written
+    return engine.index.lookups.text(written[place]) if written and len(written) == len(called.arguments) else ""
+
+
 Word = Function1[["Context", Any, Called], Value]
 """What a call does; the second is the object that it is made on, of the kind under which the word is registered."""
 _OUTER: dict[str, Word] = {}

@@ -191,7 +191,7 @@ def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text
     if not name:
         name = _in_scope(engine, written, KINDS[role])
     if not name:
-        name = lower_interface(written, engine.index.headers)
+        name = lower_interface(written, engine.index.contents.headers)
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
 
 
@@ -237,13 +237,13 @@ def _in_scope(engine: Context, written: str, kind: str) -> str:
         modules = [one for one in program.using if one.endswith(f".{kind}")]
         module = engine.index.interfaces.of_modules(written, modules)
         return f"{module.replace('.', '/')}/{written}" if module else ""
-    found = used_interface(written, kind, program.using, engine.index.headers)
+    found = used_interface(written, kind, program.using, engine.index.contents.headers)
     if found:
         return found
     scope = engine.state.frame.scope
     while scope := scope.rpartition(".")[0]:
         last = scope.rpartition(".")[2]
-        if engine.index.includes(f"{last}/{written}.h", engine.state.frame.path):
+        if engine.index.contents.includes(f"{last}/{written}.h", engine.state.frame.path):
             return f"{last}/{written}"
     return ""
 

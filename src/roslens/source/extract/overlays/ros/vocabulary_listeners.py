@@ -14,7 +14,7 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.unknown_lists import each_of
 from roslens.source.extract.facts.node_facts import Sure
-from roslens.source.extract.interpreter.vocabulary import LISTENER, Called, method, node_of, outer
+from roslens.source.extract.interpreter.vocabulary import LISTENER, Called, method, node_of, outer, written_as
 from roslens.source.extract.overlays.ros.record import Described, parameter
 from roslens.source.extract.parameters.parameter_library import MAP, Declaration, ParameterLibrary
 from roslens.source.extract.symbolic.text import Text
@@ -69,7 +69,7 @@ class _Declaring:
 
     def __init__(self, engine: Context, called: Called, library: ParameterLibrary) -> None:
         self._engine, self._called, self._library = engine, called, library
-        self._prefix = _prefix(called)
+        self._prefix = _prefix(engine, called)
         self._known: dict[str, Text] = {}
 
     def structure(self) -> Obj:
@@ -126,18 +126,24 @@ def _inside(at: Obj, piece: str) -> Obj:
     return found if isinstance(found, Obj) else Obj(_PARAMS, None, {})
 
 
-def _prefix(called: Called) -> Text:
+def _prefix(engine: Context, called: Called) -> Text:
     """Return what is put before the names: the last argument, where it is no logger."""
     given = called.keywords.get("prefix", called.arguments[-1] if len(called.arguments) > 1 else None)
-    if given is None or (isinstance(given, Obj | Unknown) and len(called.arguments) == 2 and _is_logger(given)):
+    if given is None or (len(called.arguments) == 2 and _is_logger(engine, given, called)):
         return Text()
     prefix = as_text(given)
     last = prefix.parts[-1] if prefix.parts else "."
     return prefix if isinstance(last, str) and last.endswith(".") else Text.of(prefix, ".") if prefix.parts else prefix
 
 
-def _is_logger(value: Obj | Unknown) -> bool:
-    return "logger" in (value.type if isinstance(value, Obj) else str(value.reason)).lower()
+def _is_logger(engine: Context, value: Value, called: Called) -> bool:
+    """Return whether a value is a logger: an object of such a class, or what source names so."""
+    match value:
+        case Obj():
+            return "logger" in value.type.lower()
+        case Unknown():
+            return "logger" in written_as(engine, called, -1).lower()
+    return False
 
 
 def _library(engine: Context, called: Called) -> ParameterLibrary | None:

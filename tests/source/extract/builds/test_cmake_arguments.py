@@ -14,7 +14,7 @@ WORDS = '"QUIET;LOUD" "ONE;OTHER" "MANY;MORE"'
 def after(text):
     run = Evaluation("", FolderFiles(Path(), {}), [], COMMANDS, IGNORED, BLOCKS)
     run.run_file("CMakeLists.txt", parse_cmake(text.encode()))
-    return {name: run.get(f"A_{name}") for name in (
+    return {name: run.variables.get(f"A_{name}") for name in (
         "QUIET", "LOUD", "ONE", "OTHER", "MANY", "MORE", "UNPARSED_ARGUMENTS", "KEYWORDS_MISSING_VALUES"
     )}  # fmt: skip
 

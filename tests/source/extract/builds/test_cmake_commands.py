@@ -28,7 +28,7 @@ def run(text, **more):
     found = Evaluation(
         "pkg", Written(files), [one for one in files if one.startswith("pkg/")], COMMANDS, IGNORED, BLOCKS
     )
-    found.set("CMAKE_CURRENT_SOURCE_DIR", found.absolute("pkg"))
+    found.variables.set("CMAKE_CURRENT_SOURCE_DIR", found.absolute("pkg"))
     found.run_file("pkg/CMakeLists.txt", parse_cmake(text.encode()))
     return found
 
@@ -39,10 +39,10 @@ def reasons(found):
 
 def test_project():
     found = run("project(robot VERSION 1.2)")
-    assert found.get("PROJECT_NAME") == "robot"
-    assert found.get("robot_VERSION") == "1.2"
-    assert found.get("CATKIN_PACKAGE_BIN_DESTINATION") == "lib/robot"
-    assert found.get("PROJECT_SOURCE_DIR") == found.absolute("pkg")
+    assert found.variables.get("PROJECT_NAME") == "robot"
+    assert found.variables.get("robot_VERSION") == "1.2"
+    assert found.variables.get("CATKIN_PACKAGE_BIN_DESTINATION") == "lib/robot"
+    assert found.variables.get("PROJECT_SOURCE_DIR") == found.absolute("pkg")
 
 
 def test_subfolders_have_a_scope():
@@ -53,7 +53,11 @@ def test_subfolders_have_a_scope():
             b"set(C ${CMAKE_CURRENT_SOURCE_DIR} PARENT_SCOPE)"
         },
     )
-    assert (found.get("A"), found.get("B"), found.get("C")) == ("1", "2", found.absolute("pkg/sub"))
+    assert (found.variables.get("A"), found.variables.get("B"), found.variables.get("C")) == (
+        "1",
+        "2",
+        found.absolute("pkg/sub"),
+    )
     assert reasons(found) == ['"pkg/gone/CMakeLists.txt" is not among the files of the package']
 
 
@@ -62,7 +66,7 @@ def test_a_folder_that_adds_itself():
         "add_subdirectory(sub)\nset(B 1)", files={"pkg/sub/CMakeLists.txt": b"if(1)\nadd_subdirectory(../sub)\nendif()"}
     )
     assert reasons(found) == ["the folder is added twice"]
-    assert found.get("B") == "1"
+    assert found.variables.get("B") == "1"
 
 
 def test_included_files():
@@ -71,8 +75,8 @@ def test_included_files():
         "list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/cmake)\ninclude(Mine)",
         files={"pkg/cmake/a.cmake": b"set(A ${CMAKE_CURRENT_LIST_DIR})", "pkg/cmake/Mine.cmake": b"set(M 1)"},
     )
-    assert found.get("A") == found.absolute("pkg/cmake")
-    assert found.get("M") == "1"
+    assert found.variables.get("A") == found.absolute("pkg/cmake")
+    assert found.variables.get("M") == "1"
     assert reasons(found) == ["the file that it includes is not in the workspace"]
 
 
@@ -87,9 +91,9 @@ def test_packages_of_the_workspace_give_functions():
         "old/cmake/old.cmake.em": b"@[if DEVELSPACE]@\nset(OLD 1)\n@[end if]@\n",
     }
     found = run("find_package(tools REQUIRED)\nfind_package(catkin REQUIRED COMPONENTS old)\ntell(X)", files=files)
-    assert found.get("X") == "told"
-    assert found.get("OLD") == "1"
-    assert found.get("tools_FOUND") == "1"
+    assert found.variables.get("X") == "told"
+    assert found.variables.get("OLD") == "1"
+    assert found.variables.get("tools_FOUND") == "1"
     assert not found.unresolved
 
 
@@ -100,9 +104,9 @@ def test_globs():
         "file(GLOB_RECURSE C RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS src/*.cpp)",
         files=files,
     )
-    assert found.get("A") == ";".join(found.absolute(f"pkg/{one}.cpp") for one in "ab")
-    assert found.get("B") == "a.hpp;src/c.cpp;src/x[1].cpp"
-    assert found.get("C") == "src/c.cpp;src/deep/d.cpp;src/x[1].cpp"
+    assert found.variables.get("A") == ";".join(found.absolute(f"pkg/{one}.cpp") for one in "ab")
+    assert found.variables.get("B") == "a.hpp;src/c.cpp;src/x[1].cpp"
+    assert found.variables.get("C") == "src/c.cpp;src/deep/d.cpp;src/x[1].cpp"
 
 
 def test_a_pattern_of_many_stars_ends_soon():
@@ -115,7 +119,7 @@ def test_what_only_the_build_knows_is_unknown():
         "find_library(LIB x)\ncheck_include_file(x.h HAVE)\nget_property(P TARGET x PROPERTY y)\nfile(READ f CONTENT)\n"
         'qt5_wrap_cpp(MOC a.h)\nset(A "${LIB}|${HAVE}|${P}|${CONTENT}|${MOC}")'
     )
-    assert shown(found.get("A")).count("{") == 5
+    assert shown(found.variables.get("A")).count("{") == 5
 
 
 @pytest.mark.parametrize(
@@ -123,5 +127,5 @@ def test_what_only_the_build_knows_is_unknown():
     [("1 + 2 * 3", "7"), ("7 / 2", "3"), ("8 % 5", "3"), ("2 ** 9", None), ("x", None), ("1/0", None)],
 )
 def test_math(expression, value):
-    found = run(f'math(EXPR R "{expression}")').get("R")
+    found = run(f'math(EXPR R "{expression}")').variables.get("R")
     assert found == value or (value is None and "number" in shown(found))

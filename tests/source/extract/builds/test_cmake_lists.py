@@ -15,7 +15,7 @@ from roslens.source.extract.facts.files import FolderFiles
 def after(text, **first):
     run = Evaluation("", FolderFiles(Path(), {}), [], COMMANDS, IGNORED, BLOCKS)
     for name, value in first.items():
-        run.set(name, value)
+        run.variables.set(name, value)
     run.run_file("CMakeLists.txt", parse_cmake(text.encode()))
     return run
 
@@ -34,34 +34,34 @@ def after(text, **first):
     ],
 )
 def test_lists_are_changed(command, value):
-    assert after(command, L="c;a;B").get("L") == value
+    assert after(command, L="c;a;B").variables.get("L") == value
 
 
 def test_what_transform_gives_to_another_variable_leaves_the_list():
     found = after("list(TRANSFORM L APPEND .cpp OUTPUT_VARIABLE S)", L="one;two")
-    assert (found.get("L"), found.get("S")) == ("one;two", "one.cpp;two.cpp")
+    assert (found.variables.get("L"), found.variables.get("S")) == ("one;two", "one.cpp;two.cpp")
 
 
 def test_several_are_taken_from_an_end():
     found = after("list(POP_FRONT L A B)\nlist(POP_BACK L C D)", L="1;2;3", D="old")
-    assert [found.get(name) for name in "LABCD"] == ["", "1", "2", "3", None]
+    assert [found.variables.get(name) for name in "LABCD"] == ["", "1", "2", "3", None]
 
 
 def test_what_is_escaped_stays_so():
     found = after('list(APPEND L "a\\;b" c)\nlist(LENGTH L N)\nlist(APPEND L d)\nlist(LENGTH L M)')
-    assert (found.get("N"), found.get("M")) == ("2", "3")
+    assert (found.variables.get("N"), found.variables.get("M")) == ("2", "3")
 
 
 def test_natural_order_is_not_known():
-    assert is_unknown(after("list(SORT L COMPARE NATURAL)", L="a10;a9").get("L"))
+    assert is_unknown(after("list(SORT L COMPARE NATURAL)", L="a10;a9").variables.get("L"))
 
 
 def test_lists_of_what_is_unknown():
     found = after("list(POP_BACK L A)\nlist(FIND M x F)", L=f"a;{hole('x')}", M=hole("y"))
-    assert all(is_unknown(found.get(name)) for name in "LAF")
+    assert all(is_unknown(found.variables.get(name)) for name in "LAF")
 
 
 def test_what_transform_has_matched_is_unknown():
     found = after('string(REGEX MATCH "(a)" R a)\nlist(TRANSFORM L REPLACE x y)', L="x;z")
-    assert found.get("L") == "y;z"
-    assert is_unknown(found.get("CMAKE_MATCH_0"))
+    assert found.variables.get("L") == "y;z"
+    assert is_unknown(found.variables.get("CMAKE_MATCH_0"))

@@ -21,7 +21,7 @@ def after(text, **first):
     run = Evaluation("pkg", Nothing(), ["pkg/src/b.cpp", "pkg/src/a.c", "pkg/src/x/y.cpp", "pkg/src/h.hpp"], COMMANDS,
                      IGNORED, BLOCKS)  # fmt: skip
     for name, value in first.items():
-        run.set(name, value)
+        run.variables.set(name, value)
     run.run_file("pkg/CMakeLists.txt", parse_cmake(text.encode()))
     return run
 
@@ -36,7 +36,7 @@ def after(text, **first):
     ],
 )  # fmt: skip
 def test_components(path, mode, value):
-    assert after(f'get_filename_component(R "{path}" {mode})').get("R") == value
+    assert after(f'get_filename_component(R "{path}" {mode})').variables.get("R") == value
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def test_components(path, mode, value):
 )  # fmt: skip
 def test_paths(command, value):
     found = after(command, P="a/b.tar.gz")
-    assert (found.get("R"), found.get("P")) == (value, "a/b.tar.gz")
+    assert (found.variables.get("R"), found.variables.get("P")) == (value, "a/b.tar.gz")
 
 
 @pytest.mark.parametrize(
@@ -65,9 +65,9 @@ def test_paths(command, value):
 def test_names_of_dots(name, short, long):
     for last, expected in (("", short), (" LAST_ONLY", long)):
         found = after(f"cmake_path(GET P STEM{last} S)\ncmake_path(GET P EXTENSION{last} E)", P=f"x/{name}")
-        assert f"{found.get('S')}|{found.get('E')}" == expected
+        assert f"{found.variables.get('S')}|{found.variables.get('E')}" == expected
     has = "ON" if short.partition("|")[2] else "OFF"
-    assert after("cmake_path(HAS_EXTENSION P R)", P=f"x/{name}").get("R") == has
+    assert after("cmake_path(HAS_EXTENSION P R)", P=f"x/{name}").variables.get("R") == has
 
 
 @pytest.mark.parametrize(
@@ -81,16 +81,16 @@ def test_names_of_dots(name, short, long):
     ],
 )
 def test_what_is_appended_to(path, more, value):
-    assert after(f"cmake_path(APPEND P {more})", P=path).get("P") == value
-    assert is_unknown(after(f"cmake_path(APPEND P {more})", P="//").get("P"))
+    assert after(f"cmake_path(APPEND P {more})", P=path).variables.get("P") == value
+    assert is_unknown(after(f"cmake_path(APPEND P {more})", P="//").variables.get("P"))
 
 
 def test_what_is_not_evaluated_is_unknown_where_it_is_put():
     found = after("cmake_path(NATIVE_PATH P R)\ncmake_path(RELATIVE_PATH P BASE_DIRECTORY /x)", P="a", R="old")
-    assert is_unknown(found.get("R"))
-    assert is_unknown(found.get("P"))
-    assert is_unknown(after("cmake_path(GET P STEM R)", P=hole("x")).get("R"))
+    assert is_unknown(found.variables.get("R"))
+    assert is_unknown(found.variables.get("P"))
+    assert is_unknown(after("cmake_path(GET P STEM R)", P=hole("x")).variables.get("R"))
 
 
 def test_sources_of_a_folder():
-    assert after("aux_source_directory(src L)", L="z.cpp").get("L") == "z.cpp;src/a.c;src/b.cpp"
+    assert after("aux_source_directory(src L)", L="z.cpp").variables.get("L") == "z.cpp;src/a.c;src/b.cpp"

@@ -16,16 +16,16 @@ from roslens.source.extract.facts.files import FolderFiles
 def after(text, **first):
     run = Evaluation("", FolderFiles(Path(), {}), [], {**LIST, **STRING}, frozenset(), BLOCKS)
     for name, value in first.items():
-        run.set(name, value)
+        run.variables.set(name, value)
     run.run_file("CMakeLists.txt", parse_cmake(text.encode()))
     return run
 
 
 def test_lists_of_what_is_unknown():
     run = after("list(APPEND L b)\nlist(LENGTH L N)\nlist(GET L 0 G)\nlist(SORT L)", L=f"a;{hole('x')}")
-    assert is_unknown(run.get("N"))
-    assert is_unknown(run.get("G"))
-    assert is_unknown(run.get("L"))
+    assert is_unknown(run.variables.get("N"))
+    assert is_unknown(run.variables.get("G"))
+    assert is_unknown(run.variables.get("L"))
 
 
 @pytest.mark.parametrize(
@@ -36,13 +36,13 @@ def test_lists_of_what_is_unknown():
 )  # fmt: skip
 def test_what_is_wrong_is_unknown(text):
     run = after(text, L="a;b")
-    value = run.get("R")
+    value = run.variables.get("R")
     assert value is None or is_unknown(value)
 
 
 def test_strings_of_what_is_unknown():
     run = after('string(TOUPPER "${X}" A)\nstring(REPLACE a b B "${X}")\nstring(FIND "${X}" a C)', X=f"a{hole('x')}")
-    assert all(is_unknown(run.get(name)) for name in "ABC")
+    assert all(is_unknown(run.variables.get(name)) for name in "ABC")
 
 
 def test_text_is_bounded():

@@ -12,23 +12,23 @@ def _parse_arguments(run: Evaluation, call: Call) -> None:
     if raw:
         # What was one argument stays one, so that a list in it is escaped.
         first = int(arguments[1]) if len(arguments) > 2 and arguments[1].isdecimal() else 0
-        count = run.get("ARGC") or ""
+        count = run.variables.get("ARGC") or ""
         last = int(count) if count.isdecimal() else 0
-        given = [(run.get(f"ARGV{at}") or "").replace(";", "\\;") for at in range(first, min(last, 100))]
+        given = [(run.variables.get(f"ARGV{at}") or "").replace(";", "\\;") for at in range(first, min(last, 100))]
         arguments = arguments[2:6] + given
     if len(arguments) < 4:
         return
     prefix, options, single, several = arguments[0], *map(items_of, arguments[1:4])
     for name in options:
-        run.set(f"{prefix}_{name}", "FALSE")
+        run.variables.set(f"{prefix}_{name}", "FALSE")
     for name in (*single, *several):
-        run.set(f"{prefix}_{name}", None)
+        run.variables.set(f"{prefix}_{name}", None)
     found: dict[str, list[str]] = {}
     rest: list[str] = []
     keyword = ""
     for value in arguments[4:]:
         if value in options:
-            run.set(f"{prefix}_{value}", "TRUE")
+            run.variables.set(f"{prefix}_{value}", "TRUE")
             keyword = ""
         elif value in single or value in several:
             keyword = value
@@ -41,12 +41,12 @@ def _parse_arguments(run: Evaluation, call: Call) -> None:
         else:
             rest.append(value)
     for name, values in found.items():
-        run.set(f"{prefix}_{name}", ";".join(values) if values else None)
+        run.variables.set(f"{prefix}_{name}", ";".join(values) if values else None)
     for name, values in (
         ("UNPARSED_ARGUMENTS", rest),
         ("KEYWORDS_MISSING_VALUES", _without_values(arguments[4:], options, {*single, *several})),
     ):
-        run.set(f"{prefix}_{name}", ";".join(values) if values else None)
+        run.variables.set(f"{prefix}_{name}", ";".join(values) if values else None)
 
 
 def _without_values(arguments: list[str], options: list[str], keywords: set[str]) -> list[str]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from roslens.source.extract.builds.cmake_condition import Answer, answer
-from roslens.source.extract.builds.cmake_evaluation import MOST_ROUNDS, BlockHandler, Defined, Evaluation
+from roslens.source.extract.builds.cmake_evaluation import BlockHandler, Defined, Evaluation
+from roslens.source.extract.builds.cmake_limits import MOST_ROUNDS
 from roslens.source.extract.builds.cmake_scope import Scope
 from roslens.source.extract.builds.cmake_signals import ReturnedError
 from roslens.source.extract.builds.cmake_syntax import Block, Body
@@ -47,7 +48,7 @@ def _if(run: Evaluation, block: Block) -> None:
         if usual is None and not undecided:
             usual = len(branches)
         branches.append({})
-    run.scope.merge(branches, usual if len(branches) > 1 else 0, run.either(first))
+    run.variables.scope.merge(branches, usual if len(branches) > 1 else 0, run.variables.either(first))
     _leave(run, left)
 
 
@@ -59,7 +60,7 @@ def _leave(run: Evaluation, left: list[tuple[str, str]]) -> None:
 
 def _foreach(run: Evaluation, block: Block) -> None:
     opened, body = block.branches[0]
-    arguments = run.expanded(opened.arguments)
+    arguments = run.variables.expanded(opened.arguments)
     if not arguments:
         return
     if "IN" in arguments and arguments[arguments.index("IN") + 1 :][:1] == ["ZIP_LISTS"]:
@@ -70,26 +71,26 @@ def _foreach(run: Evaluation, block: Block) -> None:
     if items is None or len(items) > MOST_ROUNDS:
         _unknown_rounds(run, block, [name])
         return
-    _, before = run.scope.get(name)
+    _, before = run.variables.scope.get(name)
     outer = len(run.conditions), run.left
     for item in items:
-        if not _round(run, body, name, item, run.alternatives.get(item)):
+        if not _round(run, body, name, item, run.variables.alternatives.get(item)):
             break
     run.rejoin(outer, "break")
-    run.set(name, before)
+    run.variables.set(name, before)
 
 
 def _round(run: Evaluation, body: Body, name: str, item: str, perhaps: tuple[str, ...] | None) -> bool:
     """Run a round of a loop, or one for each of what an item may be; return whether the loop goes on."""
-    run.step()
+    run.limits.step()
     outer = len(run.conditions), run.left
     try:
         if perhaps is None:
-            run.set(name, item)
+            run.variables.set(name, item)
             run.run(body)
         for value in perhaps or ():
             run.conditions.append(reason_of(item))
-            run.set(name, value)
+            run.variables.set(name, value)
             run.run(body)
             del run.conditions[outer[0] :]
     except ReturnedError as signal:
@@ -103,24 +104,24 @@ def _round(run: Evaluation, body: Body, name: str, item: str, perhaps: tuple[str
 
 def _zipped(run: Evaluation, block: Block, names: list[str], lists: list[str]) -> None:
     """Go over several lists at once: what the shorter have not is not set."""
-    values = [run.get(one) or "" for one in lists]
+    values = [run.variables.get(one) or "" for one in lists]
     several = names if len(names) > 1 else [f"{name}_{at}" for name in names for at in range(len(lists))]
     columns = [items_of(value, empty=True) for value in values]
     rounds = max(map(len, columns), default=0)
     if len(several) != len(lists) or rounds > MOST_ROUNDS or any(map(is_unknown, values)):
         _unknown_rounds(run, block, several)
         return
-    before = [run.scope.get(name)[1] for name in several]
+    before = [run.variables.scope.get(name)[1] for name in several]
     outer = len(run.conditions), run.left
     for at in range(rounds):
         for name, column in zip(several[1:], columns[1:], strict=True):
-            run.set(name, column[at] if at < len(column) else None)
+            run.variables.set(name, column[at] if at < len(column) else None)
         first = columns[0]
         if not _round(run, block.branches[0][1], several[0], first[at] if at < len(first) else "", None):
             break
     run.rejoin(outer, "break")
     for name, value in zip(several, before, strict=True):
-        run.set(name, value)
+        run.variables.set(name, value)
 
 
 def _unknown_rounds(run: Evaluation, block: Block, names: list[str]) -> None:
@@ -128,16 +129,16 @@ def _unknown_rounds(run: Evaluation, block: Block, names: list[str]) -> None:
     opened, body = block.branches[0]
     shown = " ".join(names)
     run.fail(f"foreach({shown})", run.evidence(opened), "a loop of too many rounds, or over what is unknown")
-    before = [run.scope.get(name)[1] for name in names]
+    before = [run.variables.scope.get(name)[1] for name in names]
     for name in names:
-        run.set(name, hole(f"{name} of foreach()"))
+        run.variables.set(name, hole(f"{name} of foreach()"))
     unsure = f"the rounds of foreach({shown})"
     try:
         changes = run.perhaps(body, [unsure])
-        run.scope.merge([changes or {}, {}], None, run.either(unsure))
+        run.variables.scope.merge([changes or {}, {}], None, run.variables.either(unsure))
     finally:
         for name, value in zip(names, before, strict=True):
-            run.set(name, value)
+            run.variables.set(name, value)
 
 
 def _items(run: Evaluation, arguments: list[str]) -> list[str] | None:
@@ -158,7 +159,7 @@ def _items(run: Evaluation, arguments: list[str]) -> list[str] | None:
         if value in ("LISTS", "ITEMS", "ZIP_LISTS"):
             mode = value
         elif mode == "LISTS":
-            found.extend(items_of(run.get(value) or "", empty=True))
+            found.extend(items_of(run.variables.get(value) or "", empty=True))
         elif mode == "ITEMS":
             found.append(value)
         else:
@@ -177,11 +178,11 @@ def _while(run: Evaluation, block: Block) -> None:
 def _rounds(run: Evaluation, block: Block) -> None:
     opened, body = block.branches[0]
     for _ in range(MOST_ROUNDS):
-        run.step()
+        run.limits.step()
         found = answer(opened.arguments, run)
         if found.value is None:
             changes = run.perhaps(body, [" ".join(argument.written for argument in opened.arguments)])
-            run.scope.merge([changes or {}, {}], None, run.either("the rounds of a loop"))
+            run.variables.scope.merge([changes or {}, {}], None, run.variables.either("the rounds of a loop"))
             return
         if not found.value:
             return
@@ -197,7 +198,7 @@ def _rounds(run: Evaluation, block: Block) -> None:
 
 def _define(run: Evaluation, block: Block) -> None:
     opened, body = block.branches[0]
-    arguments = run.expanded(opened.arguments)
+    arguments = run.variables.expanded(opened.arguments)
     if arguments:
         name = arguments[0].lower()
         run.functions[name] = Defined(name, opened.name == "macro", tuple(arguments[1:]), body, run.path)
@@ -205,17 +206,17 @@ def _define(run: Evaluation, block: Block) -> None:
 
 def _block(run: Evaluation, block: Block) -> None:
     opened, body = block.branches[0]
-    arguments = run.expanded(opened.arguments)
+    arguments = run.variables.expanded(opened.arguments)
     at = arguments.index("PROPAGATE") if "PROPAGATE" in arguments else len(arguments)
     if "SCOPE_FOR" in arguments[:at] and "VARIABLES" not in arguments[:at]:
         run.run(body)
         return
-    outer = run.scope
-    run.scope = inner = Scope(outer, block=True)
+    outer = run.variables.scope
+    run.variables.scope = inner = Scope(outer, block=True)
     try:
         run.run(body)
     finally:
-        run.scope = outer
+        run.variables.scope = outer
         for name in arguments[at + 1 :]:
             outer.set(name, inner.get(name)[1])
 

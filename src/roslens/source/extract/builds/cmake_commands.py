@@ -18,7 +18,7 @@ from roslens.source.extract.builds.cmake_scope import Scope
 from roslens.source.extract.builds.cmake_signals import ReturnedError
 from roslens.source.extract.builds.cmake_syntax import Argument, Body, Command, Script, parse_cmake
 from roslens.source.extract.builds.cmake_texts import STRING
-from roslens.source.extract.builds.cmake_value import MADE, hole, is_unknown, items_of
+from roslens.source.extract.builds.cmake_value import hole, is_unknown, items_of, made_by
 from roslens.source.extract.facts.files import joined
 
 
@@ -27,16 +27,16 @@ def _set(run: Evaluation, call: Call) -> None:
         return
     name, *values = call.arguments
     if name.startswith("ENV{"):
-        run.environment[name[4:-1]] = "".join(values[:1])
+        run.variables.environment[name[4:-1]] = "".join(values[:1])
         return
     if "CACHE" in values:
         at = values.index("CACHE")
         if "FORCE" in values[at:] or "INTERNAL" in values[at:]:
-            run.cache[name] = ";".join(values[:at])
-            run.open.discard(name)
+            run.variables.cache[name] = ";".join(values[:at])
+            run.variables.open.discard(name)
         else:
-            run.cache.setdefault(name, ";".join(values[:at]))
-            run.open.add(name)
+            run.variables.cache.setdefault(name, ";".join(values[:at]))
+            run.variables.open.add(name)
         return
     parent = bool(values) and values[-1] == "PARENT_SCOPE"
     if parent:
@@ -45,17 +45,19 @@ def _set(run: Evaluation, call: Call) -> None:
 
 
 def _assign(run: Evaluation, name: str, value: str | None, *, parent: bool) -> None:
-    run.spend(len(value or ""))
+    run.limits.spend(len(value or ""))
     if not parent:
-        run.set(name, value)
-    elif run.scope.parent is not None:
+        run.variables.set(name, value)
+    elif run.variables.scope.parent is not None:
         # Here it stays what it was.
-        known, before = run.scope.get(name)
-        run.set(name, before if known or not run.is_foreign(name) else run.get(name))
-        if len(run.scope.layers) > 1:
+        known, before = run.variables.scope.get(name)
+        run.variables.set(name, before if known or not run.variables.is_foreign(name) else run.variables.get(name))
+        if len(run.variables.scope.layers) > 1:
             # Whether this branch is taken is unknown, and the other scope does not know of branches.
-            value = run.either("".join(run.conditions[-1:]))(name, [value, run.scope.parent.get(name)[1]])
-        run.scope.parent.set(name, value)
+            value = run.variables.either("".join(run.conditions[-1:]))(
+                name, [value, run.variables.scope.parent.get(name)[1]]
+            )
+        run.variables.scope.parent.set(name, value)
 
 
 def _unset(run: Evaluation, call: Call) -> None:
@@ -63,7 +65,7 @@ def _unset(run: Evaluation, call: Call) -> None:
         return
     name = call.arguments[0]
     if "CACHE" in call.arguments[1:]:
-        run.cache.pop(name, None)
+        run.variables.cache.pop(name, None)
     else:
         _assign(run, name, None, parent="PARENT_SCOPE" in call.arguments[1:])
 
@@ -71,9 +73,9 @@ def _unset(run: Evaluation, call: Call) -> None:
 def _option(run: Evaluation, call: Call) -> None:
     if call.arguments:
         name = call.arguments[0]
-        if not run.scope.get(name)[0]:
-            run.cache.setdefault(name, call.arguments[2] if len(call.arguments) > 2 else "OFF")
-            run.open.add(name)
+        if not run.variables.scope.get(name)[0]:
+            run.variables.cache.setdefault(name, call.arguments[2] if len(call.arguments) > 2 else "OFF")
+            run.variables.open.add(name)
 
 
 def _project(run: Evaluation, call: Call) -> None:
@@ -81,16 +83,16 @@ def _project(run: Evaluation, call: Call) -> None:
         return
     name = call.arguments[0]
     for prefix in ("PROJECT", name):
-        run.set(f"{prefix}_SOURCE_DIR", run.absolute(run.where))
-        run.set(f"{prefix}_BINARY_DIR", f"{BUILD}/{run.where}")
-    run.set("PROJECT_NAME", name)
-    run.set("CMAKE_PROJECT_NAME", name)
+        run.variables.set(f"{prefix}_SOURCE_DIR", run.absolute(run.where))
+        run.variables.set(f"{prefix}_BINARY_DIR", f"{BUILD}/{run.where}")
+    run.variables.set("PROJECT_NAME", name)
+    run.variables.set("CMAKE_PROJECT_NAME", name)
     if "VERSION" in call.arguments[:-1]:
         version = call.arguments[call.arguments.index("VERSION") + 1]
-        run.set("PROJECT_VERSION", version)
-        run.set(f"{name}_VERSION", version)
+        run.variables.set("PROJECT_VERSION", version)
+        run.variables.set(f"{name}_VERSION", version)
     for variable, value in destinations_of(name).items():
-        run.set(variable, value)
+        run.variables.set(variable, value)
 
 
 def destinations_of(package: str) -> dict[str, str]:
@@ -129,13 +131,13 @@ def _find_package(run: Evaluation, call: Call) -> None:
     for one in dict.fromkeys(names):
         if is_unknown(one):
             continue
-        run.prefixes.update((one, one.upper()))
+        run.variables.prefixes.update((one, one.upper()))
         if one == name:
             version = _ros_of(one)
-            if "REQUIRED" in rest or (version and version == run.environment.get("ROS_VERSION")):
-                run.set(f"{one}_FOUND", "1")
+            if "REQUIRED" in rest or (version and version == run.variables.environment.get("ROS_VERSION")):
+                run.variables.set(f"{one}_FOUND", "1")
             elif version:
-                run.set(f"{one}_FOUND", "0")
+                run.variables.set(f"{one}_FOUND", "0")
         load_extras(run, one)
 
 
@@ -160,7 +162,7 @@ def load_extras(run: Evaluation, package: str) -> None:
     folder = joined("", folder)
     cmake = f"{folder}/cmake" if folder else "cmake"
     content = run.files.content(joined(folder, "CMakeLists.txt"))
-    run.set(f"{package}_DIR", run.absolute(cmake))
+    run.variables.set(f"{package}_DIR", run.absolute(cmake))
     if content is None or b"_EXTRAS" not in content:
         return
     for written in _extras(content):
@@ -224,14 +226,14 @@ def _include(run: Evaluation, call: Call) -> None:
         run.fail(name, call.evidence, f"it includes a file that is unknown: {name}")
         return
     if "/" not in name and not name.endswith(".cmake"):
-        for folder in items_of(run.get("CMAKE_MODULE_PATH") or ""):
+        for folder in items_of(run.variables.get("CMAKE_MODULE_PATH") or ""):
             found = run.relative(f"{folder}/{name}.cmake")
             script = run.script(found) if found else None
             if found and script:
                 run.run_file(found, script)
                 return
         if run.relative(name) not in run.listing:
-            run.prefixes.add(name)
+            run.variables.prefixes.add(name)
             return
     path = run.relative(name)
     content = None if path is None else run.files.content(path)
@@ -262,14 +264,14 @@ def _add_subdirectory(run: Evaluation, call: Call) -> None:
 
 def run_folder(run: Evaluation, folder: str, path: str, script: Script) -> None:
     """Run a CMakeLists.txt in a scope of its own."""
-    before = run.scope, run.where
-    run.scope, run.where = Scope(run.scope), folder
-    run.set("CMAKE_CURRENT_SOURCE_DIR", run.absolute(folder))
-    run.set("CMAKE_CURRENT_BINARY_DIR", f"{BUILD}/{folder}")
+    before = run.variables.scope, run.where
+    run.variables.scope, run.where = Scope(run.variables.scope), folder
+    run.variables.set("CMAKE_CURRENT_SOURCE_DIR", run.absolute(folder))
+    run.variables.set("CMAKE_CURRENT_BINARY_DIR", f"{BUILD}/{folder}")
     try:
         run.run_file(path, script)
     finally:
-        run.scope, run.where = before
+        run.variables.scope, run.where = before
 
 
 def _message(_run: Evaluation, call: Call) -> None:
@@ -284,7 +286,7 @@ def _language(run: Evaluation, call: Call) -> None:
     if form not in ("CALL", "EVAL") or is_unknown("".join(rest[:1] if form == "CALL" else rest)):
         run.fail(f"cmake_language({form})", call.evidence, "what it runs, or when, is unknown")
         if form not in ("CALL", "EVAL", "DEFER"):
-            run.set(rest[-1], hole(f"cmake_language({form})"))
+            run.variables.set(rest[-1], hole(f"cmake_language({form})"))
         return
     if form == "EVAL":
         run.run_within(call.command, parse_cmake("".join(rest[1:]).encode()).body)
@@ -299,22 +301,22 @@ def _separate_arguments(run: Evaluation, call: Call) -> None:
         return
     name, *rest = call.arguments
     if not rest:
-        run.set(name, (run.get(name) or "").replace(" ", ";"))
+        run.variables.set(name, (run.variables.get(name) or "").replace(" ", ";"))
         return
     text = rest[-1]
     found = hole("separate_arguments()")
     if rest[0] in ("UNIX_COMMAND", "NATIVE_COMMAND") and len(rest) == 2 and not is_unknown(text):
         with suppress(ValueError):
             found = ";".join(piece.replace(";", "\\;") for piece in shlex.split(text))
-    run.set(name, found)
+    run.variables.set(name, found)
 
 
 def _found(position: int) -> Handler:
     """Return a handler of a command that sets a variable to what only the build knows."""
 
     def handler(run: Evaluation, call: Call) -> None:
-        if len(call.arguments) > position and not run.scope.get(call.arguments[position])[0]:
-            run.foreign.add(call.arguments[position])
+        if len(call.arguments) > position and not run.variables.scope.get(call.arguments[position])[0]:
+            run.variables.foreign.add(call.arguments[position])
 
     return handler
 
@@ -324,20 +326,20 @@ def _asked(position: int) -> Handler:
 
     def handler(run: Evaluation, call: Call) -> None:
         if len(call.arguments) > position:
-            run.set(call.arguments[position], hole(f"what {call.command.name}() gives"))
+            run.variables.set(call.arguments[position], hole(f"what {call.command.name}() gives"))
 
     return handler
 
 
 def _packages(run: Evaluation, call: Call) -> None:
     if call.arguments:
-        run.prefixes.add(call.arguments[0])
+        run.variables.prefixes.add(call.arguments[0])
 
 
 def _generated(run: Evaluation, call: Call) -> None:
     """Commands whose first argument names the list of files that they make."""
     if call.arguments:
-        run.set(call.arguments[0], hole(f"{MADE}{call.command.name}()"))
+        run.variables.set(call.arguments[0], made_by(call.command.name))
 
 
 COMMANDS: dict[str, Handler] = {

@@ -16,13 +16,13 @@ def _file(run: Evaluation, call: Call) -> None:
         return
     mode, variable, *rest = call.arguments
     if mode in ("GLOB", "GLOB_RECURSE"):
-        run.set(variable, ";".join(_globbed(run, rest, deep=mode == "GLOB_RECURSE")))
+        run.variables.set(variable, ";".join(_globbed(run, rest, deep=mode == "GLOB_RECURSE")))
     elif mode == "RELATIVE_PATH" and len(rest) == 2:
         base, path = map(run.relative, rest)
         known = base is not None and path is not None
-        run.set(variable, relpath(f"/{path}", f"/{base}") if known else hole(f"file({mode})"))
+        run.variables.set(variable, relpath(f"/{path}", f"/{base}") if known else hole(f"file({mode})"))
     elif mode in _ASKING:
-        run.set(rest[0] if rest else variable, hole(f"file({mode})"))
+        run.variables.set(rest[0] if rest else variable, hole(f"file({mode})"))
 
 
 _ASKING = frozenset(
@@ -44,7 +44,7 @@ def _globbed(run: Evaluation, arguments: list[str], *, deep: bool) -> list[str]:
         elif value not in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"):
             pattern = run.relative(value)
             if pattern is not None:
-                run.spend(len(run.listing) * 10)
+                run.limits.spend(len(run.listing) * 10)
                 found.update(dict.fromkeys(matching(pattern, run.listing, run.folders, deep=deep, folders=folders)))
     if relative_to is None:
         return [run.absolute(path) for path in sorted(found)]

@@ -11,7 +11,7 @@ import msgspec
 from roslens.source.extract.builds.cmake_evaluation import BUILD, SOURCE, Evaluation
 from roslens.source.extract.builds.cmake_made import Installed, Item, Made
 from roslens.source.extract.builds.cmake_targets import Collected
-from roslens.source.extract.builds.cmake_value import MADE, is_unknown, reason_of
+from roslens.source.extract.builds.cmake_value import is_made, is_unknown, reason_of
 from roslens.source.extract.facts.files import joined
 from roslens.source.extract.facts.node_facts import Generated, Sure, Target, TargetKind
 
@@ -113,7 +113,7 @@ class Linking:
             elif path := self.file(item, "a source"):
                 sources.append(path)
                 certain = certain and len(item.conditions) <= len(made.conditions)
-            elif not item.text.startswith(BUILD) and not reason_of(item.text).startswith(MADE):
+            elif not item.text.startswith(BUILD) and not is_made(item.text):
                 certain = False
         return sources, linked, certain
 

@@ -105,13 +105,13 @@ def _list(run: Evaluation, call: Call) -> None:
     if len(call.arguments) < 2:
         return
     action, name, *rest = call.arguments
-    value = run.kept(name)
-    run.spend(len(value or "") + 50)
+    value = run.variables.kept(name)
+    run.limits.spend(len(value or "") + 50)
     if action in ("APPEND", "PREPEND"):
         if rest:
             # The text stays as it is: what is escaped in it stays so.
             parts = [value or "", ";".join(rest)]
-            run.set(name, ";".join(parts if action == "APPEND" else parts[::-1]) if value else parts[1])
+            run.variables.set(name, ";".join(parts if action == "APPEND" else parts[::-1]) if value else parts[1])
     elif action in ("POP_BACK", "POP_FRONT"):
         _popped(run, name, value, rest, first=action == "POP_FRONT")
     elif action in _CHANGES:
@@ -123,14 +123,14 @@ def _list(run: Evaluation, call: Call) -> None:
 def _popped(run: Evaluation, name: str, value: str | None, outs: list[str], *, first: bool) -> None:
     if is_unknown(value or ""):
         for out in (name, *outs):
-            run.set(out, hole("list(POP)"))
+            run.variables.set(out, hole("list(POP)"))
         return
     items = items_of(value or "", empty=True)
     taken = [(items.pop(0) if first else items.pop()) if items else None for _ in outs or [""]]
     if value is not None:
-        run.set(name, ";".join(items))
+        run.variables.set(name, ";".join(items))
     for out, item in zip(outs, taken, strict=False):
-        run.set(out, item)
+        run.variables.set(out, item)
 
 
 def _changed(run: Evaluation, call: Call, value: str | None) -> None:
@@ -142,17 +142,17 @@ def _changed(run: Evaluation, call: Call, value: str | None) -> None:
     if rest[:1] == ["REPLACE"]:
         # What it has matched last depends on items that are gone through within.
         for which in (*range(10), "COUNT"):
-            run.set(f"CMAKE_MATCH_{which}", hole("list(TRANSFORM)"))
+            run.variables.set(f"CMAKE_MATCH_{which}", hole("list(TRANSFORM)"))
     if action not in _KNOWN_ITEMS and is_unknown((value or "") + "".join(rest)):
-        run.set(out, hole(f"list({action})"))
+        run.variables.set(out, hole(f"list({action})"))
         return
     try:
         result = _CHANGES[action](items_of(value or "", empty=True), rest)
     except (IndexError, ValueError, LookupError):
-        run.set(out, hole(f"list({action})"))
+        run.variables.set(out, hole(f"list({action})"))
         return
     if result or value is not None or out != name:
-        run.set(out, ";".join(result))
+        run.variables.set(out, ";".join(result))
 
 
 def _asked(run: Evaluation, call: Call, value: str | None) -> None:
@@ -164,7 +164,7 @@ def _asked(run: Evaluation, call: Call, value: str | None) -> None:
         except (IndexError, ValueError, LookupError):
             if action == "GET" and value is None:
                 found = "NOTFOUND"
-    run.set(rest[-1], found)
+    run.variables.set(rest[-1], found)
 
 
 LIST: dict[str, Handler] = {"list": _list}

@@ -102,9 +102,9 @@ def _math(run: Evaluation, call: Call) -> None:
     _expr, variable, expression, *rest = call.arguments
     found = whole_number(expression)
     if found is None:
-        run.set(variable, hole(f"the number {expression}"))
+        run.variables.set(variable, hole(f"the number {expression}"))
     else:
-        run.set(variable, hex(found % 2**64) if rest[-1:] == ["HEXADECIMAL"] else str(found))
+        run.variables.set(variable, hex(found % 2**64) if rest[-1:] == ["HEXADECIMAL"] else str(found))
 
 
 MATH: dict[str, Handler] = {"math": _math}

@@ -14,14 +14,14 @@ def _filename_component(run: Evaluation, call: Call) -> None:
     if len(call.arguments) < 3:
         return
     variable, path, mode, *rest = call.arguments
-    if "CACHE" in rest and run.kept(variable):
+    if "CACHE" in rest and run.variables.kept(variable):
         return
     if is_unknown(path):
-        run.set(variable, path)
+        run.variables.set(variable, path)
         return
     if mode in ("ABSOLUTE", "REALPATH"):
         base = rest[rest.index("BASE_DIR") + 1] if "BASE_DIR" in rest[:-1] else run.absolute(run.where)
-        run.set(
+        run.variables.set(
             variable, hole(f"{mode} of {path}") if is_unknown(base) else _normal(join(base, path)).rstrip("/") or "/"
         )
         return
@@ -33,7 +33,7 @@ def _filename_component(run: Evaluation, call: Call) -> None:
         "NAME": name, "NAME_WE": stem, "EXT": dot + extension, "LAST_EXT": last_extension, "NAME_WLE": last,
         "DIRECTORY": dirname(plain), "PATH": dirname(plain),
     }  # fmt: skip
-    run.set(variable, simple.get(mode, hole(f"{mode} of {path}")))
+    run.variables.set(variable, simple.get(mode, hole(f"{mode} of {path}")))
 
 
 def _parted(name: str) -> tuple[str, str]:
@@ -89,7 +89,7 @@ def _path(run: Evaluation, call: Call) -> None:
     if action == "SET":
         _set(run, name, rest)
         return
-    value = run.get(name) or ""
+    value = run.variables.get(name) or ""
     if action == "GET" or action.startswith(("HAS_", "IS_")):
         _asked(run, action, value, rest)
         return
@@ -100,16 +100,16 @@ def _path(run: Evaluation, call: Call) -> None:
     elif action in ("COMPARE", "CONVERT", "NATIVE_PATH", "HASH") and rest:
         out = rest[-1]
     if action == "ABSOLUTE_PATH" and not rest and "//" not in value:
-        run.set(out, value if is_unknown(value) else join(run.absolute(run.where), value))
+        run.variables.set(out, value if is_unknown(value) else join(run.absolute(run.where), value))
     elif action in _CHANGED and not is_unknown(value + "".join(rest)) and ";" not in value and value != "//":
-        run.set(out, _CHANGED[action](value, rest))
+        run.variables.set(out, _CHANGED[action](value, rest))
     else:
-        run.set(out, hole(f"cmake_path({action})"))
+        run.variables.set(out, hole(f"cmake_path({action})"))
 
 
 def _set(run: Evaluation, name: str, rest: list[str]) -> None:
     value = rest[-1] if rest else ""
-    run.set(name, _normal(value) if "NORMALIZE" in rest[:-1] and not is_unknown(value) else value)
+    run.variables.set(name, _normal(value) if "NORMALIZE" in rest[:-1] and not is_unknown(value) else value)
 
 
 def _asked(run: Evaluation, action: str, value: str, rest: list[str]) -> None:
@@ -127,7 +127,7 @@ def _asked(run: Evaluation, action: str, value: str, rest: list[str]) -> None:
         found = part(value)
         if action != "GET":
             found = "ON" if found else "OFF"
-    run.set(out, found)
+    run.variables.set(out, found)
 
 
 def _sources_in(run: Evaluation, call: Call) -> None:
@@ -137,7 +137,7 @@ def _sources_in(run: Evaluation, call: Call) -> None:
     given, variable = call.arguments[:2]
     folder = run.relative(given)
     if folder is None:
-        run.set(variable, hole(f"aux_source_directory() of {given}"))
+        run.variables.set(variable, hole(f"aux_source_directory() of {given}"))
         return
     prefix = f"{folder}/" if folder else ""
     names = sorted(
@@ -145,8 +145,10 @@ def _sources_in(run: Evaluation, call: Call) -> None:
         for path in run.listing
         if path.startswith(prefix) and "/" not in path[len(prefix) :] and splitext(path)[1] in _SOURCES
     )
-    before = run.kept(variable)
-    run.set(variable, ";".join([*([before] if before else []), *(f"{given.rstrip('/')}/{name}" for name in names)]))
+    before = run.variables.kept(variable)
+    run.variables.set(
+        variable, ";".join([*([before] if before else []), *(f"{given.rstrip('/')}/{name}" for name in names)])
+    )
 
 
 _SOURCES = frozenset({".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".m", ".M", ".mm", ".cu"})

@@ -261,7 +261,7 @@ class Collected:
         self.automatic.append(made)
 
     def _auto_package(self, run: Evaluation, call: Call) -> None:
-        project = run.get("PROJECT_NAME") or ""
+        project = run.variables.get("PROJECT_NAME") or ""
         for made in self.automatic:
             made.installed = [*made.installed, f"lib/{project}" if made.executable else "lib"]
         for item in self._items(run, call, _grouped(call.arguments, _AUTO_WORDS).get("INSTALL_TO_SHARE", [])):
@@ -301,7 +301,7 @@ def _alternatives(run: Evaluation, value: str) -> list[tuple[str, tuple[str, ...
     """Return what a value may stand for, each with what it depends on."""
     if not is_unknown(value):
         return [(value, ())]
-    for unknown, chosen in run.alternatives.items():
+    for unknown, chosen in run.variables.alternatives.items():
         if unknown in value and len(chosen) <= 100:
             return [(value.replace(unknown, one), (reason_of(unknown),)) for one in chosen if not is_unknown(one)]
     return [(value, ())]

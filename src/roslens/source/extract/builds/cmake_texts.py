@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from roslens.source.extract.builds.cmake_evaluation import MOST_LENGTH, Call, Evaluation, Handler
+from roslens.source.extract.builds.cmake_evaluation import Call, Evaluation, Handler
+from roslens.source.extract.builds.cmake_limits import MOST_LENGTH
 from roslens.source.extract.builds.cmake_value import expression_of, hole, is_unknown, searchable
 
 _SPACE = " \t\n\r\f\v"
@@ -67,22 +68,22 @@ def _found_in_turn(pattern: str, value: str) -> Iterator[re.Match[str]]:
 def _regex(run: Evaluation, rest: list[str]) -> None:
     action, pattern = rest[0], rest[1]
     value = "".join(rest[4 if action == "REPLACE" else 3 :])
-    run.matched(())
+    run.variables.matched(())
     if action == "REPLACE":
-        run.set(rest[3], _known(value, lambda value: substituted(pattern, rest[2], value)))
+        run.variables.set(rest[3], _known(value, lambda value: substituted(pattern, rest[2], value)))
         last = None if is_unknown(value) else [*_found_in_turn(pattern, value)][-1:]
     elif is_unknown(value):
-        run.set(rest[2], value)
+        run.variables.set(rest[2], value)
         return
     elif action == "MATCHALL":
         last = [*_found_in_turn(pattern, value)]
-        run.set(rest[2], ";".join(match[0] for match in last))
+        run.variables.set(rest[2], ";".join(match[0] for match in last))
     else:
         match = searched(pattern, value)
         last = [match] if match else []
-        run.set(rest[2], match[0] if match else "")
+        run.variables.set(rest[2], match[0] if match else "")
     if last:
-        run.matched((last[-1][0], *(group or "" for group in last[-1].groups())))
+        run.variables.matched((last[-1][0], *(group or "" for group in last[-1].groups())))
 
 
 def _known(value: str, change: Callable[[str], str]) -> str:
@@ -92,18 +93,18 @@ def _known(value: str, change: Callable[[str], str]) -> str:
 def _replaced(run: Evaluation, rest: list[str]) -> None:
     value = "".join(rest[3:])
     if is_unknown(value):
-        run.set(rest[2], value)
+        run.variables.set(rest[2], value)
         return
     if rest[0] == "" or len(value) * (len(rest[1]) + 1) > 10 * MOST_LENGTH:
         raise ValueError(rest[0])
-    run.set(rest[2], value.replace(rest[0], rest[1]))
+    run.variables.set(rest[2], value.replace(rest[0], rest[1]))
 
 
 def _appended(run: Evaluation, rest: list[str], *, first: bool = False) -> None:
-    before = run.kept(rest[0]) or ""
+    before = run.variables.kept(rest[0]) or ""
     more = "".join(rest[1:])
-    run.spend(len(before) + len(more))
-    run.set(rest[0], more + before if first else before + more)
+    run.limits.spend(len(before) + len(more))
+    run.variables.set(rest[0], more + before if first else before + more)
 
 
 def number_in(value: str) -> int:
@@ -115,21 +116,23 @@ def number_in(value: str) -> int:
 
 def _substring(run: Evaluation, rest: list[str]) -> None:
     begin, length = number_in(rest[1]), number_in(rest[2])
-    run.set(rest[3], _known(rest[0], lambda value: value[begin:] if length < 0 else value[begin : begin + length]))
+    run.variables.set(
+        rest[3], _known(rest[0], lambda value: value[begin:] if length < 0 else value[begin : begin + length])
+    )
 
 
 def _found(run: Evaluation, rest: list[str]) -> None:
     if is_unknown(rest[0]):
-        run.set(rest[2], rest[0])
+        run.variables.set(rest[2], rest[0])
         return
-    run.set(rest[2], str(rest[0].rfind(rest[1]) if "REVERSE" in rest[3:] else rest[0].find(rest[1])))
+    run.variables.set(rest[2], str(rest[0].rfind(rest[1]) if "REVERSE" in rest[3:] else rest[0].find(rest[1])))
 
 
 def _repeated(run: Evaluation, rest: list[str]) -> None:
     times = number_in(rest[1])
     if times * len(rest[0]) > MOST_LENGTH:
         raise ValueError(rest[1])
-    run.set(rest[2], rest[0] * times)
+    run.variables.set(rest[2], rest[0] * times)
 
 
 _COMPARES: dict[str, Callable[[str, str], bool]] = {
@@ -144,9 +147,9 @@ _COMPARES: dict[str, Callable[[str, str], bool]] = {
 
 def _compared(run: Evaluation, rest: list[str]) -> None:
     if is_unknown(rest[1]) or is_unknown(rest[2]):
-        run.set(rest[3], hole("string(COMPARE)"))
+        run.variables.set(rest[3], hole("string(COMPARE)"))
         return
-    run.set(rest[3], "1" if _COMPARES[rest[0]](rest[1], rest[2]) else "0")
+    run.variables.set(rest[3], "1" if _COMPARES[rest[0]](rest[1], rest[2]) else "0")
 
 
 def _configured(run: Evaluation, rest: list[str]) -> None:
@@ -159,9 +162,9 @@ def _configured(run: Evaluation, rest: list[str]) -> None:
         return value.replace('"', '\\"') if escapes else value
 
     expression = _AT if "@ONLY" in options else _AT_OR_REFERENCE
-    value = expression.sub(lambda match: quoted(run.get(next(filter(None, match.groups()))) or ""), text)
-    run.spend(len(value))
-    run.set(out, value)
+    value = expression.sub(lambda match: quoted(run.variables.get(next(filter(None, match.groups()))) or ""), text)
+    run.limits.spend(len(value))
+    run.variables.set(out, value)
 
 
 _AT = re.compile(r"@([A-Za-z0-9/_.+-]+)@")
@@ -169,7 +172,7 @@ _AT_OR_REFERENCE = re.compile(rf"{_AT.pattern}|\$\{{([A-Za-z0-9/_.+-]+)\}}")
 
 
 def _one(change: Callable[[str], str]) -> Callable[[Evaluation, list[str]], None]:
-    return lambda run, rest: run.set(rest[1], _known(rest[0], change))
+    return lambda run, rest: run.variables.set(rest[1], _known(rest[0], change))
 
 
 _STRINGS: dict[str, Callable[[Evaluation, list[str]], None]] = {
@@ -182,14 +185,14 @@ _STRINGS: dict[str, Callable[[Evaluation, list[str]], None]] = {
     "REGEX": _regex,
     "APPEND": _appended,
     "PREPEND": lambda run, rest: _appended(run, rest, first=True),
-    "CONCAT": lambda run, rest: run.set(rest[0], "".join(rest[1:])),
-    "JOIN": lambda run, rest: run.set(rest[1], rest[0].join(rest[2:])),
+    "CONCAT": lambda run, rest: run.variables.set(rest[0], "".join(rest[1:])),
+    "JOIN": lambda run, rest: run.variables.set(rest[1], rest[0].join(rest[2:])),
     "SUBSTRING": _substring,
     "FIND": _found,
     "REPEAT": _repeated,
     "COMPARE": _compared,
     "CONFIGURE": _configured,
-    "ASCII": lambda run, rest: run.set(rest[-1], "".join(chr(number_in(code)) for code in rest[:-1])),
+    "ASCII": lambda run, rest: run.variables.set(rest[-1], "".join(chr(number_in(code)) for code in rest[:-1])),
     "HEX": _one(lambda value: value.encode().hex()),
 }
 
@@ -198,14 +201,14 @@ def _string(run: Evaluation, call: Call) -> None:
     if not call.arguments:
         return
     action, *rest = call.arguments
-    run.spend(sum(map(len, rest)))
+    run.limits.spend(sum(map(len, rest)))
     try:
         _STRINGS[action](run, rest)
     except (IndexError, ValueError, LookupError):
         for name in rest:
             if name.isidentifier():
-                run.foreign.add(name)
-                run.set(name, hole(f"string({action})"))
+                run.variables.foreign.add(name)
+                run.variables.set(name, hole(f"string({action})"))
 
 
 STRING: dict[str, Handler] = {"string": _string}

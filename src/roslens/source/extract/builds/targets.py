@@ -104,17 +104,17 @@ class _Reading:
 
     def _evaluate(self, path: str) -> None:
         run = self._run
-        run.environment["ROS_VERSION"] = "1" if self._build_type == "catkin" else "2"
+        run.variables.environment["ROS_VERSION"] = "1" if self._build_type == "catkin" else "2"
         top = run.absolute(self._folder)
         for name in ("CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR"):
-            run.set(name, top)
+            run.variables.set(name, top)
         for name in ("CMAKE_BINARY_DIR", "PROJECT_BINARY_DIR"):
-            run.set(name, f"/=build/{self._folder}")
+            run.variables.set(name, f"/=build/{self._folder}")
         for name, value in _GIVEN.items():
-            run.set(name, value)
+            run.variables.set(name, value)
         for name in ("BUILD_TESTING", "CATKIN_ENABLE_TESTING"):
-            run.cache[name] = "ON"
-            run.open.add(name)
+            run.variables.cache[name] = "ON"
+            run.variables.open.add(name)
         script = run.script(path)
         if script is None:
             run.fail("CMakeLists.txt", Evidence(path, 1), "the file cannot be read")

@@ -31,7 +31,7 @@ def generation_of(index: Index, path: str) -> str:
     own = _included(index.programs[path])
     if own:
         return "ros2" if own > 0 else "ros1"
-    return "ros2" if index.votes(path, _included) > 0 else "ros1"
+    return "ros2" if index.contents.votes(path, _included) > 0 else "ros1"
 
 
 def _included(program: Program) -> int:

@@ -75,7 +75,7 @@ class _ParsedCpp:
 
         parsed = self._parsed
         root = parsed.tree.root_node
-        return FileView("cpp", parsed.content, parsed.source, parsed.code[0], root, self._of_kinds)
+        return FileView("cpp", parsed.content, parsed.source, parsed.code[0], root, self._of_kinds, parsed.lines)
 
 
 class _ParsedPython:

@@ -8,6 +8,7 @@ from roslens.source.syntax.comments import blank_cpp
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.facts import Lines
 from roslens.source.syntax.lines import BYTE_ORDER_MARKS, count_lines
+from roslens.source.syntax.text_lines import TextLines
 from roslens.source.syntax.tokens import line_hashes, squeezed_lines
 
 _PIECES = [
@@ -17,7 +18,7 @@ _PIECES = [
 
 
 def _map(content: bytes) -> LineMap:
-    return LineMap(content, squeezed_lines(blank_cpp(content)[0]))
+    return LineMap(TextLines(content), squeezed_lines(blank_cpp(content)[0]))
 
 
 @given(st.lists(st.sampled_from(_PIECES), max_size=14).map(b"".join))

@@ -6,13 +6,13 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import accumulate
 
 from tree_sitter import Node
 
 from roslens.model.edit import Edit, edit_at
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
+from roslens.source.syntax.text_lines import TextLines
 
 _LONGEST_CONTEXT = 200
 _LARGE = 1000
@@ -45,29 +45,26 @@ class FileView:
         code: bytes,
         root: Node,
         of_kinds: Mapping[str, Sequence[Node]] | None = None,
+        text_lines: TextLines | None = None,
     ) -> None:
-        """Take what the one parse gave; ``content`` is the file as it is."""
+        """Take what the one parse gave; ``content`` is the file as it is, ``text_lines`` its lines if known."""
         self.syntax = syntax
         self.content = content
         self.source = source
         self.code = code
         self.root = root
         self.of_kinds = of_kinds or {}
+        self._text_lines = text_lines or TextLines(content)
 
-    @cached_property
+    @property
     def lines(self) -> list[bytes]:
         """The lines of the content, without what ends them."""
-        return self.content.split(b"\n")
+        return self._text_lines.lines
 
     @cached_property
     def words(self) -> frozenset[bytes]:
         """The words of the code, of its strings too; a set is quicker to ask than the code for hundreds of them."""
         return frozenset(self.code.translate(_WORDS).split())
-
-    @cached_property
-    def _starts(self) -> list[int]:
-        lengths = map(len, self.lines)
-        return [row + end for row, end in enumerate(accumulate(lengths, initial=0))][:-1]
 
     @cached_property
     def top_level(self) -> list[Node]:
@@ -124,8 +121,9 @@ class FileView:
 
     def place(self, position: int) -> tuple[int, int]:
         """Return the line and column, both 1-based, of a position in bytes."""
-        row = bisect_right(self._starts, position) - 1
-        return row + 1, position - self._starts[row] + 1
+        starts = self._text_lines.starts
+        row = bisect_right(starts, position)
+        return row, position - starts[row - 1] + 1
 
     def node_at(self, start: int, end: int) -> Node | None:
         """Return the smallest node around an extent in bytes."""

@@ -21,6 +21,7 @@ from roslens.source.syntax.facts import FileFacts, SyntaxFault
 from roslens.source.syntax.lines import BYTE_ORDER_MARKS, count_lines
 from roslens.source.syntax.macro.macros import MacroPreset
 from roslens.source.syntax.query.cpp_query import Captures, fault_nodes, parse_tree
+from roslens.source.syntax.text_lines import TextLines
 from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 
 _LONGEST_QUOTE = 60
@@ -42,6 +43,11 @@ class CppTree:
     def code(self) -> tuple[bytes, bool]:
         """The content with its comments blanked, and whether its line ends are plain; see :func:`blank_cpp`."""
         return blank_cpp(self.content)
+
+    @cached_property
+    def lines(self) -> TextLines:
+        """The lines of the content."""
+        return TextLines(self.content)
 
 
 def tree_of_cpp(content: bytes, macros: MacroPreset) -> CppTree:
@@ -78,7 +84,7 @@ def facts_of_cpp(parsed: CppTree, captures: Captures | None = None) -> FileFacts
     captures = Captures(tree) if captures is None else captures
     code, plain = parsed.code
     walk = Walk(source, code, captures)
-    lines = LineMap(content, squeezed_lines(code))
+    lines = LineMap(parsed.lines, squeezed_lines(code))
     lines.leave_out(captures.not_executed, captures.statements)
     if parsed.repaired:
         lines.leave_only(hashes_of(blank_cpp(source)[0])[1])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Generic, TypeVar
 
 from roslens.source.syntax.cpp_lines import LineMap
@@ -25,26 +25,30 @@ from roslens.source.syntax.tokens import NO_NAMES, TokenText
 _LONGEST_NAME = 300
 _NEAR = 60
 _NOTHING = {""}
+_REMEMBERED = 50_000
+_LONGEST_REMEMBERED = 60
 _Named = TypeVar("_Named")
 _SCOPE = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_:")
 _SCOPE_OR_SPACE = bytes(byte if byte in _SCOPE else 0x20 for byte in range(256))
 _LETTERS = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
 
 
-class _Names(dict[bytes, str]):
-    """Names as written to their text, each decoded once."""
+class _Remembered(dict[bytes, str]):
+    """What stands in sources to the name that it is; those met first are remembered: files say the same names."""
+
+    def __init__(self, name_of: Callable[[str], str]) -> None:
+        super().__init__()
+        self._name_of = name_of
 
     def __missing__(self, written: bytes) -> str:
-        name = self[written] = text_of(written)
+        name = self._name_of(text_of(written))
+        if len(written) < _LONGEST_REMEMBERED and len(self) < _REMEMBERED:
+            self[written] = name
         return name
 
 
-class _Callees(dict[bytes, str]):
-    """What is called as written to its name."""
-
-    def __missing__(self, written: bytes) -> str:
-        name = self[written] = callee_name(text_of(written))
-        return name
+_NAMES = _Remembered(str)
+_CALLEES = _Remembered(callee_name)
 
 
 class _Places(Generic[_Named]):
@@ -102,15 +106,23 @@ class Assembly:
         self._statements = captures.statements
         self._fault_starts = [fault.line for fault in faults]
         self._fault_ends = [fault.end_line for fault in faults]
-        self._names = _Names()
         self._walk = walk
         self._source = source
         called = sorted([*captures.callees, *walk.macro_calls]) if walk.macro_calls else captures.callees
         written = [source[start if end - start < _LONGEST_NAME else end - _LONGEST_NAME : end] for start, end in called]
         self._written = _Places([start for start, _ in called], written)
-        self._called = _Places(self._written.starts, list(map(_Callees().__getitem__, written)))
+        self._called = _Places(self._written.starts, list(map(_CALLEES.__getitem__, written)))
         typed = _outside(captures.types, walk.macro_headers)
-        self._types = _Places([start for start, _ in typed], [self._type(start, end) for start, end in typed])
+        # Most names of types have no scope before them.
+        self._types = _Places(
+            [start for start, _ in typed],
+            [
+                self._scoped_type(start, end)
+                if source.startswith(b"::", start - 2, start)
+                else _NAMES[source[start:end]]
+                for start, end in typed
+            ],
+        )
         self._bodies = sorted(scope.body for scope in walk.functions)
 
     def function(self, scope: FunctionScope) -> FunctionFacts:
@@ -250,19 +262,17 @@ class Assembly:
         bodies = self._bodies[first : bisect_left(self._bodies, (end, 0))]
         return tuple(sorted(set(self._types.outside(start, end, bodies))))
 
-    def _type(self, start: int, end: int) -> str:
+    def _scoped_type(self, start: int, end: int) -> str:
         """Return the name of a type with the scope that is written before it."""
         source = self._source
-        first = start
-        if start > 1 and source.startswith(b"::", start - 2):
-            near = max(0, start - _NEAR)
-            first = near + source[near:start].translate(_SCOPE_OR_SPACE).rfind(b" ") + 1
-            while first == near > 0 and start - near < _LONGEST_NAME and source[first - 1] in _SCOPE:
-                near = first = first - 1
-        return self._names[source[first:end].lstrip(b":") if first < start else source[first:end]]
+        near = max(0, start - _NEAR)
+        first = near + source[near:start].translate(_SCOPE_OR_SPACE).rfind(b" ") + 1
+        while first == near > 0 and start - near < _LONGEST_NAME and source[first - 1] in _SCOPE:
+            near = first = first - 1
+        return _NAMES[source[first:end].lstrip(b":")]
 
     def _identifiers(self, words: Iterable[bytes]) -> tuple[str, ...]:
-        return tuple(sorted([self._names[word] for word in set(words) - NO_NAMES if word[0] in _LETTERS]))
+        return tuple(sorted([_NAMES[word] for word in set(words) - NO_NAMES if word[0] in _LETTERS]))
 
     def _is_approximate(self, first: int, last: int) -> bool:
         before = bisect_right(self._fault_starts, last)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
-from itertools import accumulate, compress, count, product
-from operator import add
+from itertools import compress, count, product
+from operator import itemgetter
 from zlib import crc32
 
 from roslens.source.syntax.facts import Lines
+from roslens.source.syntax.text_lines import TextLines
 
 _BRACES = tuple("".join(marks) for length in (1, 2, 3) for marks in product("{}();", repeat=length))
 _WORDS = tuple(f"{left}{word}{right}" for word in ("else", "do", "try") for left in ("", "}") for right in ("", "{"))
 _NOT_EXECUTED = frozenset(crc32(text.encode()) for text in (*_BRACES, *_WORDS))
-_DIRECTIVE = b"#\xa3"
+_DIRECTIVE = re.compile(rb"[#\xa3]")
 """What begins a directive, or an ``#include`` that is one word since its comments were blanked."""
 
 
@@ -30,17 +32,18 @@ class LineMap:
         numbers: of these lines.
     """
 
-    def __init__(self, source: bytes, squeezed: Sequence[bytes]) -> None:
-        """Find the line starts of ``source``; of the same with its comments blanked, ``squeezed`` are the lines."""
+    def __init__(self, text: TextLines, squeezed: Sequence[bytes]) -> None:
+        """Take the lines of a source, ``text``, and those of the same ``squeezed``, with its comments blanked."""
         code = list(filter(None, squeezed))
         self.hashes = tuple(map(crc32, code))
         self.numbers = numbers = tuple(compress(count(1), squeezed))
-        lines = source.split(b"\n")
-        self._starts: list[int] = [0, *map(add, accumulate(map(len, lines)), count(1))]
+        lines = text.lines
+        self._starts = text.starts
         self._physical = len(lines) if lines[-1] else len(lines) - 1
-        self._filled = [number for number, line in enumerate(lines, 1) if line and not line.isspace()]
-        self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in self.hashes]))
-        self._directives = {number for number, line in zip(numbers, code, strict=True) if line[0] in _DIRECTIVE}
+        self._filled = list(compress(count(1), map(bytes.strip, lines)))
+        self._executed = [number for number, one in zip(numbers, self.hashes, strict=True) if one not in _NOT_EXECUTED]
+        firsts = bytes(map(itemgetter(0), code))
+        self._directives = {numbers[match.start()] for match in _DIRECTIVE.finditer(firsts)}
 
     def leave_out(self, spans: Sequence[tuple[int, int]], statements: Sequence[int]) -> None:
         """Leave out the directives and the lines of ``spans``, unless a statement begins on them."""

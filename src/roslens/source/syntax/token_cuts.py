@@ -1,13 +1,12 @@
 """Tokens of a file cut at the bounds of its functions: split and looked up once for the file and all functions in it.
 
-What is between two bounds is a slice, and totals are differences of running totals. A bound that would divide a token
+What is between two bounds is a slice. A bound that would divide a token
 is left out, so that a file has the tokens that :func:`~roslens.source.syntax.tokens.halstead_of` finds.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import accumulate
 
 from roslens.source.syntax.facts import Halstead
 from roslens.source.syntax.tokens import KEYWORDS, OPERATORS, TokenText, halstead_of, word_counts, words_of
@@ -27,8 +26,8 @@ class TokenCuts:
         self._words, self._word_places = _split(text.words, cuts, _BETWEEN_WORDS)
         self._runs, self._run_places = _split(text.marks, cuts, _BETWEEN_MARKS)
         self._keywords = KEYWORDS[text.syntax]
-        self._keyword_totals = [0, *accumulate(map(self._keywords.__contains__, self._words))]
-        self._operator_totals = [0, *accumulate(map(len, map(OPERATORS.__getitem__, self._runs)))]
+        self._are_keywords = bytes(map(self._keywords.__contains__, self._words))
+        self._lengths = list(map(len, map(OPERATORS.__getitem__, self._runs)))
 
     def words(self, start: int, end: int) -> list[bytes]:
         """Return the words between two offsets."""
@@ -45,13 +44,13 @@ class TokenCuts:
             return halstead_of(self._text, word_counts(self._text, start, end), start, end)
         words = set(self._words[first:last])
         keywords = len(words & self._keywords)
-        keyword_total = self._keyword_totals[last] - self._keyword_totals[first]
+        keyword_total = self._are_keywords.count(True, first, last)
         runs = set(self._runs[first_run:last_run])
         operators: set[bytes] = set().union(*map(OPERATORS.__getitem__, runs))
         return Halstead(
             keywords + len(operators),
             len(words) - keywords,
-            keyword_total + self._operator_totals[last_run] - self._operator_totals[first_run],
+            keyword_total + sum(self._lengths[first_run:last_run]),
             last - first - keyword_total,
         )
 

@@ -9,6 +9,7 @@ of the tree: ``benchmarks/rules_speed.py`` tells.
 from __future__ import annotations
 
 from collections.abc import Mapping, MutableMapping, Sequence, Set
+from functools import cache
 
 from tree_sitter import Node
 
@@ -22,7 +23,16 @@ def patterns_of(asked: Set[str]) -> str:
 
 def taken_from(captured: MutableMapping[str, list[Node]], asked: Set[str]) -> Mapping[str, Sequence[Node]]:
     """Take what was asked for out of the captures of such a query, by what was asked."""
-    return {one: captured.pop(f"{_CAPTURE}{number}", []) for number, one in enumerate(sorted(asked))}
+    found: dict[str, Sequence[Node]] = dict.fromkeys(asked, ())
+    names = _names_of_captures(frozenset(asked))
+    for name in names.keys() & captured.keys():
+        found[names[name]] = captured.pop(name)
+    return found
+
+
+@cache
+def _names_of_captures(asked: frozenset[str]) -> Mapping[str, str]:
+    return {f"{_CAPTURE}{number}": one for number, one in enumerate(sorted(asked))}
 
 
 def _pattern(asked: str, capture: str) -> str:

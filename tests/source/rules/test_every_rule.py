@@ -117,6 +117,12 @@ def test_it_says_what_a_reader_asks(rule):
 @pytest.mark.parametrize("rule", FILE_RULES, ids=lambda rule: rule.id)
 def test_something_makes_it_look(rule):
     assert rule.anchors or rule.kinds or rule.quoted or rule.whole, "name `anchors`, `kinds`, `quoted` or `whole`"
+    assert rule.whole or not rule.words, "`words` go with `whole`; for the others `anchors` do the same"
+    if rule.found_among is not None:
+        others = (rule.anchors, rule.quoted, rule.whole)
+        assert rule.kinds, "`found_among` is asked about nodes of `kinds`"
+        assert not any(others), "`found_among` is asked about nodes of `kinds` alone"
+        assert not list(rule.found(None, None)), "`found_among` stands for `found`"
     import tree_sitter_cpp
     import tree_sitter_python
 

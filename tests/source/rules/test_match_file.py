@@ -46,6 +46,58 @@ def test_a_file_that_mentions_nothing_of_it_is_not_looked_at(asked):
     assert asked("// rclcpp\nvoid f() { spin(); }", anchors=("spin",), mentions=("rclcpp",)) == ["spin"]
 
 
+def test_a_file_whose_code_has_none_of_its_words_is_not_looked_at(asked):
+    assert asked("void f() { spins(); } // spin", whole=True, words=("spin",)) == []
+    assert len(asked("void f() { spin(); }", whole=True, words=("spin", "sleep"))) == 1
+
+
+@pytest.fixture
+def together(monkeypatch):
+    """Return a function that says what comes of one rule that is asked about all nodes of a type at once."""
+
+    def ask(text, found_among):
+        rule = FileRule(
+            id="a.b",
+            title="t",
+            finds="f.",
+            why="w",
+            syntax="cpp",
+            kinds=("call_expression",),
+            found_among=found_among,
+        )
+        monkeypatch.setattr(module, "file_rules", lambda syntax: (rule,))
+        module._plan.cache_clear()
+        return match_file(parse_file(text.encode(), Language.CPP, MacroSettings()).view())
+
+    yield ask
+    module._plan.cache_clear()
+
+
+def test_a_rule_may_be_asked_about_all_nodes_at_once(together):
+    asked = []
+
+    def found_among(nodes, view):
+        asked.append(sorted(map(view.text, nodes)))
+        return [view.hit("a.b", node, "m") for node in nodes]
+
+    matched = together("void f() { a(); b(); a(); }", found_among)
+    assert asked == [["a()", "a()", "b()"]]
+    assert [hit.column for hit in matched.hits] == [12, 17, 22]
+    assert together("int a;", found_among).hits == ()
+    assert len(asked) == 1
+
+
+def test_of_what_such_a_rule_finds_no_more_is_kept_than_of_others(together):
+    calls = "a(); " * (module.MOST_HITS + 5)
+    matched = together(f"void f() {{ {calls} }}", lambda nodes, view: (view.hit("a.b", one, "m") for one in nodes))
+    assert len(matched.hits) == module.MOST_HITS
+    assert matched.hits[0].column == 12
+
+
+def test_such_a_rule_that_breaks_is_a_failure(together):
+    assert "rule a.b failed: ZeroDivisionError" in together("int a = b();", lambda nodes, view: 1 / 0).failures[0].what
+
+
 def test_tests_are_spared(asked):
     text = "#include <gtest/gtest.h>\nvoid f() { spin(); }"
     assert asked(text, anchors=("spin",)) == ["spin"]

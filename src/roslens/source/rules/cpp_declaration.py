@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
+from operator import attrgetter
 from typing import NamedTuple, cast
 
 from tree_sitter import Node
@@ -13,6 +14,7 @@ from roslens.source.rules.cpp_class import function_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 
 _SCOPES = ("compound_statement", "for_statement", "for_range_loop", "if_statement", "while_statement")
+_START = attrgetter("start_byte")
 _ENDS = ("function_definition", "lambda_expression", "class_specifier", "struct_specifier")
 
 _Names = Mapping[str, tuple[int, Node]]
@@ -44,23 +46,30 @@ class Declaration(NamedTuple):
     names: Sequence[Declared]
 
 
-def declaration_of(node: Node, view: FileView) -> Declaration:
-    """Return what a node of type ``declaration`` declares."""
-    key = ("declaration", node.id)
-    found = view.kept.get(key)
+def declarations(view: FileView) -> Mapping[int, Declaration]:
+    """Return what the nodes of type ``declaration`` of a file declare, in order, by the ids of these nodes.
+
+    The rule that asks has to gather them.
+    """
+    found = view.kept.get("declarations")
     if found is None:
-        names = []
-        for declarator in node.children_by_field_name("declarator"):
-            named = name_node(declarator)
-            names.append(Declared(declarator, named, view.text(named)))
-        found = view.kept[key] = Declaration(node, names)
-    return cast("Declaration", found)
+        nodes = sorted(view.nodes("declaration"), key=_START)
+        found = view.kept["declarations"] = {node.id: _declaration(node, view) for node in nodes}
+    return cast("Mapping[int, Declaration]", found)
+
+
+def _declaration(node: Node, view: FileView) -> Declaration:
+    names = []
+    for declarator in node.children_by_field_name("declarator"):
+        named = name_node(declarator)
+        names.append(Declared(declarator, named, view.text(named)))
+    return Declaration(node, names)
 
 
 def hidden_by(name: str, declaration: Declaration, view: FileView) -> Node | None:
     """Return the declaration of the same name in a scope around that of a local one, or its parameter.
 
-    The rule that asks has to gather ``function_definition``.
+    The rule that asks has to gather ``declaration`` and ``function_definition``.
     """
     # What stands around a node is asked from the root of the tree on; most names are new in their function.
     if not _is_named_before(name.encode(), declaration.node.start_byte, view):
@@ -79,7 +88,8 @@ def _is_named_before(word: bytes, end: int, view: FileView) -> bool:
     """Return whether a word stands before a place, in the function around it or behind the one before."""
     starts = _outermost(view)
     place = bisect_right(starts, end)
-    return next(word_places(word, view, starts[place - 1] if place else 0, end), None) is not None
+    start = starts[place - 1] if place else 0
+    return view.code.find(word, start, end) >= 0 and next(word_places(word, view, start, end), None) is not None
 
 
 def _outermost(view: FileView) -> Sequence[int]:
@@ -131,7 +141,7 @@ def _names(scope: Node, view: FileView) -> _Names:
         found: dict[str, tuple[int, Node]] = {}
         for one in scope.named_children:
             if one.type == "declaration":
-                for each in declaration_of(one, view).names:
+                for each in declarations(view)[one.id].names:
                     found.setdefault(each.name, (one.start_byte, one))
         known = view.kept[key] = found
     return cast("_Names", known)

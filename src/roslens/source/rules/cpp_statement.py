@@ -90,6 +90,19 @@ def next_statement(node: Node) -> Node | None:
     return found
 
 
+def is_written_twice(left: Node, node: Node, view: FileView) -> bool:
+    """Return whether the right side of an expression, its last part, is written like its ``left`` one.
+
+    Most differ at their end already, and a node costs more than a look at the text.
+    """
+    text = view.content[left.start_byte : left.end_byte]
+    end = node.end_byte
+    if not text or not view.content.endswith(text, left.end_byte, end):
+        return False
+    right = node.child_by_field_name("right")
+    return right is not None and right.end_byte - right.start_byte == len(text) and same_text(left, right, view)
+
+
 def same_text(one: Node, other: Node, view: FileView) -> bool:
     """Return whether two nodes are written alike in the file, where macros still stand."""
     return view.content[one.start_byte : one.end_byte] == view.content[other.start_byte : other.end_byte]

@@ -9,6 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property
+from itertools import islice
 from operator import attrgetter
 
 import msgspec
@@ -73,7 +74,7 @@ class _Arrangement:
     """Rules by what makes them look."""
 
     def __init__(self, rules: Sequence[FileRule]) -> None:
-        self.whole = tuple(rule for rule in rules if rule.whole)
+        self.whole = tuple((rule, frozenset(word.encode() for word in rule.words)) for rule in rules if rule.whole)
         self.anchored = tuple((rule, *_anchor(text)) for rule in rules for text in rule.anchors)
         self.by_word: Mapping[bytes, list[int]] = defaultdict(list)
         for index, (_, _, words) in enumerate(self.anchored):
@@ -84,7 +85,7 @@ class _Arrangement:
         for rule in rules:
             for kind in rule.kinds:
                 by_kind[kind].append(rule)
-        self.by_kind = tuple(by_kind.items())
+        self.by_kind = by_kind
 
 
 @cache
@@ -157,9 +158,10 @@ def _concerns(plan: _Plan, view: FileView) -> frozenset[_Concern]:
 
 def _lookouts(rules: _Arrangement, view: FileView) -> Iterator[tuple[FileRule, Iterator[Node] | Sequence[Node]]]:
     """Yield the rules that concern a file with the nodes that they look at."""
-    for rule in rules.whole:
-        yield rule, (view.root,)
     known = view.words
+    for rule, asked_words in rules.whole:
+        if not asked_words or not asked_words.isdisjoint(known):
+            yield rule, (view.root,)
     present = (b"", *(known & rules.anchor_words))
     for index in sorted(one for word in present for one in rules.by_word.get(word, ())):
         rule, anchor, words = rules.anchored[index]
@@ -168,14 +170,14 @@ def _lookouts(rules: _Arrangement, view: FileView) -> Iterator[tuple[FileRule, I
     for rule, part in rules.quoted:
         if part in view.content:
             yield rule, _quoted(view, part)
-    for kind, asked in rules.by_kind:
-        nodes = view.nodes(kind)
-        if not nodes:
+    by_kind = rules.by_kind
+    for kind, nodes in view.of_kinds.items():
+        if not nodes or kind not in by_kind:
             continue
         if len(nodes) > MOST_HITS:
             # A query tells them in no order, and of a rule that finds too much the first are kept.
             nodes = sorted(nodes, key=_START)
-        for rule in asked:
+        for rule in by_kind[kind]:
             yield rule, nodes
 
 
@@ -202,6 +204,9 @@ class _Asked:
         kept, found, view = self._found, rule.found, self._view
         extend, room = kept.extend, len(kept) + MOST_HITS
         try:
+            if rule.found_among is not None:
+                extend(islice(rule.found_among(list(nodes), view), MOST_HITS))
+                return
             for node in nodes:
                 extend(found(node, view))
                 if len(kept) >= room:

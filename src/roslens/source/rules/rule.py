@@ -11,7 +11,7 @@ Beside the module stands a fixture, ``tests/fixtures/rules/<family>/<module>…`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -103,6 +103,10 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
         )
 
 
+def _nothing(_node: Node, _view: FileView) -> Iterable[Hit]:
+    return ()
+
+
 class FileRule(Rule, frozen=True, kw_only=True):
     """A rule on one file. It is asked about the nodes that it names, and about nothing where there are none.
 
@@ -119,7 +123,11 @@ class FileRule(Rule, frozen=True, kw_only=True):
         spares_tests: it looks at nothing in a file that uses a framework for tests.
         mentions: the rule looks at nothing in a file that holds none of these anywhere; none is every file.
         in_c: it counts in files of C as well, which have no other casts, null pointers or memory.
+        words: with ``whole``, the rule looks at nothing in a file whose code, without its comments, has none of these
+            as a whole word; none is every file.
         found: yields what it finds; see :meth:`roslens.source.rules.file_view.FileView.hit`.
+        found_among: is called instead, once with all nodes of a kind: for kinds of which a file has many, where a look
+            at its text rules most of them out.
     """
 
     syntax: str
@@ -129,9 +137,11 @@ class FileRule(Rule, frozen=True, kw_only=True):
     whole: bool = False
     gathers: tuple[str, ...] = ()
     mentions: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
     in_c: bool = True
     spares_tests: bool = False
-    found: Callable[[Node, FileView], Iterable[Hit]]
+    found: Callable[[Node, FileView], Iterable[Hit]] = _nothing
+    found_among: Callable[[Sequence[Node], FileView], Iterable[Hit]] | None = None
 
     @property
     def languages(self) -> tuple[str, ...]:

@@ -68,5 +68,6 @@ RULE = FileRule(
     good="int32_t counter;\n",
     syntax="cpp",
     whole=True,
+    words=("int", "unsigned", "signed", "short", "long"),
     found=found,
 )

@@ -38,5 +38,6 @@ RULE = FileRule(
     good="void f(const std::array<int, 3>& a);\n",
     syntax="cpp",
     whole=True,
+    words=("array",),
     found=found,
 )

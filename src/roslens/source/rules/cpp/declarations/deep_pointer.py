@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import places
+from roslens.source.rules.cpp.declarations.pointer_depth import DOUBLE_POINTERS
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -16,7 +17,7 @@ from roslens.source.rules.rule import FileRule
 _POINTERS = re.compile(rb"(\*\s*\*\s*\*)")
 
 
-def found(_: Node, view: FileView) -> Iterator[Hit]:
+def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each declarator with three levels of pointers."""
     for _match, node in places(_POINTERS, view, 1):
         one = node if node.type.endswith("pointer_declarator") else node.parent
@@ -53,6 +54,6 @@ RULE = FileRule(
     bad="void f(char*** names);\n",
     good="void f(const Names& names);\n",
     syntax="cpp",
-    whole=True,
-    found=found,
+    kinds=DOUBLE_POINTERS,
+    found_among=found_among,
 )

@@ -45,5 +45,6 @@ RULE = FileRule(
     good="class B;\n",
     syntax="cpp",
     whole=True,
+    words=("class", "struct"),
     found=found,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,11 +15,15 @@ from roslens.source.rules.rule import FileRule
 
 _POINTERS = re.compile(rb"(\*\s*(?:const\s*)?\*+)")
 
+DOUBLE_POINTERS = (
+    "(pointer_declarator (pointer_declarator)) @node",
+    "(abstract_pointer_declarator (abstract_pointer_declarator)) @node",
+)
+"""A file without any has no two stars that are both of a declarator."""
 
-def found(_: Node, view: FileView) -> Iterator[Hit]:
+
+def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each declarator with two levels of pointers."""
-    if b"**" not in view.code and b"* *" not in view.code and b"*const*" not in view.code:
-        return
     for _match, node in places(_POINTERS, view, 1):
         one = node if node.type.endswith("pointer_declarator") else node.parent
         if (
@@ -72,6 +76,6 @@ RULE = FileRule(
     bad="void f(char** names);\n",
     good="void f(const std::vector<std::string>& names);\n",
     syntax="cpp",
-    whole=True,
-    found=found,
+    kinds=DOUBLE_POINTERS,
+    found_among=found_among,
 )

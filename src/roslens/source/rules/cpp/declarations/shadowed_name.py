@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_declaration import declaration_of, hidden_by
+from roslens.source.rules.cpp_declaration import declarations, hidden_by
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each local name that stands in a block around its own, or among the parameters."""
-    declaration = declaration_of(node, view)
-    for _, named, name in declaration.names:
-        if named is not None and named.type == "identifier":
-            hidden = hidden_by(name, declaration, view)
-            if hidden is not None:
-                yield view.hit(
-                    "cpp.shadowed_name",
-                    named,
-                    f"`{name}` hides the one of line {view.place(hidden.start_byte)[0]}; expected another name",
-                )
+    for declaration in declarations(view).values():
+        for _, named, name in declaration.names:
+            if named is not None and named.type == "identifier":
+                hidden = hidden_by(name, declaration, view)
+                if hidden is not None:
+                    yield view.hit(
+                        "cpp.shadowed_name",
+                        named,
+                        f"`{name}` hides the one of line {view.place(hidden.start_byte)[0]}; expected another name",
+                    )
 
 
 RULE = FileRule(
@@ -52,5 +52,5 @@ RULE = FileRule(
     syntax="cpp",
     kinds=("declaration",),
     gathers=("function_definition",),
-    found=found,
+    found_among=found_among,
 )

@@ -49,5 +49,6 @@ RULE = FileRule(
     good="std::vector<char> flags;\n",
     syntax="cpp",
     whole=True,
+    words=("vector",),
     found=found,
 )

@@ -48,5 +48,6 @@ RULE = FileRule(
     good="void f(A& a) { g(static_cast<B*>(&a)); }\n",
     syntax="cpp",
     whole=True,
+    words=("static_cast", "dynamic_cast", "reinterpret_cast"),
     found=found,
 )

@@ -53,5 +53,6 @@ RULE = FileRule(
     good="void f(std::ostringstream& s) { std::string p = s.str(); }\n",
     syntax="cpp",
     whole=True,
+    words=("c_str", "data"),
     found=found,
 )

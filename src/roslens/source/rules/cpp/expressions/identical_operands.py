@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.source.rules.cpp_statement import same_text
+from roslens.source.rules.cpp_statement import is_written_twice
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -18,12 +18,16 @@ _CONSTANT = re.compile(r"[A-Z][A-Z0-9_]+")
 _ASKS = re.compile(r"!?(?:[\w.]|->|::)*\b(?:is|has|empty|size|count|contains|abs|fabs)\w*\([^()]*\)")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield an expression whose two sides are written alike."""
-    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    if left is None or right is None or right.end_byte - right.start_byte != left.end_byte - left.start_byte:
-        return
-    if not same_text(left, right, view) or left.type in ("number_literal", "string_literal", "char_literal"):
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
+    """Yield each expression whose two sides are written alike."""
+    for node in nodes:
+        left = node.child_by_field_name("left")
+        if left is not None and is_written_twice(left, node, view):
+            yield from _found(node, left, view)
+
+
+def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
+    if left.type in ("number_literal", "string_literal", "char_literal"):
         return
     operator = view.text(node.child_by_field_name("operator"))
     text = view.text(left)
@@ -62,5 +66,5 @@ RULE = FileRule(
     good="bool f(int x, int a, int b) { return x > a && x < b; }\n",
     syntax="cpp",
     kinds=("binary_expression",),
-    found=found,
+    found_among=found_among,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -12,17 +12,24 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _NEAR = 80
+_BEFORE_STATEMENTS = (b";", b"{", b"}")
 _USES = (
     *("assignment_expression", "binary_expression", "argument_list", "init_declarator", "return_statement"),
     "condition_clause",
 )
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each assignment whose result is used."""
-    # To see that it is a statement, as most are, no node is needed.
-    if view.code[max(node.start_byte - _NEAR, 0) : node.start_byte].rstrip()[-1:] in (b";", b"{", b"}"):
-        return
+    code = view.code
+    for node in nodes:
+        # To see that it is a statement, as most are, no node is needed.
+        start = node.start_byte
+        if code[max(start - _NEAR, 0) : start].rstrip()[-1:] not in _BEFORE_STATEMENTS:
+            yield from _found(node, view)
+
+
+def _found(node: Node, view: FileView) -> Iterator[Hit]:
     around = node.parent
     while around is not None and around.type == "parenthesized_expression":
         around = around.parent
@@ -61,5 +68,5 @@ RULE = FileRule(
     good="void f(int a, int b) { b = 3; a = b; }\n",
     syntax="cpp",
     kinds=("assignment_expression",),
-    found=found,
+    found_among=found_among,
 )

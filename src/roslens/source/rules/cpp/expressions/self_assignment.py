@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_statement import same_text
+from roslens.source.rules.cpp_statement import is_written_twice
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield an assignment with ``=`` whose two sides are written alike."""
-    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    if left is None or right is None or right.end_byte - right.start_byte != left.end_byte - left.start_byte:
-        return
-    if not same_text(left, right, view) or view.text(node.child_by_field_name("operator")) != "=":
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
+    """Yield each assignment with ``=`` whose two sides are written alike."""
+    for node in nodes:
+        left = node.child_by_field_name("left")
+        if left is not None and is_written_twice(left, node, view):
+            yield from _found(node, left, view)
+
+
+def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
+    if view.text(node.child_by_field_name("operator")) != "=":
         return
     text = view.text(left)
     if "++" not in text and "--" not in text and text:
@@ -54,5 +58,5 @@ RULE = FileRule(
     good="void A::set(int rate) { this->rate = rate; }\n",
     syntax="cpp",
     kinds=("assignment_expression",),
-    found=found,
+    found_among=found_among,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,8 +15,21 @@ from roslens.source.rules.rule import FileRule
 _EFFECT = re.compile(r"\+\+|--|(?<![=!<>])=(?!=)")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each ``&&`` or ``||`` whose right operand changes something."""
+    code = view.code
+    words = [word for word in (b"and", b"or") if word in view.words]
+    for node in nodes:
+        start, end = node.byte_range
+        if (
+            code.find(b"&&", start, end) >= 0
+            or code.find(b"||", start, end) >= 0
+            or (words and any(code.find(word, start, end) >= 0 for word in words))
+        ):
+            yield from _found(node, view)
+
+
+def _found(node: Node, view: FileView) -> Iterator[Hit]:
     right = node.child_by_field_name("right")
     code = view.code[right.start_byte : right.end_byte] if right is not None else b""
     if right is None or not (b"=" in code or b"++" in code or b"--" in code):
@@ -61,5 +74,5 @@ RULE = FileRule(
     good="bool f(bool a, int n) { ++n; return a && n > 3; }\n",
     syntax="cpp",
     kinds=("binary_expression",),
-    found=found,
+    found_among=found_among,
 )

@@ -13,11 +13,15 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _FORMAT = re.compile(rb'"[^"\n]*(%[-+ ]?\d*q|%\d+\$|\\\\[%\[({])[^"\n]*"')
+_UNPORTABLE = re.compile(rb"%(?:[-+ ]?\d*q|\d+\$)")
+"""Found sooner than the string that it stands in, as it begins with one byte."""
 _CALL = re.compile(rb"printf|scanf|_LOG|ROS_|RCLCPP_|RCUTILS_")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each text on a line with a call that formats."""
+    if b"\\\\" not in view.content and not _UNPORTABLE.search(view.content):
+        return
     for match in _FORMAT.finditer(view.content):
         line, column = view.place(match.start(1))
         node = view.node_at(match.start(1), match.end(1))

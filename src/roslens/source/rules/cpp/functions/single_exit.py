@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -14,8 +14,15 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each function with more than one return of its own."""
+    code = view.code
+    for node in nodes:
+        if code.count(b"return", node.start_byte, node.end_byte) > 1:
+            yield from _found(node, view)
+
+
+def _found(node: Node, view: FileView) -> Iterator[Hit]:
     body = node.child_by_field_name("body")
     if body is None or view.code.count(b"return", body.start_byte, body.end_byte) < 2:
         return
@@ -56,5 +63,5 @@ RULE = FileRule(
     good="int f(int a) { int r = 2; if (a) r = 1; return r; }\n",
     syntax="cpp",
     kinds=("function_definition",),
-    found=found,
+    found_among=found_among,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -13,16 +13,19 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each function with more than six parameters."""
-    body = node.child_by_field_name("body")
-    if body is None or view.code.count(b",", node.start_byte, body.start_byte) < 6:
-        return
-    declarator = function_declarator(node)
-    count = len(parameters_of(declarator)) if declarator is not None else 0
-    if declarator is not None and count > 6:
-        name = view.text(name_node(declarator))
-        yield view.hit("cpp.six_parameters", declarator, f"{count} parameters (limit 6) in `{name}`; expected a struct")
+    for node in nodes:
+        body = node.child_by_field_name("body")
+        if body is None or view.code.count(b",", node.start_byte, body.start_byte) < 6:
+            continue
+        declarator = function_declarator(node)
+        count = len(parameters_of(declarator)) if declarator is not None else 0
+        if declarator is not None and count > 6:
+            name = view.text(name_node(declarator))
+            yield view.hit(
+                "cpp.six_parameters", declarator, f"{count} parameters (limit 6) in `{name}`; expected a struct"
+            )
 
 
 RULE = FileRule(
@@ -44,5 +47,5 @@ RULE = FileRule(
     good="void f(const Limits& limits) {}\n",
     syntax="cpp",
     kinds=("function_definition",),
-    found=found,
+    found_among=found_among,
 )

@@ -47,5 +47,6 @@ RULE = FileRule(
     good="void f(A& a);\n",
     syntax="cpp",
     whole=True,
+    words=("unique_ptr",),
     found=found,
 )

@@ -41,5 +41,6 @@ RULE = FileRule(
     good="void f() { VLOG(1) << 3; }\n",
     syntax="cpp",
     whole=True,
+    words=("VLOG",),
     found=found,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -23,17 +23,18 @@ _UNLIKE = frozenset({"math.h", "stdlib.h", "complex.h", "stdbool.h", "fenv.h"})
 """Headers whose other form has other overloads of the same names, such as `abs`, or is gone in C++20."""
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each include of a header that C++ has under another name."""
-    match = _HEADER.match(view.source, node.start_byte, node.end_byte)
-    if match:
-        name = match[1].decode()
-        instead = f"c{name.removesuffix('.h')}"
-        edits: tuple[Edit, ...] = ()
-        if name not in _UNLIKE and view.is_cpp_alone:
-            edits = view.edits((match.start(1), match.end(1), instead))
-        message = f"`<{name}>`; expected `<{instead}>`"
-        yield view.hit_at("cpp.c_header", view.place(node.start_byte)[0], message, edits=edits)
+    for node in nodes:
+        match = _HEADER.match(view.source, node.start_byte, node.end_byte)
+        if match:
+            name = match[1].decode()
+            instead = f"c{name.removesuffix('.h')}"
+            edits: tuple[Edit, ...] = ()
+            if name not in _UNLIKE and view.is_cpp_alone:
+                edits = view.edits((match.start(1), match.end(1), instead))
+            message = f"`<{name}>`; expected `<{instead}>`"
+            yield view.hit_at("cpp.c_header", view.place(node.start_byte)[0], message, edits=edits)
 
 
 RULE = FileRule(
@@ -59,5 +60,5 @@ RULE = FileRule(
     syntax="cpp",
     kinds=("preproc_include",),
     in_c=False,
-    found=found,
+    found_among=found_among,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,16 +15,17 @@ from roslens.source.rules.rule import FileRule
 _BARE = re.compile(rb"#[ \t]*include[ \t]*\"([^/\"\n]+\.(?:h|hpp|hh|hxx))\"")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each include in quotes without a slash."""
-    match = _BARE.match(view.source, node.start_byte, node.end_byte)
-    if match:
-        name = match[1].decode("utf-8", "replace")
-        yield view.hit_at(
-            "cpp.no_folder",
-            view.place(node.start_byte)[0],
-            f'`"{name}"` without its folder; expected `"package/{name}"`',
-        )
+    for node in nodes:
+        match = _BARE.match(view.source, node.start_byte, node.end_byte)
+        if match:
+            name = match[1].decode("utf-8", "replace")
+            yield view.hit_at(
+                "cpp.no_folder",
+                view.place(node.start_byte)[0],
+                f'`"{name}"` without its folder; expected `"package/{name}"`',
+            )
 
 
 RULE = FileRule(
@@ -46,5 +47,5 @@ RULE = FileRule(
     good='#include "robot/driver.h"\n',
     syntax="cpp",
     kinds=("preproc_include",),
-    found=found,
+    found_among=found_among,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,16 +15,17 @@ from roslens.source.rules.rule import FileRule
 _PATH = re.compile(rb"#[ \t]*include[ \t]*[<\"]((?:[^>\"\n]*(?:\.\./|\\\\)|/)[^>\"\n]*)[>\"]")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each include that leaves its folder."""
-    match = _PATH.match(view.source, node.start_byte, node.end_byte)
-    if match:
-        name = match[1].decode("utf-8", "replace")
-        yield view.hit_at(
-            "cpp.path",
-            view.place(node.start_byte)[0],
-            f"`{name}` leaves its folder; expected the path below the include folder",
-        )
+    for node in nodes:
+        match = _PATH.match(view.source, node.start_byte, node.end_byte)
+        if match:
+            name = match[1].decode("utf-8", "replace")
+            yield view.hit_at(
+                "cpp.path",
+                view.place(node.start_byte)[0],
+                f"`{name}` leaves its folder; expected the path below the include folder",
+            )
 
 
 RULE = FileRule(
@@ -47,5 +48,5 @@ RULE = FileRule(
     good='#include "robot/driver.h"\n',
     syntax="cpp",
     kinds=("preproc_include",),
-    found=found,
+    found_among=found_among,
 )

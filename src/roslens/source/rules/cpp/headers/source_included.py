@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,15 +15,18 @@ from roslens.source.rules.rule import FileRule
 _SOURCE = re.compile(rb"#[ \t]*include[ \t]*[<\"]([^>\"\n]+\.(?:cpp|cc|cxx|c))[>\"]")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each include of a source file."""
-    match = _SOURCE.match(view.source, node.start_byte, node.end_byte)
-    if match:
-        name = match[1].decode("utf-8", "replace")
-        if not re.search(r"impl|moc_|\.moc|_inl|template", name):
-            yield view.hit_at(
-                "cpp.source_included", view.place(node.start_byte)[0], f"`{name}` is a source file; expected its header"
-            )
+    for node in nodes:
+        match = _SOURCE.match(view.source, node.start_byte, node.end_byte)
+        if match:
+            name = match[1].decode("utf-8", "replace")
+            if not re.search(r"impl|moc_|\.moc|_inl|template", name):
+                yield view.hit_at(
+                    "cpp.source_included",
+                    view.place(node.start_byte)[0],
+                    f"`{name}` is a source file; expected its header",
+                )
 
 
 RULE = FileRule(
@@ -47,5 +50,5 @@ RULE = FileRule(
     good='#include "driver.h"\n',
     syntax="cpp",
     kinds=("preproc_include",),
-    found=found,
+    found_among=found_among,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -15,15 +15,16 @@ from roslens.source.rules.rule import FileRule
 _HEADER = re.compile(rb"#[ \t]*include[ \t]*<(cfenv|fenv\.h|ratio|filesystem)>")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each include of such a header."""
-    match = _HEADER.match(view.source, node.start_byte, node.end_byte)
-    if match:
-        yield view.hit_at(
-            "cpp.unapproved_header",
-            view.place(node.start_byte)[0],
-            f"`<{match[1].decode()}>` is not allowed by the guide; expected none of it",
-        )
+    for node in nodes:
+        match = _HEADER.match(view.source, node.start_byte, node.end_byte)
+        if match:
+            yield view.hit_at(
+                "cpp.unapproved_header",
+                view.place(node.start_byte)[0],
+                f"`<{match[1].decode()}>` is not allowed by the guide; expected none of it",
+            )
 
 
 RULE = FileRule(
@@ -45,5 +46,5 @@ RULE = FileRule(
     good="#include <chrono>\n",
     syntax="cpp",
     kinds=("preproc_include",),
-    found=found,
+    found_among=found_among,
 )

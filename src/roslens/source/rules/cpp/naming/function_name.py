@@ -22,8 +22,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if not name[0].islower():
         return
     cls = whole.rpartition("::")[0].rpartition("::")[2].partition("<")[0]
+    if name == cls or name.lower() == name:
+        return
     around = enclosing_class(node)
-    if name == cls or (around is not None and name == class_name(around, view)) or (name.lower() == name and True):
+    if around is not None and name == class_name(around, view):
         return
     yield view.hit("cpp.function_name", named, f"function `{name}`; expected `{name[0].upper() + name[1:]}`")
 

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     cls = whole.rpartition("::")[0].rpartition("::")[2].partition("<")[0]
     around = enclosing_class(node)
-    if name == cls or (around is not None and name == class_name(around, view)) or (name.lower() == name and False):
+    if name == cls or (around is not None and name == class_name(around, view)):
         return
     yield view.hit("cpp.method_name", named, f"function `{name}`; expected `{name[0].lower() + name[1:]}`")
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_declaration import declaration_of
+from roslens.source.rules.cpp_declaration import Declaration, declarations
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -16,12 +16,17 @@ from roslens.source.rules.rule import FileRule
 _CONSTANT = re.compile(r"k[A-Z]\w*|[A-Z0-9_]+")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each local variable with a capital letter."""
-    for one, named, name in declaration_of(node, view).names:
+    for declaration in declarations(view).values():
+        yield from _found(declaration, view)
+
+
+def _found(declaration: Declaration, view: FileView) -> Iterator[Hit]:
+    for one, named, name in declaration.names:
         if named is None or name == name.lower() or _CONSTANT.fullmatch(name):
             continue
-        around = node.parent
+        around = declaration.node.parent
         if around is None or around.type not in ("compound_statement", "for_statement", "case_statement"):
             return
         if named.type == "identifier" and one.type != "function_declarator":
@@ -45,5 +50,5 @@ RULE = FileRule(
     good="void f() { int max_rate = 3; g(max_rate); }\n",
     syntax="cpp",
     kinds=("declaration",),
-    found=found,
+    found_among=found_among,
 )

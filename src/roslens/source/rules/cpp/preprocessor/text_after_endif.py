@@ -61,5 +61,6 @@ RULE = FileRule(
     good="#ifdef A\n#endif  // A\n",
     syntax="cpp",
     whole=True,
+    words=("endif", "else"),
     found=found,
 )

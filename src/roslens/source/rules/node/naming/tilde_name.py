@@ -12,11 +12,14 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
 
+_NEAR = 1000
+"""So many bytes behind the name of a method its first argument begins, template arguments included."""
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a method of a node handle with a literal that begins with ``~``."""
-    # Nearly no file has one, and it is quicker to ask than the tree.
-    if b'"~' not in view.source:
+    # Nearly no call has one, and it is quicker to ask the text than the tree.
+    if view.source.find(b'"~', node.end_byte, node.end_byte + _NEAR) < 0:
         return
     call = call_at(node)
     given = arguments(call) if call is not None else ()

@@ -105,6 +105,14 @@ def test_a_kept_run(walking, capsys):
     assert "gone: 0" in text
 
 
+def test_the_first_night_has_nothing_to_compare_with_and_the_second_nothing_new(walking, capsys):
+    text = check(walking, capsys, "--baseline", "last", code=1, form="text")
+    assert "New since nothing, as no earlier run is kept: " in text
+    assert calls(check(walking, capsys, "--baseline", "last", "--new-only", code=0)) == []
+    add_finding(walking)
+    assert calls(check(walking, capsys, "--baseline", "last", "--new-only", code=1)) == ["run(step)"]
+
+
 def test_what_is_new_is_to_be_mended_first(walking, capsys):
     check(walking, capsys, code=1)
     deep = "".join(f"{'    ' * depth}if step > {depth}:\n" for depth in range(1, 9))

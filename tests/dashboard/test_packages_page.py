@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 from dashboard.fake_run import FakeRun
 
 from roslens.dashboard.pages.packages import FIRST, build
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Query, Request
+from roslens.model.repository import FoundRepository
 
 PACKAGES = FIRST + 40
 
@@ -52,3 +54,23 @@ def test_what_is_filtered_is_counted_whole(site: Site) -> None:
 @pytest.mark.parametrize("given", [{"complete": True}, {"medium": "folder"}])
 def test_twins_and_written_pages_hold_all(site: Site, given: dict[str, object]) -> None:
     assert len(table(site, **given).rows) == PACKAGES
+
+
+def test_repositories_stand_under_the_heads_that_are_theirs(monkeypatch: pytest.MonkeyPatch) -> None:
+    site = FakeRun(packages=4, findings=8, sources=False).site()
+    first, *others = [package.id for package in site.packages]
+    found = (
+        FoundRepository("arm", "ws/arm", (first,), "0" * 40, "https://example.org/arm.git", "main"),
+        FoundRepository("base", "ws/base", tuple(others), "1" * 40 + "+"),
+    )
+    monkeypatch.setattr(site.view, "header", msgspec.structs.replace(site.view.header, repositories=found))
+    view = build(site, Request())
+    assert view is not None
+    repositories = view.table("repositories")
+    rows = {row[0].value: dict(zip([one.key for one in repositories.columns], row, strict=True))
+            for row in repositories.rows}  # fmt: skip
+    assert rows["arm"]["loc"].value == site.by_id[first].values["loc"]
+    assert [rows["arm"][key].value for key in ("version", "commit", "url")] == [
+        "main", "0" * 12, "https://example.org/arm.git"
+    ]  # fmt: skip
+    assert [rows["base"][key].value for key in ("packages", "commit")] == [3, "1" * 12 + "+"]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import io
 
+import pytest
+
 from roslens.dashboard.tables.table import Cell, Column, Table, next_sort, shown, sort_rows, to_csv, to_json
 
 COLUMNS = (Column("name", "Name"), Column("size", "Size", "number", decimals=1))
@@ -46,6 +48,11 @@ def test_a_click_on_a_head_turns_the_order() -> None:
     assert next_sort(found, COLUMNS[1]) == "-size"
     assert next_sort(sort_rows(found, "-size"), COLUMNS[1]) == "size"
     assert next_sort(found, COLUMNS[0]) == "name"
+
+
+def test_a_row_has_a_cell_for_each_column() -> None:
+    with pytest.raises(ValueError, match="a row of the table 'things' has 1 cells for 2 columns"):
+        Table("things", "Things", COLUMNS, ((Cell("a"),),))
 
 
 def test_csv_reads_back_and_no_text_runs_as_a_formula() -> None:

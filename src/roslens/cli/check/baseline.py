@@ -62,9 +62,12 @@ def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def read_baseline(
-    name: str, root: Path, store: Store, current: RunView, analyse: Callable[[Revision], Baseline]
+    name: str, root: Path, store: Store, current: RunView, analyse: Callable[[Revision], Baseline], *, fresh: bool
 ) -> Baseline:
     """Return the baseline that a name means.
+
+    Where there is no earlier run yet, the last one is this one if nothing changed since it was kept; else there is
+    none, and all that is found is new.
 
     Args:
         name: a file that exists, else a number or ``last``, else a revision.
@@ -72,6 +75,7 @@ def read_baseline(
         store: with the kept runs.
         current: the run that is compared.
         analyse: makes the baseline of a revision.
+        fresh: whether the run was made just now, as something changed.
 
     Raises:
         RoslensError: there is none of that name, or it cannot be read.
@@ -79,7 +83,7 @@ def read_baseline(
     if Path(name).is_file():
         return _checked(_of_file(Path(name)), current)
     if name == LAST or name.isdigit():
-        return _of_run(name, store, current)
+        return _of_run(name, store, current, fresh=fresh)
     from roslens.cli.git.revision import revision_of
 
     if name.endswith((".json", ".sarif")):
@@ -87,9 +91,13 @@ def read_baseline(
     return analyse(revision_of(root, name))
 
 
-def _of_run(name: str, store: Store, current: RunView) -> Baseline:
+def _of_run(name: str, store: Store, current: RunView, *, fresh: bool) -> Baseline:
     runs = [one.id for one in store.runs()]
-    number = next((one for one in runs if one < current.id), None) if name == LAST else int(name)
+    number = int(name) if name != LAST else next((one for one in runs if one < current.id), None)
+    if name == LAST and number is None:
+        if fresh:
+            return Baseline("nothing, as no earlier run is kept", ())
+        number = current.id
     if number is None or number not in runs:
         raise UsageError(
             f'--baseline "{name}": no such run is kept',

@@ -73,8 +73,12 @@ def scope_of(
     store: Store,
     configuration: Configuration,
     unchanged: Mapping[str, str] | None,
+    fresh: bool,
 ) -> Scope:
-    """Return what is shown and judged of a run; a baseline that cannot be read becomes a failure of it."""
+    """Return what is shown and judged of a run; a baseline that cannot be read becomes a failure of it.
+
+    ``fresh`` says that the run was made just now.
+    """
     from roslens.store.narrowed import NarrowedView
 
     if unchanged is not None:
@@ -97,6 +101,7 @@ def scope_of(
             store,
             view,
             lambda revision: analysed_revision(revision, options, root, configuration),
+            fresh=fresh,
         )
     except RoslensError as error:
         return _without(view, wanted, failed(error))

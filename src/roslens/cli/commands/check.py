@@ -152,6 +152,7 @@ def run(options: argparse.Namespace) -> int:
                 store=store,
                 configuration=configuration,
                 unchanged=unchanged,
+                fresh=answer.fresh,
             )
 
         wanted = Wanted(
@@ -181,7 +182,10 @@ def run(options: argparse.Namespace) -> int:
         code = _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
         if options.baseline and scope.baseline is None:
             # What was asked is not answered: that there are findings is not what the user wanted to know.
-            print(f"roslens: nothing was compared with --baseline {options.baseline!r}; see above", file=sys.stderr)
+            print(
+                f"roslens: nothing was compared with --baseline {options.baseline!r}; the result says why",
+                file=sys.stderr,
+            )
             code = NOT_ANALYSED
     if options.watch:
         watch_files(options, root, configuration)

@@ -156,7 +156,6 @@ def _repositories(site: Site, tags: TagFilter, request: Request) -> tuple[Table,
         Column(
             "per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines of code of all its packages", decimals=1
         ),
-        field_column(EntityKind.PACKAGE),
         Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
         Column("version", "Version", hint="Branch, tag or commit that was fetched", optional=True),
         Column("commit", "Commit", "code", hint="With + where files differ from it"),

@@ -65,6 +65,16 @@ class Table(msgspec.Struct, frozen=True):
     identities: tuple[str, ...] = ()
     all: PageRef | None = None
 
+    def __post_init__(self) -> None:
+        """Refuse rows with another number of cells than there are columns: they would stand under wrong heads.
+
+        Raises:
+            ValueError: there is such a row.
+        """
+        wrong = next((row for row in self.rows if len(row) != len(self.columns)), None)
+        if wrong is not None:
+            raise ValueError(f"a row of the table {self.name!r} has {len(wrong)} cells for {len(self.columns)} columns")
+
     @property
     def cut(self) -> bool:
         """Whether rows are left out."""

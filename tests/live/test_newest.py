@@ -93,7 +93,7 @@ def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(re
     assert f"/tool_{many - 1}" in tools
     assert len(tools) <= MOST_SURPLUS + SURPLUS_S + SWEEP_S + 1
     assert "/expected" in {topic for topic, _, _ in world.connections}
-    assert len(session.monitor._presences.existing) <= 3 * (len(tools) + 1)
+    assert len(session.monitor._checks.presences.existing) <= 3 * (len(tools) + 1)
 
 
 def test_topics_whose_connections_are_remembered_count_among_what_is_gone():

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from roslens.live.standing.measured import Measured
 from roslens.live.standing.presence import Key, Presences
-from roslens.live.standing.rulebook import Facts
+from roslens.live.standing.rulebook import NOTHING_KNOWN, Facts
+from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
+from roslens.live.system.topic import Topic
 from roslens.live.system.world import World
 from roslens.live.window.newest import keep_newest
-from roslens.model.entity import EntityKind
-from roslens.model.graph import Graph
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Event, Graph
+from roslens.model.traffic.tally import Tally
 
 
 class Existence:
@@ -66,6 +70,57 @@ class Existence:
             keep_newest(self.vanished)
             self.presences.vanish(key)
 
+    def meet(self, tally: Tally, now: float) -> Connection | None:
+        """Make room for a connection that is new, and for what is known by it alone; None where there is none."""
+        connection = self._world.connection(tally, now)
+        if connection is None:
+            return None
+        topic = self._world.topics[tally.topic]
+        if not topic.seen:
+            # Grace counts from when a topic is there, not from when somebody began to wait for it.
+            topic.appeared = now
+        topic.add(connection)
+        topic.planless = topic.planless or len(topic.connections) == 1
+        self.presences.appear((connection.id.kind, connection.id.name), self._world.facts(connection))
+        graph = self._world.graph
+        if graph is None or not topic.known:
+            self.presences.appear((EntityKind.TOPIC, topic.name), self._world.facts(topic))
+        if graph is None:
+            for node in filter(None, (tally.publisher, tally.subscriber)):
+                self.presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
+        return connection
+
+    def let_go(self, now: float) -> tuple[list[Measured], list[Topic]]:
+        """Forget what is gone for long, so that memory stays bounded.
+
+        Returns:
+            What is forgotten, and the topics that lost connections.
+        """
+        world, outdated = self._world, self._world.outdated(now)
+        topics: list[Topic] = []
+        for connection in outdated:
+            world.forget(connection)
+            self.vanish((connection.id.kind, connection.id.name), now)
+            topic = world.topics[connection.topic]
+            if not (topic.known or topic.connections):
+                self.vanish((EntityKind.TOPIC, topic.name), now)
+            topics.append(topic)
+        if world.graph is None:
+            ends = {node for one in world.connections.values() for node in (one.publisher, one.subscriber)}
+            for node in {node for one in outdated for node in (one.publisher, one.subscriber)} - ends:
+                self.vanish((EntityKind.NODE, node), now)
+        samples, silent = [*world.outdated_samples(now)], [*world.outdated_topics()]
+        for sampled in samples:
+            del world.sampled[sampled.id]
+        for topic in silent:
+            del world.topics[topic.name]
+        return [*outdated, *samples, *silent], topics
+
+    def gone_nodes(self) -> dict[EntityId, float]:
+        """Return the nodes that are gone, and since when."""
+        gone = self.vanished.items()
+        return {EntityId(kind, name): time for (kind, name), time in gone if kind is EntityKind.NODE}
+
     def _sampled(self, key: Key, now: float) -> bool:
         sampled = self._world.sampled_by(key)
         return sampled is not None and sampled.seen and sampled.fresh(now) and key[0] is EntityKind.HOST
@@ -73,3 +128,11 @@ class Existence:
     def _stale_host(self, key: Key, now: float) -> bool:
         sampled = self._world.sampled_by(key) if key[0] is EntityKind.HOST else None
         return sampled is not None and sampled.seen and not sampled.fresh(now)
+
+
+def named_by(event: Event) -> EntityId | None:
+    """Return what an event is about; None where it cannot be true."""
+    try:
+        return EntityId.parse(event.entity) if event.time - event.time == 0 else None
+    except ValueError:
+        return None

@@ -8,27 +8,23 @@ from itertools import chain
 
 from roslens.judge.reference.expectation import Reference
 from roslens.live.explain.explained import Explained
-from roslens.live.rate.existence import Existence
+from roslens.live.rate.checks import Checks
+from roslens.live.rate.existence import Existence, named_by
 from roslens.live.rate.glance import Glance, Glances
 from roslens.live.rate.hearing import Hearing
 from roslens.live.rate.lookout import Lookout
-from roslens.live.rate.plans import plan, required
-from roslens.live.standing.age_chain import AgeChains
-from roslens.live.standing.field_check import FieldChecks
+from roslens.live.rate.plans import plan, required, tolerance
 from roslens.live.standing.measured import Measured
-from roslens.live.standing.presence import Presences
 from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.standing.standing import Standing
-from roslens.live.standing.state_checks import StateChecks
 from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled, finite
 from roslens.live.system.tree import SystemView
 from roslens.live.system.world import World
 from roslens.live.window.clock_watch import ClockWatch, Course
-from roslens.live.window.host_clocks import USUAL_TOLERANCE_S
 from roslens.live.window.plausible_tally import plausible_tally
 from roslens.live.window.voice import Voice
-from roslens.model.entity import EntityId, EntityKind
+from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
 from roslens.model.traffic.sample import Sample
@@ -37,10 +33,8 @@ from roslens.model.traffic.tally_columns import TallyColumns, row_of, tally_of
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
-_CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
-_TIMES = frozenset({"latency", "latency_max", "age", "age_max"})
 _SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
 
 
@@ -62,17 +56,14 @@ class Monitor:
         self._held = self._settling = False
         self._rules = Rulebook(reference)
         self.reacts = bool(reference.reactions)
-        self._presences = Presences(self._rules, start)
-        self._existence = Existence(self._world, self._presences)
-        self._fields = FieldChecks(reference.field_checks, start)
-        self._chains = AgeChains(reference.chains, start)
-        self._states = StateChecks(reference.states, start)
-        self._explained = Explained(self._world, self._gone_nodes)
+        self._checks = Checks(self._rules, self._world, start)
+        self._existence = Existence(self._world, self._checks.presences)
+        self._explained = Explained(self._world, self._existence.gone_nodes)
         self._lookout = Lookout(self._world, self._existence, self._plan)
         self._hearing = Hearing(self._world, self._lookout, start)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
-        self._chains_due = self._sweep_due = start
+        self._sweep_due = start
         self._implausible = 0
         self._known: dict[str, Connection] = {}
         self.shed = 0
@@ -146,7 +137,7 @@ class Monitor:
                 return
         now = self._clock.now
         if connection is None:
-            connection = self._meet(kept, now)
+            connection = self._existence.meet(kept, now)
             if connection is None:
                 return
         if connection.add(kept, now, voice):
@@ -181,24 +172,20 @@ class Monitor:
             entity.planless = True
             self._lookout.wait(entity)
         self._existence.take_graph(graph, time, now)
-        self._states.take(graph, now)
+        self._checks.states.take(graph, now)
         self._explained.stale = True
 
     def add_event(self, event: Event) -> None:
         """Take a change of the graph: what appeared has grace, what vanished is gone at once."""
-        try:
-            entity = EntityId.parse(event.entity)
-        except ValueError:
-            self._implausible += 1
-            return
-        if event.time - event.time != 0:
+        entity = named_by(event)
+        if entity is None:
             self._implausible += 1
             return
         key = (entity.kind, entity.name)
         if event.change is Change.VANISHED:
             self._existence.vanish(key, event.time)
         elif event.change in (Change.APPEARED, Change.RESTARTED):
-            self._existence.appear(key, self._presences.existing.get(key, NOTHING_KNOWN))
+            self._existence.appear(key, self._checks.presences.existing.get(key, NOTHING_KNOWN))
             for one in self._world.concerned(entity):
                 one.appeared = max(one.appeared, min(event.time, self._clock.now + 1))
                 if isinstance(one, Connection) and one.publisher == entity.name:
@@ -211,7 +198,7 @@ class Monitor:
         """Take values of fields of the last message on a topic, by path."""
         if time - time == 0:
             known = self._world.topics.get(topic)
-            self._fields.add(topic, time, values, known.types if known is not None else ())
+            self._checks.fields.add(topic, time, values, known.types if known is not None else ())
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
@@ -229,8 +216,8 @@ class Monitor:
     def begin(self, time: float) -> None:
         """Let grace of what nobody saw yet count from ``time``: before, nobody could see it."""
         self._began = time
-        self._presences.look_again()
-        for one in self._entities():
+        self._checks.presences.look_again()
+        for one in self._world.entities():
             if not one.seen:
                 one.appeared = time
                 self._lookout.wait(one)
@@ -260,15 +247,12 @@ class Monitor:
         """
         rules = Rulebook(reference, self._rules)
         now = self._clock.now
-        before = self._asked()
         self._rules = rules
         self.reacts = bool(reference.reactions)
-        self._presences = self._existence.presences = Presences(rules, now, self._presences)
-        self._fields = FieldChecks(reference.field_checks, now, self._fields)
-        self._chains = AgeChains(reference.chains, now, self._chains)
-        self._states = StateChecks(reference.states, now, self._states)
-        self._retire(before - self._asked(), now)
-        for one in self._entities():
+        dropped = self._checks.replace(rules, now)
+        self._existence.presences = self._checks.presences
+        self._retire(dropped, now)
+        for one in self._world.entities():
             one.planless = True
             self._lookout.wait(one)
         self._lookout.wait_all(required(self._world, rules, now))
@@ -281,8 +265,7 @@ class Monitor:
         moved, self._moved = self._moved, []
         if turned := self._hearing.settle(now):
             moved += turned
-            self._presences.look_again()
-            self._states.look_again()
+            self._checks.look_again()
         moved += self._judge(now)
         changed = {one: None for one in moved if one.state.state is not one.reported}
         for one in changed:
@@ -301,19 +284,13 @@ class Monitor:
 
     def tolerance(self, tally: Tally) -> float:
         """Return how wrong times of a tally may be so that constraints on them can be judged: half of what is fine."""
-        connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
-        entities = filter(None, (connection, self._world.topics.get(tally.topic)))
-        highest = [
-            one.sentence.bounds.high for entity in entities for one in entity.judged if one.sentence.key in _TIMES
-        ]
-        return min(highest) / 2 if highest else USUAL_TOLERANCE_S
+        return tolerance(self._world, tally)
 
     def next_due(self, now: float) -> float:
         """Return when a tick could change something if nothing comes; infinity where only news can."""
         if self._moved or self._retired:
             return now
-        due = min(self._lookout.due, self._presences.due, self._fields.due, self._states.due)
-        return max(min(due, self._chains_due) if self._chains.standing else due, now)
+        return max(min(self._lookout.due, self._checks.due), now)
 
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
@@ -326,43 +303,13 @@ class Monitor:
         self._moved += self._lookout.look_again(self._clock.now, *turn)
         return self._glances.at(self._standing(), now, turn)
 
-    def _entities(self) -> Iterator[Measured]:
-        return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())
-
     def _standing(self) -> Iterator[Standing]:
         return chain(
-            self._presences.standing,
-            self._fields.standing,
-            self._chains.standing,
-            self._states.standing,
+            self._checks.standing,
             self._hearing.standing(),
             self._explained.faults,
-            chain.from_iterable(one.judged for one in self._entities()),
+            chain.from_iterable(one.judged for one in self._world.entities()),
         )
-
-    def _gone_nodes(self) -> dict[EntityId, float]:
-        gone = self._existence.vanished.items()
-        return {EntityId(kind, name): time for (kind, name), time in gone if kind is EntityKind.NODE}
-
-    def _meet(self, tally: Tally, now: float) -> Connection | None:
-        """Make room for a connection that is new, and for what is known by it alone."""
-        connection = self._world.connection(tally, now)
-        if connection is None:
-            return None
-        topic = self._world.topics[tally.topic]
-        if not topic.seen:
-            # Grace counts from when a topic is there, not from when somebody began to wait for it.
-            topic.appeared = now
-        topic.add(connection)
-        topic.planless = topic.planless or len(topic.connections) == 1
-        self._presences.appear((connection.id.kind, connection.id.name), self._world.facts(connection))
-        graph = self._world.graph
-        if graph is None or not topic.known:
-            self._presences.appear((EntityKind.TOPIC, topic.name), self._world.facts(topic))
-        if graph is None:
-            for node in filter(None, (tally.publisher, tally.subscriber)):
-                self._presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
-        return connection
 
     def _follow_clock(self, now: float) -> None:
         course = self._clock.tick(now)
@@ -375,16 +322,10 @@ class Monitor:
         elif self._lookout.suspended and not self._held:
             self._resume(now)
 
-    def _asked(self) -> set[Standing]:
-        """Return what the reference asks for by itself, not of what an entity was measured."""
-        every = (self._presences, self._fields, self._chains, self._states)
-        return {standing for part in every for standing in part.standing}
-
     def _traffic(self) -> Iterator[Standing]:
         return chain(
-            self._fields.standing,
-            self._chains.standing,
-            *(one.judged for one in self._entities() if not isinstance(one, Sampled)),
+            self._checks.traffic,
+            *(one.judged for one in self._world.entities() if not isinstance(one, Sampled)),
         )
 
     def _suspend(self, time: float) -> None:
@@ -401,13 +342,9 @@ class Monitor:
         """Begin anew: what came before the break says nothing of what comes now."""
         self._lookout.suspended = False
         self._began = time
-        self._fields.clear()
-        for one in self._entities():
-            if not isinstance(one, Sampled):
-                one.appeared = time
-            if isinstance(one, Connection):
-                one.clear(time)
-            one.due = time
+        self._checks.fields.clear()
+        for one in self._world.entities():
+            one.resume(time)
             self._lookout.wait(one)
         for standing in self._traffic():
             standing.forget(time, State.UNKNOWN)
@@ -418,10 +355,10 @@ class Monitor:
         self._suspend(time)
         self._began = time
         self._hearing.shift(time)
-        self._presences.look_again()
+        self._checks.jump(time)
         self._lookout.forget_due()
-        self._chains_due = self._sweep_due = time
-        for one in self._entities():
+        self._sweep_due = time
+        for one in self._world.entities():
             one.planned = one.due = float("inf")
             if isinstance(one, Sampled):
                 one.clear(time)
@@ -430,12 +367,8 @@ class Monitor:
     def _judge(self, now: float) -> list[Standing]:
         changed: list[Standing] = [*self._lookout.judge(now)]
         if not self._lookout.suspended:
-            changed += self._fields.judge(now, self._began)
-            if self._chains.standing and now >= self._chains_due:
-                changed += self._chains.judge(now, self._look, self._silence, self._began)
-                self._chains_due = now + _CHAINS_S
-        changed += self._states.judge(now, self._began, self._hearing.silent_of_graph)
-        changed += self._presences.judge(now, self._began, self._existence.vanished, self._hearing.waits_for)
+            changed += self._checks.judge_traffic(now, self._began)
+        changed += self._checks.judge_presence(now, self._began, self._existence.vanished, self._hearing)
         if now >= self._sweep_due:
             self._sweep_due = now + _SWEEP_S
             self._sweep(now)
@@ -456,42 +389,10 @@ class Monitor:
                 self._retired.append(one.verdict())
 
     def _sweep(self, now: float) -> None:
-        """Let go of what is gone for long, so that memory stays bounded."""
-        outdated = self._world.outdated(now)
-        for connection in outdated:
-            self._world.forget(connection)
+        """Let go of what is gone for long."""
+        gone, topics = self._existence.let_go(now)
+        if topics:
             self._known.clear()
-            self._existence.vanish((connection.id.kind, connection.id.name), now)
-            self._retire(connection.judged, now)
-            topic = self._world.topics[connection.topic]
-            if not (topic.known or topic.connections):
-                self._existence.vanish((EntityKind.TOPIC, topic.name), now)
-            self._lookout.wait_all((topic,))
-        if self._world.graph is None:
-            ends = {node for one in self._world.connections.values() for node in (one.publisher, one.subscriber)}
-            for node in {node for one in outdated for node in (one.publisher, one.subscriber)} - ends:
-                self._existence.vanish((EntityKind.NODE, node), now)
-        for sampled in self._world.outdated_samples(now):
-            del self._world.sampled[sampled.id]
-            self._retire(sampled.judged, now)
-        for topic in self._world.outdated_topics():
-            del self._world.topics[topic.name]
-            self._retire(topic.judged, now)
-
-    def _silence(self, topic_name: str) -> float:
-        """Return for how many seconds a topic has been silent for longer than is usual of it; 0 where it speaks."""
-        topic = self._world.topics.get(topic_name)
-        if topic is None:
-            return 0.0
-        for connection in topic.all_connections():
-            connection.settle(self._clock.now)
-        views = topic.views(0)
-        return min((window.quiet if window.silent else 0.0 for _, window in views), default=0.0)
-
-    def _look(self, topic_name: str, key: str) -> float | None:
-        topic = self._world.topics.get(topic_name)
-        if topic is None or topic.planless:
-            return None
-        for connection in topic.all_connections():
-            connection.settle(self._clock.now)
-        return topic.value(key, 0)[0]
+            self._lookout.wait_all(topics)
+        for one in gone:
+            self._retire(one.judged, now)

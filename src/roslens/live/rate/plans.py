@@ -11,9 +11,12 @@ from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
 from roslens.live.system.world import World
+from roslens.live.window.host_clocks import USUAL_TOLERANCE_S
 from roslens.live.window.window import MAX_BUCKETS, MAX_VALUES
 from roslens.model.entity import EntityKind
+from roslens.model.traffic.tally import Tally
 
+_TIMES = frozenset({"latency", "latency_max", "age", "age_max"})
 _SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
 
 
@@ -102,3 +105,11 @@ def _lengths(sentences: Iterable[ReadyConstraint]) -> set[float]:
 
 def _with(sentences: tuple[ReadyConstraint, ...], more: Iterable[ReadyConstraint]) -> tuple[ReadyConstraint, ...]:
     return tuple(sorted({*sentences, *more}, key=lambda one: one.told.id))
+
+
+def tolerance(world: World, tally: Tally) -> float:
+    """Return how wrong times of a tally may be so that constraints on them can be judged: half of what is fine."""
+    connection = world.connections.get((tally.topic, tally.publisher, tally.subscriber))
+    entities = filter(None, (connection, world.topics.get(tally.topic)))
+    highest = [one.sentence.bounds.high for entity in entities for one in entity.judged if one.sentence.key in _TIMES]
+    return min(highest) / 2 if highest else USUAL_TOLERANCE_S

@@ -127,6 +127,10 @@ class Measured:
         self.waiting = False
         self.calm = False
 
+    def resume(self, time: float) -> None:
+        """Be judged anew from ``time``: what came before says nothing of what comes now."""
+        self.appeared = self.due = time
+
     def adopt(self, sentences: Iterable[ReadyConstraint], now: float) -> list[Judged]:
         """Be judged by these constraints from now on; return those judged no more. Unchanged ones keep their state."""
         self.planless = False

@@ -141,6 +141,12 @@ class Connection(Measured):
                     window.stepped = False
                     self.appeared = now
 
+    def resume(self, time: float) -> None:
+        """Be judged anew from ``time``: what came before says nothing of what comes now."""
+        self.appeared = time
+        self.clear(time)
+        self.due = time
+
     def clear(self, now: float) -> None:
         """Forget all traffic, because time broke."""
         self.appeared = now

@@ -69,6 +69,10 @@ class Sampled(Measured):
             self._news = False
             self.noticed = now
 
+    def resume(self, time: float) -> None:
+        """Be judged again: what is sampled does not depend on the clock of messages."""
+        self.due = time
+
     def clear(self, now: float) -> None:
         """Forget all samples, because time broke."""
         self.appeared = now

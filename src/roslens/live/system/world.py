@@ -119,6 +119,10 @@ class World:
         """Return what is sampled of an entity, None where nothing is."""
         return self.sampled.get(EntityId(*key))
 
+    def entities(self) -> Iterator[Measured]:
+        """Yield everything with signals."""
+        return chain(self.topics.values(), self.connections.values(), self.sampled.values())
+
     def concerned(self, entity: EntityId) -> Iterator[Measured]:
         """Yield an entity and, of a node, the topics it publishes and their connections."""
         sampled = self.sampled.get(entity)

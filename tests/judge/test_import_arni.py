@@ -128,6 +128,22 @@ def test_of_two_ranges_the_last_holds_and_other_fields_stay():
     assert "the same is said at a.yaml:2:10" in entries[-1]
 
 
+@pytest.mark.parametrize("field", ["frequency", "node_cpu_usage_mean"])
+@pytest.mark.parametrize("pattern_first", [True, False])
+def test_a_pattern_that_contradicts_a_name_is_left_out(field: str, pattern_first: bool):
+    kind = "t" if field == "frequency" else "n"
+    items = [f"- {kind}!/*: {{{field}: [3, 4], {BESIDE[kind]}: [1, 2]}}", f"- {kind}!/a: {{{field}: [1, 2]}}"]
+    reference, entries = brought("\n".join(items if pattern_first else items[::-1]))
+    said = ranges(reference)
+    assert len(said) == 2
+    assert {name.split()[0] for name in said} == {"/*", "/a"}
+    (entry,) = [one for one in entries if "contradicts" in one]
+    assert (
+        f"{kind}!/* {field}: left out: it contradicts what is said of /a at a.yaml:{2 if pattern_first else 1}:"
+        in entry
+    )
+
+
 @pytest.mark.parametrize("text", ["", "5", "- - 5", "kind: reference"])
 def test_a_file_without_a_specification_is_refused_or_empty(text: str):
     if text in {"", "5"}:
@@ -148,6 +164,7 @@ def test_an_entry_reads_as_one_line():
     assert str(Entry("a:1:1", Outcome.IMPORTED, "x")) == "a:1:1: x: imported"
 
 
+BESIDE = {"t": "bandwidth", "n": "node_ramusage_mean"}
 NUMBERS = st.one_of(st.integers(-1000, 1000), st.floats(-1e6, 1e6)).map(str)
 LIMITS = st.one_of(
     NUMBERS,

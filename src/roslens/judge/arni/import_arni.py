@@ -17,6 +17,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.judge.arni.arni_clashes import GREATEST, clashes_of
 from roslens.judge.arni.arni_fields import FIELDS, ArniField, field_of
 from roslens.judge.arni.arni_ids import Selected, read_id
 from roslens.judge.arni.arni_limits import number_of, read_limits
@@ -83,7 +84,8 @@ def imported(tree: Tree, name: str, known: Mapping[str, Quantity]) -> tuple[str,
         work.module(module, items)
     slug = re.sub(r"[^a-z0-9_-]+", "-", name.lower()).strip("-_0123456789")[:60] or "imported"
     lines = ["kind: reference", f"name: {slug}", f"title: {_quoted(f'Imported from {Path(tree.shown).name}')}"]
-    lines += ["constraints:" if work.constraints else "constraints: []", *work.text()]
+    work.keep_together("\n".join([*lines, *work.text()]))
+    lines += work.text()
     if reactions := reactions_of(tree.root, work.tell):
         lines += ["reactions:", *reactions]
     return "\n".join(lines) + "\n", tuple(sorted(work.entries, key=lambda entry: work.order[entry.place]))
@@ -142,8 +144,24 @@ class _Import:
             for seuid, fields in item.nodes.items():
                 self._entity(name, seuid, fields, item.keys[seuid])
 
+    def keep_together(self, text: str) -> None:
+        """Leave out patterns that contradict something else; ``text`` is the reference with all constraints."""
+        clashes = clashes_of(text, self._known)
+        for at in sorted({clash.loser for clash in clashes}):
+            clash = next(one for one in clashes if one.loser == at)
+            loser, winner = self.constraints[at], self.constraints[clash.winner]
+            seuid = " ".join(value for _, value in winner.selected.lines)
+            del loser.lines[clash.key]
+            place = self._said[loser.selected.lines, clash.key, clash.percentile == GREATEST][1]
+            why = f"it contradicts what is said of {seuid} at {winner.place}, and ARNI ignored it, having no wildcards"
+            self.entries = [
+                Entry(place, Outcome.LEFT_OUT, one.what, why) if one.place == place else one for one in self.entries
+            ]
+        self.constraints = [one for one in self.constraints if one.lines]
+
     def text(self) -> Iterator[str]:
         """Yield the lines of the constraints."""
+        yield "constraints:" if self.constraints else "constraints: []"
         module = ""
         for constraint in self.constraints:
             if constraint.module != module:

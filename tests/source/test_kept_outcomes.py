@@ -25,8 +25,8 @@ RECORDED = Path(__file__).parents[1] / "fixtures" / "tool_output" / "cccc" / "re
 SAID = Outcome(measurements=(Measurement("file:a.cpp", "paper2016.loc", 3.0),))
 
 
-def measured(package: str, *failures: Failure) -> MeasuredPackage:
-    return MeasuredPackage(package, (), failures, {}, {})
+def measured(package: str, *, lost: bool = False) -> MeasuredPackage:
+    return MeasuredPackage(package, (), (), {}, {}, lost=lost)
 
 
 class Asked:
@@ -60,7 +60,7 @@ def test_they_are_asked_again_only_where_something_failed(tmp_path: Path, said: 
 def test_another_key_and_a_package_that_was_not_measured_are_asked_about(tmp_path: Path):
     asked = Asked()
     with Cache.open(tmp_path / "cache.sqlite") as cache:
-        KeptOutcomes(cache, {"arm": "k"}).of(measured("arm", Failure("metrics", "no")), asked)
+        KeptOutcomes(cache, {"arm": "k"}).of(measured("arm", lost=True), asked)
         KeptOutcomes(cache, {"arm": "k"}).of(measured("arm"), asked)
         KeptOutcomes(cache, {"arm": "another"}).of(measured("arm"), asked)
     assert asked.times == 3

@@ -19,8 +19,10 @@ COMMANDS = frozenset(
 
 SCHEMES = ("http", "https", "ssh", "file")
 
-ATTRIBUTES = "* -text -filter -ident -working-tree-encoding -diff -merge\n"
-"""For ``info/attributes``, which is above all that a repository brings: every file is written as git keeps it."""
+ATTRIBUTES = "* -text -filter -ident -working-tree-encoding !diff -merge\n"
+"""For ``info/attributes``, which is above all that a repository brings: every file is written as git keeps it, and none
+is compared by a program. ``-diff`` would do that, too, but git counts no lines of such a file: it takes it for binary.
+"""
 
 CONFIGURATION = frozenset(
     {

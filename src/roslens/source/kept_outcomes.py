@@ -42,7 +42,6 @@ class KeptOutcomes:
             return _decode(known[key])
         outcome = look(measured)
         # Of a package that could not be measured plug-ins were told nothing.
-        whole = not any(one.tool == "metrics" for one in measured.failures)
-        if whole and not outcome.failures and outcome != Outcome():
+        if not measured.lost and not outcome.failures and outcome != Outcome():
             self._cache.put({key: _encode(outcome)})
         return outcome

@@ -214,6 +214,7 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
     )
     seen: set[str] = set()
+    lost = False
     failures = (*run.workspace.failures, *run.inventory.failures)
     finisher = Finisher(
         run.settings,
@@ -237,7 +238,9 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
                 said += run.tools.outcome(measured)
             result = finisher.finish(measured, said)
             seen.update(rules_in(result))
-            writer.add(run.key_kept(run.units[measured.package]), result, brief=run.revision is not None)
+            key = run.key_kept(run.units[measured.package], lost=measured.lost)
+            lost = lost or measured.lost
+            writer.add(key, result, brief=run.revision is not None)
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
             if found.package.id not in fresh:
@@ -261,7 +264,8 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         whole = workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
         if run.past is not None:
             whole = with_process(whole, told)
-        header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
+        kept_as = run.key_kept(run.key, lost=lost)
+        header = msgspec.structs.replace(header, key=kept_as, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     if run.kept_runs is not None:
         store.prune(run.kept_runs)

@@ -81,6 +81,12 @@ class Run(msgspec.Struct, frozen=True):
     engine: str
     left_out: Mapping[str, frozenset[str]] = {}
 
-    def key_kept(self, key: str) -> str:
-        """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
-        return key_of(key, self.clock.epoch_s) if self.tools is not None and self.tools.has_failed else key
+    def key_kept(self, key: str, *, lost: bool = False) -> str:
+        """Return the key under which a result is kept: one of its own where it is tried again by the next run.
+
+        Args:
+            key: of all that shapes it.
+            lost: that a package could not be measured.
+        """
+        again = lost or (self.tools is not None and self.tools.has_failed)
+        return key_of(key, self.clock.epoch_s) if again else key

@@ -1,5 +1,6 @@
 """Work on a cluster of Dask, which is two processes of this machine."""
 
+import asyncio
 import os
 import socket
 import subprocess
@@ -10,6 +11,7 @@ import pytest
 
 from roslens.children.safe_path import safe_environment
 from roslens.model.errors import UsageError
+from roslens.source.engines import dask_engine
 from roslens.source.engines.dask_engine import DaskEngine, _reaches_workers, _Standing
 from roslens.source.engines.executor import InProcess, ProcessPool, executor_for
 from roslens.source.engines.task_limits import TaskLimits
@@ -71,6 +73,20 @@ def test_an_error_is_a_result_and_the_others_go_on(tmp_path):
         assert results == {"1": 1, "2": 2, "4": 4}
         with pytest.raises(UsageError, match='does not see "/nowhere"'):
             list(engine(local.scheduler_address, folder="/nowhere").run(int, ["1"]))
+
+
+def test_results_that_went_with_a_lost_cluster_are_made_here(tmp_path, monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    read = dask_engine._outcome
+    lost = iter([asyncio.CancelledError(), ConnectionError("gone")])
+    monkeypatch.setattr(dask_engine, "_outcome", lambda future: next(lost, None) or read(future))
+    free = TaskLimits(seconds=0, memory_bytes=0)
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0", protocol="tcp://", host="127.0.0.1"
+    ) as local:
+        found = DaskEngine(local.scheduler_address, rest=InProcess(), folder=str(tmp_path), limits=free)
+        assert dict(found.run(int, ["1", "2", "3", "4"])) == {"1": 1, "2": 2, "3": 3, "4": 4}
+        assert found.done_here == 2
 
 
 @pytest.mark.nightly

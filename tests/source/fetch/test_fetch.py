@@ -260,6 +260,27 @@ def test_nothing_that_a_repository_brings_runs_or_leads_out(server, here, capsys
     assert fetch("--update") == 0
 
 
+@pytest.mark.parametrize("before", [None, "* -text -filter -diff\n"], ids=["cloned", "of another version"])
+def test_git_counts_lines_of_what_was_fetched_and_compares_nothing_by_a_program(server, here, monkeypatch, before):
+    mark = here / "ran"
+    (here / "global").write_text(f'[diff "evil"]\n\ttextconv = touch {mark};cat\n\tcommand = touch {mark}\n')
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", str(here / "global"))
+    url = server.package("one")
+    server.commit("one", {".gitattributes": "*.txt diff=evil\n", "a.txt": "a\nb\n"})
+    given = repos(here, one=url)
+    assert fetch("--distribution", given, "--whole") == 0
+    if before:
+        (here / "ws/one/.git/info/attributes").write_text(before)
+        assert fetch("--distribution", given, "--whole") == 0
+    said = main(["check", "ws", "--process-metrics", "--fail-on", "never", "-q", "--format", "json", "-o", "run.json"])
+    assert said == 0
+    (found,) = json.loads((here / "run.json").read_text())["process"]
+    manifest = len((here / "ws/one/one/package.xml").read_text().splitlines())
+    assert found["metrics"]["churn"] == 3 + manifest
+    assert "\n+a\n" in server.git(here / "ws/one", "log", "-p")
+    assert not mark.exists()
+
+
 def test_a_folder_that_somebody_else_configured_is_not_fetched_into(server, here, capsys):
     given = repos(here, one=server.package("one"))
     assert fetch("--distribution", given) == 0

@@ -129,13 +129,12 @@ class DaskEngine:
             for future in finished:
                 if future.status in ("finished", "error"):
                     batch, outcome = under_way.pop(future), _outcome(future)
-                    if isinstance(outcome, _library().KilledWorker):
-                        # Dask blames all tasks that waited for a worker which died, and not only that which ended it.
-                        self._blamed.extend(batch)
-                    elif not isinstance(outcome, BaseException):
+                    if not isinstance(outcome, BaseException):
                         yield from zip(batch, outcome, strict=True)
-                    elif len(batch) == 1:
-                        yield batch[0], outcome
+                    elif len(batch) == 1 or isinstance(outcome, _library().KilledWorker):
+                        # No error of a task, which a batch catches: its result went with a cluster that was lost, or
+                        # cannot be sent. Of a worker that died Dask blames all tasks that waited for it.
+                        self._blamed.extend(batch)
                     else:
                         alone.update(map(id, batch))
                         left.extend(reversed(batch))

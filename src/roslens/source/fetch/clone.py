@@ -85,6 +85,7 @@ def update(git: GitRunner, request: Request, place: Path) -> Taken:
     """
     folder = str(place)
     refuse_strange(git, place, request.url)
+    own_attributes(place)
     if git.ask(folder, "diff-index", "--quiet", "HEAD") is None:
         raise GitError("files in it were changed; keep them elsewhere, and remove the folder")
     before = git.do(folder, "rev-parse", "HEAD").strip()
@@ -116,6 +117,18 @@ def refuse_strange(git: GitRunner, place: Path, url: str) -> None:
         raise GitError(
             f"the folder is there already, a clone of {pairs.get('remote.origin.url', 'nothing')}; remove it"
         )
+
+
+def own_attributes(place: Path) -> None:
+    """Have a clone that roslens made say of attributes what a new one says.
+
+    Raises:
+        OSError: they cannot be written.
+    """
+    written = place / ".git" / "info" / "attributes"
+    if not is_file(written) or read_bounded(written, _LONGEST_HEAD) != ATTRIBUTES.encode():
+        written.parent.mkdir(exist_ok=True)
+        written.write_text(ATTRIBUTES)
 
 
 def head_of(git: GitRunner, place: Path) -> str:
@@ -169,8 +182,7 @@ def _about_submodules(git: GitRunner, folder: str) -> tuple[str, ...]:
 def _begin(git: GitRunner, request: Request, part: Path) -> None:
     folder = str(part)
     git.do(folder, "init", "--quiet", "--template=")
-    (part / ".git" / "info").mkdir()
-    (part / ".git" / "info" / "attributes").write_text(ATTRIBUTES)
+    own_attributes(part)
     git.do(folder, "config", "remote.origin.url", request.url)
     git.do(folder, "config", "remote.origin.fetch", "+refs/heads/*:refs/remotes/origin/*")
 

@@ -12,7 +12,16 @@ import msgspec
 
 from roslens.intake.held_signals import held_signals
 from roslens.source.fetch.at import At, revision_at
-from roslens.source.fetch.clone import Request, clone, described, head_of, refuse_strange, still_there, update
+from roslens.source.fetch.clone import (
+    Request,
+    clone,
+    described,
+    head_of,
+    own_attributes,
+    refuse_strange,
+    still_there,
+    update,
+)
 from roslens.source.fetch.folder_name import is_folder_name
 from roslens.source.fetch.git_runner import GitError, GitRunner
 from roslens.source.fetch.journal import Journal, alone
@@ -168,6 +177,7 @@ def _had(
 def _kept(git: GitRunner, request: Request, place: Path, locked: Taken | None, options: FetchOptions) -> Taken:
     """Return what is there if it is what is wanted; what another request left is brought to this one."""
     refuse_strange(git, place, request.url)
+    own_attributes(place)
     head = head_of(git, place)
     if locked is not None:
         if head == locked.commit:

@@ -160,7 +160,7 @@ def _read(head: RepositoryHead) -> CommitLog:
 
 
 def _shaping_log(head: RepositoryHead) -> tuple[object, ...]:
-    return analyser_version(), head.head, head.is_partial, head.mailmap
+    return analyser_version(), head.head, head.is_partial, head.mailmap, head.attributes
 
 
 def _shaping(head: RepositoryHead) -> tuple[object, ...]:

@@ -27,6 +27,7 @@ class RepositoryHead(msgspec.Struct, frozen=True):
         is_partial: whether contents of files, or lists of them, may be missing.
         releases: all tags that name versions, whether behind the head or not.
         mailmap: hash of ``.mailmap``; empty for none.
+        attributes: hash of git's ``info/attributes``, which says what is text; empty for none.
     """
 
     top: str
@@ -35,6 +36,7 @@ class RepositoryHead(msgspec.Struct, frozen=True):
     is_partial: bool
     releases: tuple[Release, ...]
     mailmap: str
+    attributes: str = ""
 
 
 def tops_of(folders: Iterable[str]) -> list[str]:
@@ -64,7 +66,8 @@ def head_of(top: str) -> RepositoryHead:
         head = git_answer(top, "rev-parse", "--verify", "--quiet", "HEAD^{commit}").decode("ascii", "replace").strip()
     except HistoryError:
         head = ""
-    return RepositoryHead(top, head, shallow, _is_partial(top), tuple(_releases(top)), _mailmap(top))
+    mailmap, attributes = (_hash(Path(top, path)) for path in (".mailmap", ".git/info/attributes"))
+    return RepositoryHead(top, head, shallow, _is_partial(top), tuple(_releases(top)), mailmap, attributes)
 
 
 def _is_partial(top: str) -> bool:
@@ -88,7 +91,7 @@ def _releases(top: str) -> list[Release]:
     return found
 
 
-def _mailmap(top: str) -> str:
+def _hash(path: Path) -> str:
     with suppress(OSError):
-        return content_hash(read_bounded(Path(top, ".mailmap")))
+        return content_hash(read_bounded(path))
     return ""

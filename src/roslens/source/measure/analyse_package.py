@@ -39,7 +39,7 @@ _ADVICE = {
 class MeasuredPackage(msgspec.Struct, frozen=True):
     """What a worker gives back; ``analyses`` and programs are those that were not in the cache, encoded.
 
-    ``in_part`` says that not all of its sources were looked at.
+    ``in_part`` says that not all of its sources were looked at; ``lost`` that it could not be measured at all.
     """
 
     package: str
@@ -50,6 +50,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...] = ()
     in_part: bool = False
     includes: tuple[TellingInclude, ...] = ()
+    lost: bool = False
 
 
 def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -> MeasuredPackage:
@@ -83,7 +84,7 @@ def nothing_measured(task: PackageTask, error: BaseException) -> MeasuredPackage
         detail="".join(traceback.format_exception(error)),
     )
     entity = Entity(str(EntityId(EntityKind.PACKAGE, task.package.id)), EntityKind.PACKAGE, task.package.name)
-    return MeasuredPackage(task.package.id, (entity,), (failure,), {}, {})
+    return MeasuredPackage(task.package.id, (entity,), (failure,), {}, {}, lost=True)
 
 
 def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:

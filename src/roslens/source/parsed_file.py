@@ -61,7 +61,7 @@ class _ParsedCpp:
         from roslens.source.syntax.cpp import facts_of_cpp
         from roslens.source.syntax.query.cpp_query import Captures
 
-        captures = Captures(self._parsed.tree, kinds)
+        captures = Captures(self._parsed.source, self._parsed.tree, kinds)
         self._of_kinds = captures.of_kinds
         return facts_of_cpp(self._parsed, captures)
 

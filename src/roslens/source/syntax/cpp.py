@@ -81,7 +81,7 @@ def facts_of_cpp(parsed: CppTree, captures: Captures | None = None) -> FileFacts
         captures: of its tree, where they are there already.
     """
     content, source, tree = parsed.content, parsed.source, parsed.tree
-    captures = Captures(tree) if captures is None else captures
+    captures = Captures(source, tree) if captures is None else captures
     code, plain = parsed.code
     walk = Walk(source, code, captures)
     lines = LineMap(parsed.lines, squeezed_lines(code))

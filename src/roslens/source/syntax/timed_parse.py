@@ -14,7 +14,9 @@ from tree_sitter import Parser, Point, Tree
 from roslens.intake.held_signals import held_signals
 from roslens.intake.time_budget import is_spent, spent
 
-_PIECE = 1 << 16
+_PIECE = 1 << 10
+"""The first piece is all of the source; of this size are those that are asked for later, when a part of it is parsed
+again and for the text of each node, of which most are a word."""
 
 
 def timed_parse(parser: Parser, source: bytes, earlier: Tree | None = None) -> Tree:

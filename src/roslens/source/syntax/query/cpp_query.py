@@ -144,12 +144,12 @@ class Captures:
         of_kinds: the nodes of each type or shape that was asked for besides.
     """
 
-    def __init__(self, tree: Tree, kinds: frozenset[str] = frozenset()) -> None:
-        """Run the query over ``tree``, and in the same pass look for the nodes of some types that others ask for."""
+    def __init__(self, source: bytes, tree: Tree, kinds: frozenset[str] = frozenset()) -> None:
+        """Run the query over the ``tree`` of a source, and in the same pass look for the nodes that others ask for."""
         captured = QueryCursor(_query(kinds)).captures(tree.root_node)
         self.of_kinds = taken_from(captured, kinds)
 
-        if _EMPTY_BODY.search(tree.root_node.text or b""):
+        if _EMPTY_BODY.search(source):
             captured["perhaps_function"] = _with_values(tree)
         captured["class"] = [node for node in captured.get("class", ()) if node.child_by_field_name("body") is not None]
         _tell_functions(captured)

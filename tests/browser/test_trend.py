@@ -72,3 +72,17 @@ def test_pages_are_accessible_and_fit(visitor: Visitor, path: str, width: int) -
     page = visitor.open(path, viewport={"width": width, "height": 800})
     assert {name: found for name, found in page.evaluate(RULES).items() if found} == {}
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") == 0
+
+
+def test_a_curve_begins_where_the_text_does(visitor: Visitor) -> None:
+    page = visitor.open("/history/loc", viewport={"width": 1700, "height": 900})
+    curve, head = (page.locator(one).first.bounding_box() for one in (".plot > svg", "h1"))
+    assert curve
+    assert head
+    assert abs(curve["x"] - head["x"]) < 2
+
+
+def test_numbers_of_a_quantity_have_the_digits_that_it_needs(visitor: Visitor) -> None:
+    page = visitor.open("/history")
+    row = page.locator("tr", has=page.get_by_role("link", name="Lines of code", exact=True)).last
+    assert "." not in row.inner_text()

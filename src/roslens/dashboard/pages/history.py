@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.charts.figures import number
 from roslens.dashboard.charts.line_chart import LineChart, day, line_chart
 from roslens.dashboard.past import Past
 from roslens.dashboard.site import Site
@@ -119,11 +120,13 @@ def _keys(past: Past) -> Table:
         trend = past.trend(key)
         known = [one for one in trend.whole if one is not None]
         if known:
+            # Each row is of another quantity: what all its values need is what it is shown with.
+            digits = digits_of(trend)
             rows.append(
                 (
                     Cell(key, text=trend.title, ref=PageRef("trend", key), hint=key),
-                    Cell(known[0]),
-                    Cell(known[-1]),
+                    Cell(known[0], text=number(known[0], digits)),
+                    Cell(known[-1], text=number(known[-1], digits)),
                     Cell(WHOLE[trend.whole_is]),
                 )
             )

@@ -65,5 +65,6 @@ if (medium === "served" && document.querySelector("form[data-filters]")) {
     if (address !== here) replace(address, false);
   });
 }
-if (medium === "file") startSections(improve);
+// A page of one report is a file, too, and has no sections to choose from.
+if (medium === "file" && document.querySelector(".paged > section")) startSections(improve);
 else improve(document.querySelector("main"));

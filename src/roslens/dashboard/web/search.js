@@ -67,6 +67,7 @@ function item(match) {
 
 export function startSearch() {
   const form = document.querySelector("form.search");
+  if (!form) return;
   const input = form.querySelector("input");
   const list = make("ul", { class: "found", role: "listbox", id: "search-found", "aria-label": "Matches", hidden: true });
   form.append(list);

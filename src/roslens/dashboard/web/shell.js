@@ -45,7 +45,8 @@ function startHelp() {
     event.preventDefault();
     shown.showModal();
   };
-  document.querySelector('[data-do="help"]').addEventListener("click", open);
+  // Pages of one report, as a study or evidence, have the window and no link to it.
+  document.querySelector('[data-do="help"]')?.addEventListener("click", open);
   document.querySelector('[data-do="close-help"]').addEventListener("click", () => shown.close());
   shown.addEventListener("click", (event) => event.target === shown && shown.close());
   shown.addEventListener("keydown", (event) => event.key === "?" && shown.close());

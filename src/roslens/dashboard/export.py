@@ -114,6 +114,7 @@ def _refuse_foreign(target: Path, out: Path) -> None:
 def _write_pages(site: Site, folder: Path, progress: Progress, jobs: int) -> None:
     renderer = Renderer(site, "folder")
     refs = list(pages_of(site))
+    renderer.prepare(ref.page for ref in refs)
     run = site.run_facts()
 
     def write(ref: PageRef) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
+from types import CodeType
 
 import msgspec
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined
+from jinja2.bccache import Bucket
 from markupsafe import Markup
 
 import roslens
@@ -59,6 +61,27 @@ def shown_in_navigation(site: Site, name: str) -> bool:
     return bool(there.get(name, True))
 
 
+class _Compiled(BytecodeCache):
+    """Templates that this process has compiled, whichever environment asked for them."""
+
+    def __init__(self) -> None:
+        self._codes: dict[str, tuple[str, CodeType]] = {}
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        """Give a bucket its code, where its source is the same."""
+        checksum, code = self._codes.get(bucket.key, ("", None))
+        if checksum == bucket.checksum:
+            bucket.code = code
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        """Keep the code of a bucket."""
+        if bucket.code is not None:
+            self._codes[bucket.key] = (bucket.checksum, bucket.code)
+
+
+_COMPILED = _Compiled()
+
+
 class Renderer:
     """Renders the views of one site for one medium: served, folder or file."""
 
@@ -89,6 +112,12 @@ class Renderer:
             for name, word in NAVIGATION
             if shown_in_navigation(site, name)
         )
+
+    def prepare(self, pages: Iterable[str]) -> None:
+        """Compile what all pages share and the templates of ``pages``, so that copies of this process need not."""
+        shared = [name for name in self._environment.list_templates() if not name.startswith("pages/")]
+        for name in (*shared, *sorted({f"pages/{page}.html" for page in pages})):
+            self._environment.get_template(name)
 
     def page(self, view: View, links: Links, *, may: bool = False) -> str:
         """Return a whole page; ``may`` says whether who looks may change what is reviewed."""
@@ -121,6 +150,7 @@ def environment(medium: str, **known: object) -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         undefined=StrictUndefined,
+        bytecode_cache=_COMPILED,
     )
     made.filters["ticks"] = ticks
     made.globals.update(

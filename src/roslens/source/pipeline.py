@@ -85,7 +85,7 @@ def analyse(
         cache: what earlier runs learned of files.
         clock: when the run begins.
         base: the folder that relative plug-in and model paths start from.
-        jobs: worker processes; 0 means one per processor, 1 none.
+        jobs: worker processes; 0 means one per processor, or fewer where there is little to measure, 1 none.
         progress: who watches.
         log: where output of plug-ins and tracebacks go.
         programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
@@ -278,6 +278,10 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     )
 
 
+BYTES_A_WORKER = 500_000
+"""To start one more worker takes as long as to measure so many bytes: nobody waits for one that was not asked for."""
+
+
 def _measured(
     run: Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress, finishing: Finishing | None
 ) -> Iterator[MeasuredPackage | FinishedPackage]:
@@ -287,7 +291,8 @@ def _measured(
 
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))
-    executor = executor_for(run.jobs, run.engine, folder=run.workspace.root)
+    useful = 0 if run.jobs else 1 + sum(map(_bytes, tasks)) // BYTES_A_WORKER
+    executor = executor_for(run.jobs, run.engine, folder=run.workspace.root, useful=useful)
     remembered = run.revision.remembered if run.revision else None
     for task, result in measured_packages(executor, tasks, remembered, finishing):
         if isinstance(result, BaseException):

@@ -22,3 +22,8 @@ def test_a_task_that_kills_its_worker_loses_only_itself():
 def test_one_job_needs_no_process():
     assert isinstance(executor_for(1), InProcess)
     assert isinstance(executor_for(2), ProcessPool)
+
+
+def test_no_more_workers_are_started_than_are_of_use():
+    assert [executor_for(8, useful=useful).jobs for useful in (0, 1, 3, 20)] == [8, 1, 3, 8]
+    assert isinstance(executor_for(1, useful=3), InProcess)

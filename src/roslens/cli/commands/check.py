@@ -75,7 +75,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=None,
         help="do not exit with 3 for files of which only parts could not be parsed",
     )
-    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        metavar="N",
+        help="worker processes (default: one per processor, fewer where little is to do)",
+    )
     parser.add_argument(
         "--engine",
         metavar="WHERE",

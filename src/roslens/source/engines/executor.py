@@ -108,7 +108,7 @@ def _bounds(limits: TaskLimits) -> str:
     return f", which may take {limits.seconds:g} s and {limits.memory_bytes / 1e9:g} GB"
 
 
-def executor_for(jobs: int, engine: str = "", *, folder: str = "") -> Executor:
+def executor_for(jobs: int, engine: str = "", *, folder: str = "", useful: int = 0) -> Executor:
     """Return what runs tasks.
 
     Args:
@@ -116,6 +116,7 @@ def executor_for(jobs: int, engine: str = "", *, folder: str = "") -> Executor:
         engine: one of :data:`ENGINES`, the address of a scheduler (``tcp://…`` or ``tls://…``), or empty for what fits
             ``jobs``.
         folder: that workers of a cluster have to see, as this process does; empty for none.
+        useful: more worker processes than this are not worth starting; 0 for any number.
 
     Raises:
         UsageError: there is no such engine.
@@ -132,4 +133,4 @@ def executor_for(jobs: int, engine: str = "", *, folder: str = "") -> Executor:
         )
     if engine == "in-process" or (wanted == 1 and not engine):
         return InProcess()
-    return ProcessPool(wanted)
+    return ProcessPool(min(wanted, useful or wanted))

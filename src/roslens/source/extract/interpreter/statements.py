@@ -220,18 +220,19 @@ def _assign_item(engine: Context, target: Item, value: Value) -> None:
     ):
         # It may hold, or not: nobody knows what the name becomes.
         value = unknown(said(as_text(value), f" if {engine.state.conditions[-1]}"))
-    if isinstance(of, Remappings):
-        of[hashable(key)] = value
-    elif isinstance(of, dict) and (condition := is_open(engine)) and hashable(key) not in of:
-        of[hashable(key)] = Perhaps(value, condition, engine.state.frame.tests.get(condition))
-    elif isinstance(of, dict | list):
-        put_item(engine, of, key, value)
-    elif isinstance(of, Text) and isinstance(target.of, Name | Member):
-        assign(engine, target.of, with_sign(of, key, value))
-    elif isinstance(of, Obj) and of.type == "std.vector":
-        hold(engine, of, key, value)
-    elif isinstance(of, Obj) and of.type in XML_RPC:
-        put_part(engine, of, key, value)
+    match of:
+        case Remappings():
+            of[hashable(key)] = value
+        case dict() if (condition := is_open(engine)) and hashable(key) not in of:
+            of[hashable(key)] = Perhaps(value, condition, engine.state.frame.tests.get(condition))
+        case dict() | list():
+            put_item(engine, of, key, value)
+        case Text() if isinstance(target.of, Name | Member):
+            assign(engine, target.of, with_sign(of, key, value))
+        case Obj() if of.type == "std.vector":
+            hold(engine, of, key, value)
+        case Obj() if of.type in XML_RPC:
+            put_part(engine, of, key, value)
 
 
 def _assign_name(engine: Context, name: str, value: Value) -> None:

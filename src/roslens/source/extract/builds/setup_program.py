@@ -73,8 +73,8 @@ class Found:
 class _Expressions(Expressions):
     """Expressions of a setup.py: where they stand is remembered."""
 
-    def __init__(self, context: Context, found: Found) -> None:
-        super().__init__(context)
+    def __init__(self, ctx: Context, found: Found) -> None:
+        super().__init__(ctx)
         self._found = found
 
     def value(self, expression: Expression) -> Value:
@@ -85,7 +85,7 @@ class _Expressions(Expressions):
 
     def sequence(self, expression: Sequence) -> list[Value]:
         """Return a list."""
-        return spread_out(self.context, expression)
+        return spread_out(self.ctx, expression)
 
     def mapping(self, expression: Mapping) -> Table:
         """Return a dictionary; a key that is unknown keeps its place."""
@@ -114,8 +114,8 @@ class _Expressions(Expressions):
 class _Calls(Calls):
     """Calls in a setup.py."""
 
-    def __init__(self, context: Context, found: Found) -> None:
-        super().__init__(context)
+    def __init__(self, ctx: Context, found: Found) -> None:
+        super().__init__(ctx)
         self._script = found
 
     def outer(
@@ -154,7 +154,7 @@ class _Calls(Calls):
         """The files of the package that fit a pattern."""
         pattern = known_text(arguments[0]) if arguments else None
         if pattern is None:
-            return Unknown(f"the files of {self.context.index.lookups.text(expression)}")
+            return Unknown(f"the files of {self.ctx.index.lookups.text(expression)}")
         prefix = f"{self._script.folder}/" if self._script.folder else ""
         wanted = joined(self._script.folder, pattern.replace("**/", ""))
         found = sorted(matching(wanted, self._script.listing, frozenset(), deep="**" in pattern))
@@ -168,7 +168,7 @@ class _Calls(Calls):
         """Parts of a path joined."""
         parts = [known for one in arguments if (known := known_text(one)) is not None]
         if len(parts) < len(arguments) or not parts:
-            return Unknown(self.context.index.lookups.text(expression))
+            return Unknown(self.ctx.index.lookups.text(expression))
         return Text.of(join(*parts))
 
 

@@ -22,39 +22,39 @@ _SHARED = (list, dict)
 _TEXTS = ("std.string", "string", "std.string_view", "char")
 
 
-def bind(engine: Context, what: Function, arguments: list[Value], keywords: Names, frame: Frame) -> None:
+def bind(ctx: Context, what: Function, arguments: list[Value], keywords: Names, frame: Frame) -> None:
     """Put the parameters of a function into the frame of a call that begins."""
     declared, given, names = None, len(arguments), frame.names
     if given < len(what.parameters):
-        declared = engine.index.declaration(what, frame.path)
+        declared = ctx.index.declaration(what, frame.path)
     for place, parameter in enumerate(what.parameters):
         if parameter.name[:1] == "*":
             given = min(given, place)
             bind_rest(what, place, arguments, keywords, frame)
         elif place < given:
             value = arguments[place]
-            names[parameter.name] = engine.objects.typed(parameter.type, value) if isinstance(value, _TYPED) else value
+            names[parameter.name] = ctx.objects.typed(parameter.type, value) if isinstance(value, _TYPED) else value
         elif parameter.name in keywords:
             frame.names[parameter.name] = keywords[parameter.name]
         else:
             default = parameter.default
-            if not engine.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
+            if not ctx.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
                 # Whoever loads a component gives it options, whatever holds where nobody does.
                 frame.names[parameter.name] = options_from_outside()
                 continue
             if default is None and declared is not None and place < len(declared.parameters):
                 default = declared.parameters[place].default
-            outer, engine.state.frame = engine.state.frame, frame
+            outer, ctx.state.frame = ctx.state.frame, frame
             known = None if "**" in keywords else default
-            value = _not_given(engine, what, parameter) if known is None else engine.value(known)
-            engine.state.frame = outer
+            value = _not_given(ctx, what, parameter) if known is None else ctx.value(known)
+            ctx.state.frame = outer
             if isinstance(value, _SHARED):
                 # A default of Python is one object: what a call puts into it the next one finds there.
-                value = engine.state.once.setdefault((frame.path, what.line, place, id(what)), value)
+                value = ctx.state.once.setdefault((frame.path, what.line, place, id(what)), value)
             frame.names[parameter.name] = value
 
 
-def _not_given(engine: Context, what: Function, parameter: Parameter) -> Value:
+def _not_given(ctx: Context, what: Function, parameter: Parameter) -> Value:
     """Return what stands for an argument that nobody gives; what must be a node is the one that is built."""
     reason = f"parameter {parameter.name} of {what.name}()"
     name = type_name(parameter.type)[0]
@@ -63,14 +63,14 @@ def _not_given(engine: Context, what: Function, parameter: Parameter) -> Value:
     if name.endswith("NodeOptions"):
         return options_from_outside()
     if is_of_controller(what, parameter):
-        return Handle(engine.emitter.node, unknown(OfController()))
-    return Handle(engine.emitter.node) if name and _is_node(engine, name) else Unknown(reason)
+        return Handle(ctx.emitter.node, unknown(OfController()))
+    return Handle(ctx.emitter.node) if name and _is_node(ctx, name) else Unknown(reason)
 
 
-def _is_node(engine: Context, name: str) -> bool:
+def _is_node(ctx: Context, name: str) -> bool:
     """Whether a class by its name as written is a node."""
-    name = engine.state.frame.templates.get(name, name)
-    defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
+    name = ctx.state.frame.templates.get(name, name)
+    defined = ctx.index.class_of(name, ctx.state.frame.path, ctx.state.frame.scope)
     if defined is None:
-        return engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope) in NODE_BASES
-    return any(base in NODE_BASES for base in engine.index.outer_bases(defined))
+        return ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope) in NODE_BASES
+    return any(base in NODE_BASES for base in ctx.index.outer_bases(defined))

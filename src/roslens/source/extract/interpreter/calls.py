@@ -62,15 +62,15 @@ def _dotted(expression: Expression) -> str:
 class Calls:
     """Results of calls."""
 
-    __slots__ = ("context",)
+    __slots__ = ("ctx",)
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, ctx: Context) -> None:
         """Call in an evaluation."""
-        self.context = context
+        self.ctx = ctx
 
     def called(self, expression: Call) -> Value:
         """Return the result of a call."""
-        engine = self.context
+        ctx = self.ctx
         function = expression.function
         templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
         if isinstance(function, Member):
@@ -78,42 +78,42 @@ class Calls:
         name = function.name if isinstance(function, Name) else ""
         known = name in _KNOWN
         if known and name == "super" and not expression.arguments:
-            return engine.state.frame.self
+            return ctx.state.frame.self
         if (known and name in _BINDS) or name.endswith((".bind", ".partial")):
-            return bound([engine.value(one) for one in expression.arguments])
+            return bound([ctx.value(one) for one in expression.arguments])
         arguments, keywords = self._arguments(expression)
-        engine.state.at(expression)
+        ctx.state.at(expression)
         if known:
-            if name in _FROM_THIS and isinstance(engine.state.frame.self, Obj):
-                return engine.state.frame.self
+            if name in _FROM_THIS and isinstance(ctx.state.frame.self, Obj):
+                return ctx.state.frame.self
             if name in _POINTERS and templates:
                 kind, inside = type_name(templates[0])
-                return engine.objects.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
+                return ctx.objects.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
             if (name in _CASTS and arguments) or (name in OWNERS and owns_first(arguments)):
                 return arguments[0]
             if name in _TEXTS and arguments:
                 return text_made(name, arguments)
-        if name in engine.state.frame.names or not name:
-            return self._apply(engine.value(function), expression, arguments, keywords, templates)
+        if name in ctx.state.frame.names or not name:
+            return self._apply(ctx.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
 
     def _called_name(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
-        engine = self.context
-        thing = engine.state.frame.self
+        ctx = self.ctx
+        thing = ctx.state.frame.self
         if isinstance(thing, Obj) and "." not in name:
-            method = engine.named.methods(thing, name, len(arguments), arguments)
+            method = ctx.named.methods(thing, name, len(arguments), arguments)
             if method is not None:
-                return engine.call(method, arguments, keywords, expression.arguments, templates)
+                return ctx.call(method, arguments, keywords, expression.arguments, templates)
             if name in thing.fields:
                 return self._apply(thing.fields[name], expression, arguments, keywords, templates)
             if is_method(name):
                 called = self._call_of(expression, name, arguments, keywords, templates)
-                known = find_method(engine, thing, called)
+                known = find_method(ctx, thing, called)
                 if known is not None:
-                    return known(engine, thing, called)
-                guessed = self._guessed(thing, called) if not engine.index.functions_of(*self._place(name)) else None
+                    return known(ctx, thing, called)
+                guessed = self._guessed(thing, called) if not ctx.index.functions_of(*self._place(name)) else None
                 if guessed is not None:
                     return guessed
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
@@ -122,23 +122,23 @@ class Calls:
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
-        engine = self.context
-        thing = engine.state.frame.self
-        frame, lookups = engine.state.frame, engine.index.lookups
+        ctx = self.ctx
+        thing = ctx.state.frame.self
+        frame, lookups = ctx.state.frame, ctx.index.lookups
         of = thing.defined if isinstance(thing, Obj) else None
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = lookups.outside.get(key)
         if meant is None:
-            found = engine.named.function(name, key[-1], arguments) or engine.expressions.defined(name)
+            found = ctx.named.function(name, key[-1], arguments) or ctx.expressions.defined(name)
             if isinstance(found, Callable) and "." in name:
                 found = self._overload(found, name, arguments)
             place = (name, frame.path, frame.scope)
-            if isinstance(found, Class) and engine.index.alias(*place).endswith("*"):
+            if isinstance(found, Class) and ctx.index.alias(*place).endswith("*"):
                 return arguments[0] if arguments else None
             if isinstance(found, _FUNCTIONS):
                 return self._apply(found, expression, arguments, keywords, templates)
-            meant = engine.index.meaning(*place), engine.index.alias(*place)
-            if found is None and not engine.index.functions_of(*place):
+            meant = ctx.index.meaning(*place), ctx.index.alias(*place)
+            if found is None and not ctx.index.functions_of(*place):
                 lookups.outside[key] = meant
         meaning, alias = meant
         if "<" in alias and not templates:
@@ -146,16 +146,16 @@ class Calls:
             templates = tuple(self.template(one) for one in type_arguments(inside))
             beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
             for one in (beside, plain):
-                defined = engine.index.class_of(one, frame.path, frame.scope)
+                defined = ctx.index.class_of(one, frame.path, frame.scope)
                 if defined is not None:
-                    return engine.objects.construct(defined, arguments, keywords, templates)
+                    return ctx.objects.construct(defined, arguments, keywords, templates)
         return self.outer(meaning, expression, arguments, keywords, templates)
 
     def _overload(self, found: Callable, name: str, arguments: list[Value]) -> Callable:
         """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
-        engine = self.context
-        several = engine.index.functions_of(name, engine.state.frame.path, engine.state.frame.scope)
-        chosen = overload(engine.index, several, len(arguments), arguments) if len(several) > 1 else None
+        ctx = self.ctx
+        several = ctx.index.functions_of(name, ctx.state.frame.path, ctx.state.frame.scope)
+        chosen = overload(ctx.index, several, len(arguments), arguments) if len(several) > 1 else None
         if chosen is None or not isinstance(chosen.what, Function):
             return found
         return Callable(chosen.what, chosen.path, found.self, found.names, found.arguments)
@@ -164,48 +164,48 @@ class Calls:
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         """Return the result of calling something outside of the workspace."""
-        engine = self.context
+        ctx = self.ctx
         called = self._call_of(expression, name, arguments, keywords, templates)
-        known = find_outer(engine, name)
+        known = find_outer(ctx, name)
         if known is not None:
-            return known(engine, None, called)
+            return known(ctx, None, called)
         if is_owner(name) and owns_first(arguments):
             return arguments[0]
         for one in (*arguments, *keywords.values()):
-            engine.callbacks.give(one)
+            ctx.callbacks.give(one)
         self._may_set(expression, arguments, name)
         return Unknown(f"result of {name}()")
 
     def _may_set(self, expression: Call, arguments: list[Value], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
-        engine = self.context
+        ctx = self.ctx
         for written, value in zip(expression.arguments, arguments, strict=False):
             if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
                 continue
-            if engine.dialect.calls_set_arguments:
-                engine.assign(written, unknown(f"a text that {name}() may set"))
+            if ctx.dialect.calls_set_arguments:
+                ctx.assign(written, unknown(f"a text that {name}() may set"))
 
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
-        engine = self.context
-        called = Called(name, arguments, keywords, templates, (), engine.state.site)
-        known = find_outer(engine, name)
-        return known(engine, None, called) if known is not None else Obj(name)
+        ctx = self.ctx
+        called = Called(name, arguments, keywords, templates, (), ctx.state.site)
+        known = find_outer(ctx, name)
+        return known(ctx, None, called) if known is not None else Obj(name)
 
     def construct_outer(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> None:
         """Construct a base of an object that is outside of the workspace."""
-        engine = self.context
-        known = find_outer(engine, name)
+        ctx = self.ctx
+        known = find_outer(ctx, name)
         if known is not None:
-            known(engine, thing, Called(name, arguments, keywords, (), (), engine.state.site))
+            known(ctx, thing, Called(name, arguments, keywords, (), (), ctx.state.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:
-        engine = self.context
+        ctx = self.ctx
         name, on = function.name, function.of
         of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
-        of = engine.state.frame.self if of_super else engine.value(on)
+        of = ctx.state.frame.self if of_super else ctx.value(on)
         arguments, keywords = self._arguments(expression)
-        engine.state.at(expression)
+        ctx.state.at(expression)
         if type(of) is Unknown and not is_method(name):
             return self.plain_method(expression, function, of, arguments, keywords)
         if name in _FROM_THIS and isinstance(of, Obj):
@@ -220,16 +220,16 @@ class Calls:
             case Obj():
                 if of.ways:
                     return self._of_ways(of, expression, name, arguments, keywords, templates)
-                method = engine.named.methods(of, name, len(arguments) + len(keywords), arguments)
+                method = ctx.named.methods(of, name, len(arguments) + len(keywords), arguments)
                 if method is not None:
-                    return engine.call(method, arguments, keywords, expression.arguments, templates)
+                    return ctx.call(method, arguments, keywords, expression.arguments, templates)
                 if name in of.fields:
                     return self._apply(of.fields[name], expression, arguments, keywords, templates)
         called = self._call_of(expression, name, arguments, keywords, templates)
-        known = find_method(engine, of, called)
+        known = find_method(ctx, of, called)
         if known is not None:
-            found = known(engine, of, called)
-            return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
+            found = known(ctx, of, called)
+            return refine(ctx, function.of, of, found) if isinstance(of, QosValue) else found
         guessed = self._guessed(of, called) if isinstance(of, Obj) else None
         return guessed or self.plain_method(expression, function, of, arguments, keywords)
 
@@ -238,33 +238,33 @@ class Calls:
         templates: tuple[str, ...],
     ) -> Value:  # fmt: skip
         """Call a method of each object that it may be."""
-        engine = self.context
+        ctx = self.ctx
 
         def call(thing: Obj) -> Value:
-            method = engine.named.methods(thing, name, len(arguments) + len(keywords), arguments)
+            method = ctx.named.methods(thing, name, len(arguments) + len(keywords), arguments)
             if method is None:
                 return Unknown(f"result of {name}()")
-            return engine.call(method, arguments, keywords, expression.arguments, templates)
+            return ctx.call(method, arguments, keywords, expression.arguments, templates)
 
-        return each_way(engine, of, call)
+        return each_way(ctx, of, call)
 
     def plain_method(
         self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
     ) -> Value:
         """Call a method of a text, a list or a table, or of what is not known."""
-        engine = self.context
+        ctx = self.ctx
         name = function.name
-        change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
+        change = changed_by(ctx, function.of, of, name, arguments, keywords) if name in CHANGING else None
         if change is not None:
             return change[0]
-        if name in _ADDING and engine.state.changes.open and isinstance(of, list):
-            engine.state.changes.items(of)
+        if name in _ADDING and ctx.state.changes.open and isinstance(of, list):
+            ctx.state.changes.items(of)
         found = plain_method(of, name, arguments)
         if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)
         if arguments and isinstance(found, Unknown) and not isinstance(of, _LISTS):
             for one in arguments:
-                engine.callbacks.give(one)
+                ctx.callbacks.give(one)
         return found
 
     def _of_module(
@@ -272,16 +272,16 @@ class Calls:
         templates: tuple[str, ...],
     ) -> Value:  # fmt: skip
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
-        engine = self.context
+        ctx = self.ctx
         count = len(arguments) + len(keywords)
-        inside = engine.named.function(_dotted(function), count) or self._class_of_module(function)
+        inside = ctx.named.function(_dotted(function), count) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
         beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None
         if beside is not None:
             return self._of_class(beside, expression, function.name, arguments, keywords)
         templates = (*of.templates, *templates)
-        if find_outer(engine, f"{of.name}.{function.name}") is None:
+        if find_outer(ctx, f"{of.name}.{function.name}") is None:
             called = self._call_of(expression, function.name, arguments, keywords, templates)
             guessed = self._guessed(of, called)
             if guessed is not None:
@@ -290,103 +290,103 @@ class Calls:
 
     def _guessed(self, of: Value, called: Called) -> Value:
         """Return what a method makes that is known by its name alone; None where it is not."""
-        engine = self.context
-        word = guessed_method(engine, of, called)
-        return None if word is None else word(engine, Unknown("an object of a class outside of the workspace"), called)
+        ctx = self.ctx
+        word = guessed_method(ctx, of, called)
+        return None if word is None else word(ctx, Unknown("an object of a class outside of the workspace"), called)
 
     def _place(self, name: str) -> tuple[str, str, str]:
-        engine = self.context
-        return name, engine.state.frame.path, engine.state.frame.scope
+        ctx = self.ctx
+        return name, ctx.state.frame.path, ctx.state.frame.scope
 
     def _class_of_module(self, function: Member) -> Class | None:
-        engine = self.context
-        frame, name = engine.state.frame, _dotted(function)
-        if not name or not engine.dialect.classes_in_modules:
+        ctx = self.ctx
+        frame, name = ctx.state.frame, _dotted(function)
+        if not name or not ctx.dialect.classes_in_modules:
             return None
-        found = engine.index.class_of(name, frame.path, frame.scope)
+        found = ctx.index.class_of(name, frame.path, frame.scope)
         return None if found is None else Class(found)
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a method of the next class after the one that is evaluated."""
-        engine = self.context
+        ctx = self.ctx
         if thing.defined is None:
             return Unknown(f"{name} of a base")
-        chain = engine.index.chain(thing.defined)
-        here = engine.state.frame.scope.rpartition(".")[0]
+        chain = ctx.index.chain(thing.defined)
+        here = ctx.state.frame.scope.rpartition(".")[0]
         places = [
             place
             for place, one in enumerate(chain)
-            if one.what.qualified_name == here and one.path in (engine.state.frame.path, chain[place].path)
+            if one.what.qualified_name == here and one.path in (ctx.state.frame.path, chain[place].path)
         ]
         rest = chain[places[0] + 1 :] if places else chain[1:]
         if name == "__init__":
             if rest:
-                engine.objects.construct_as(thing, rest[0], arguments, keywords)
+                ctx.objects.construct_as(thing, rest[0], arguments, keywords)
             else:
-                engine.objects.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
+                ctx.objects.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
             return None
         for one in rest:
-            found = engine.index.methods(one, name)
+            found = ctx.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
-                return engine.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
-        called = Called(name, arguments, keywords, (), (), engine.state.site)
-        known = find_method(engine, thing, called)
-        return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
+                return ctx.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
+        called = Called(name, arguments, keywords, (), (), ctx.state.site)
+        known = find_method(ctx, thing, called)
+        return known(ctx, thing, called) if known is not None else Unknown(f"{name} of a base")
 
     def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Value], keywords: Names) -> Value:
         """Call a function of a class: of a base with the object, or a static one."""
-        engine = self.context
-        found = engine.index.methods(of.defined, name)
+        ctx = self.ctx
+        found = ctx.index.methods(of.defined, name)
         if name == "__init__" and arguments and isinstance(arguments[0], Obj):
-            engine.objects.construct_as(arguments[0], of.defined, arguments[1:], keywords)
+            ctx.objects.construct_as(arguments[0], of.defined, arguments[1:], keywords)
             return None
         if found and isinstance(found[0].what, Function):
             what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
-            if arguments and _takes_object(what) and engine.index.programs[path].dialect.methods_take_objects:
+            if arguments and _takes_object(what) and ctx.index.programs[path].dialect.methods_take_objects:
                 # What the class is asked for gets the object as its first argument, which parameters leave out.
                 thing, arguments, given = arguments[0], arguments[1:], given[1:]
-            return engine.call(Callable(what, path, thing), arguments, keywords, given)
+            return ctx.call(Callable(what, path, thing), arguments, keywords, given)
         return Unknown(f"result of {name}()")
 
     def _apply(
         self, of: Value, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
-        engine = self.context
+        ctx = self.ctx
         match of:
             case Callable():
-                return engine.call(of, arguments, keywords, expression.arguments, templates)
+                return ctx.call(of, arguments, keywords, expression.arguments, templates)
             case Class():
-                return engine.objects.construct(of.defined, arguments, keywords, templates)
+                return ctx.objects.construct(of.defined, arguments, keywords, templates)
             case Named():
                 return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
             case Unknown():
                 return of
-        return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
+        return Unknown(f"result of {ctx.index.lookups.text(expression.function)}()")
 
     def _arguments(self, expression: Call) -> tuple[list[Value], Names]:
-        value = self.context.value
+        value = self.ctx.value
         if not expression.keywords:
             return [value(one) for one in expression.arguments], {}
         keywords = {name: value(one) for name, one in expression.keywords if name[0] != "*"}
         if len(keywords) < len(expression.keywords):
-            return spread(self.context, expression)
+            return spread(self.ctx, expression)
         return [value(one) for one in expression.arguments], keywords
 
     def _call_of(
         self, expression: Call, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Called:
-        engine = self.context
-        place = Evidence(engine.state.frame.path, expression.line, expression.column)
+        ctx = self.ctx
+        place = Evidence(ctx.state.frame.path, expression.line, expression.column)
         return Called(name, arguments, keywords, templates, expression.arguments, place)
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
-        engine = self.context
-        bound = engine.state.frame.templates
+        ctx = self.ctx
+        bound = ctx.state.frame.templates
         if bound:
             written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)
-        whole = engine.index.alias(dotted(written), engine.state.frame.path, engine.state.frame.scope)
+        whole = ctx.index.alias(dotted(written), ctx.state.frame.path, ctx.state.frame.scope)
         if "<" in whole and "<" not in written:
             return whole
-        meaning = engine.index.meaning(dotted(written), engine.state.frame.path, engine.state.frame.scope)
+        meaning = ctx.index.meaning(dotted(written), ctx.state.frame.path, ctx.state.frame.scope)
         return meaning.replace(".", "::") if "<" not in written and meaning != dotted(written) else written

@@ -60,16 +60,16 @@ _PACKAGE_NAME = "ROS_PACKAGE_NAME"
 class Expressions:
     """Values of expressions."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, ctx: Context) -> None:
         """Evaluate them in an evaluation of which the part for calls is there."""
-        self.context = context
-        self._state, self._budget = context.state, context.budget
+        self.ctx = ctx
+        self._state, self._budget = ctx.state, ctx.budget
         self._kinds: dict[type[Any], Function1[[Any], Value]] = {
             Literal: self.literal,
             Name: self.name,
             Member: self.member,
             Item: self.item,
-            Call: context.calls.called,
+            Call: ctx.calls.called,
             Operation: self.operation,
             Sequence: self.sequence,
             Mapping: self.mapping,
@@ -94,8 +94,8 @@ class Expressions:
 
     def name(self, expression: Name) -> Value:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
-        engine = self.context
-        frame, name = engine.state.frame, expression.name
+        ctx = self.ctx
+        frame, name = ctx.state.frame, expression.name
         if name in frame.names:
             return frame.names[name]
         if name in frame.aliases:
@@ -105,35 +105,35 @@ class Expressions:
             return thing if thing is not None else Unknown("self")
         if isinstance(thing, Obj) and name in thing.fields:
             return thing.fields[name]
-        if engine.state.globals:
-            whole = engine.index.global_name(name, frame.path, frame.scope)
-            if whole in engine.state.globals:
-                return engine.state.globals[whole]
+        if ctx.state.globals:
+            whole = ctx.index.global_name(name, frame.path, frame.scope)
+            if whole in ctx.state.globals:
+                return ctx.state.globals[whole]
         found = self.defined(name)
         if found is not None:
             return found
-        return self.outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+        return self.outside(ctx.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
 
     def outside(self, name: str) -> Value:
         """Return what a name means that is not of the workspace."""
-        engine = self.context
+        ctx = self.ctx
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
-            return Text.of(engine.index.package(engine.state.frame.path))
+            return Text.of(ctx.index.package(ctx.state.frame.path))
         if name == "cls":
-            return class_of_scope(engine)
-        return engine.given.words if name == "sys.argv" and engine.given.words is not None else Named(name)
+            return class_of_scope(ctx)
+        return ctx.given.words if name == "sys.argv" and ctx.given.words is not None else Named(name)
 
     def defined(self, name: str) -> Value:
         """Return what the workspace defines under a name; None where it does not."""
-        engine = self.context
-        frame = engine.state.frame
+        ctx = self.ctx
+        frame = ctx.state.frame
         of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
-        known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
+        known, key = ctx.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
         found = known.get(key)
         if found is None:
-            found = _defined(engine, of, name)
-            if found[0] not in ("function", "") or len(engine.index.functions_of(name, frame.path, frame.scope)) < 2:
+            found = _defined(ctx, of, name)
+            if found[0] not in ("function", "") or len(ctx.index.functions_of(name, frame.path, frame.scope)) < 2:
                 # Which of several functions is meant depends on the program.
                 known[key] = found
         kind, one, other = found
@@ -146,24 +146,24 @@ class Expressions:
         return Callable(one, other) if kind == "function" else None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Value:
-        engine = self.context
+        ctx = self.ctx
         path, expression = found
-        if (path, name) in engine.state.constants:
-            return engine.state.constants[path, name]
-        engine.state.constants[path, name] = Unknown(f"the constant {name}")
-        runs = engine.index.programs[path].dialect.modules_run
-        of_module = module_value(engine, path, name.rpartition(".")[2], expression) if runs else None
+        if (path, name) in ctx.state.constants:
+            return ctx.state.constants[path, name]
+        ctx.state.constants[path, name] = Unknown(f"the constant {name}")
+        runs = ctx.index.programs[path].dialect.modules_run
+        of_module = module_value(ctx, path, name.rpartition(".")[2], expression) if runs else None
         if of_module is not None:
-            engine.state.constants[path, name] = of_module[0]
+            ctx.state.constants[path, name] = of_module[0]
             return of_module[0]
         of_class = runs and "." in name
-        outer, engine.state.frame = engine.state.frame, Frame(path, name.rpartition(".")[0])
+        outer, ctx.state.frame = ctx.state.frame, Frame(path, name.rpartition(".")[0])
         try:
             value = self.value(expression)
         finally:
-            engine.state.frame = outer
-        engine.state.constants[path, name] = read_first(engine, name, value) if of_class else value
-        return engine.state.constants[path, name]
+            ctx.state.frame = outer
+        ctx.state.constants[path, name] = read_first(ctx, name, value) if of_class else value
+        return ctx.state.constants[path, name]
 
     def member(self, expression: Member) -> Value:
         """Return a member of an object."""
@@ -172,17 +172,17 @@ class Expressions:
 
     def member_of(self, of: Value, name: str) -> Value:
         """Return a member of a value by name."""
-        engine = self.context
+        ctx = self.ctx
         match of:
             case Obj():
                 return self._member_of_object(of, name)
             case Named():
                 return self.outside(f"{of.name}.{name}")
             case Class():
-                constant = engine.index.member(of.defined, name)
+                constant = ctx.index.member(of.defined, name)
                 if constant is not None:
                     return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
-                found = engine.index.methods(of.defined, name)
+                found = ctx.index.methods(of.defined, name)
                 if found and isinstance(found[0].what, Function):
                     return Callable(found[0].what, found[0].path)
         if isinstance(of, Text) and name in SAME:
@@ -190,58 +190,58 @@ class Expressions:
         return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
 
     def _member_of_object(self, of: Obj, name: str) -> Value:
-        engine = self.context
+        ctx = self.ctx
         if name in of.fields:
             return of.fields[name]
         if name == "__class__" and of.defined is not None:
             return Class(of.defined)
-        method = engine.named.method(of, name)
+        method = ctx.named.method(of, name)
         if method is not None:
             if any(getattr(one, "name", "") == "property" for one in method.function.decorators):
-                return engine.call(method, [], {})
+                return ctx.call(method, [], {})
             return method
-        for one in engine.index.chain(of.defined) if of.defined is not None else ():
-            constant = engine.index.member(one, name)
+        for one in ctx.index.chain(of.defined) if of.defined is not None else ():
+            constant = ctx.index.member(one, name)
             if constant is not None:
                 return self._constant(f"{one.what.qualified_name}.{name}", constant)
         return Unknown(f"{name} of a {of.type}")
 
     def item(self, expression: Item) -> Value:
         """Return an item."""
-        engine = self.context
+        ctx = self.ctx
         of = self.value(expression.of)
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
         key = self.value(expression.key)
         match of:
             case dict():
-                found = of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
+                found = of.get(hashable(key), Unknown(f"an item of {ctx.index.lookups.text(expression.of)}"))
                 return found.value if type(found) is Perhaps else found
             case list() if isinstance(key, int) and -len(of) <= key < len(of):
                 known = of.has(key) if isinstance(of, Words) else is_counted(of)
-                return of[key] if known else opened(self.context, expression)
+                return of[key] if known else opened(self.ctx, expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
         if isinstance(of, Text) and key == 0 and of.head:
             return Text.of(of.head[:1])
-        return of if isinstance(of, Unknown) else opened(self.context, expression)
+        return of if isinstance(of, Unknown) else opened(self.ctx, expression)
 
     def operation(self, expression: Operation) -> Value:
         """Return the result of an operator."""
-        engine = self.context
+        ctx = self.ctx
         operator = expression.operator
         if operator in ("and", "or"):
-            return decided(self.context, expression)
+            return decided(self.ctx, expression)
         if operator == "?:":
             decides = self.value(expression.operands[0])
-            holds = engine.truth(decides)
+            holds = ctx.truth(decides)
             if holds is not None:
                 return self.value(expression.operands[1 if holds else 2])
             return self.either(expression, decides)
         if operator == "=":
             value = self.value(expression.operands[1])
-            engine.assign(expression.operands[0], value)
+            ctx.assign(expression.operands[0], value)
             return value
         values = [self.value(one) for one in expression.operands]
         if operator == "<<" and isinstance(values[0], Obj) and HELD in values[0].fields:
@@ -252,20 +252,20 @@ class Expressions:
                 whole = self.sum(whole, one)
             return whole
         if operator == "not" and values:
-            holds = engine.truth(values[0])
+            holds = ctx.truth(values[0])
             if holds is not None:
                 return not holds
             test = test_of(values[0])
-            return opened(self.context, expression, None if test is None else negated(test))
+            return opened(self.ctx, expression, None if test is None else negated(test))
         return self.computed(operator, values, expression)
 
     def either(self, expression: Operation, decides: Value) -> Value:
         """Return one of two values, or what is known of both."""
-        return chosen(self.context, expression, decides)
+        return chosen(self.ctx, expression, decides)
 
     def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
         """Return what an operator makes of values."""
-        return computed(self.context, operator, values, expression)
+        return computed(self.ctx, operator, values, expression)
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
@@ -299,10 +299,10 @@ class Expressions:
 
     def closure(self, expression: Lambda) -> Value:
         """Return a function without name."""
-        engine = self.context
-        frame = engine.state.frame
-        program = engine.index.programs[frame.path]
-        names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names
+        ctx = self.ctx
+        frame = ctx.state.frame
+        program = ctx.index.programs[frame.path]
+        names = names_around(ctx, expression) if expression.holds or frame.aliases else frame.names
         return Callable(program.functions[expression.function], frame.path, frame.self, names)
 
     def opaque(self, expression: Opaque) -> Unknown:
@@ -331,11 +331,11 @@ class Expressions:
         return list(value) if isinstance(value, dict) else None
 
 
-def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
+def _defined(ctx: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
     """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
-    frame, index = engine.state.frame, engine.index
+    frame, index = ctx.state.frame, ctx.index
     if of is not None:
-        method = engine.named.method_of(of, name)
+        method = ctx.named.method_of(of, name)
         if method is not None:
             return "method", *method
         for one in index.chain(of):
@@ -351,7 +351,7 @@ def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, 
     if found is not None:
         return "class", found, None
     functions = index.functions_of(name, frame.path, frame.scope)
-    chosen = known_function(index, functions, (frame.path, engine.emitter.first.path))
+    chosen = known_function(index, functions, (frame.path, ctx.emitter.first.path))
     if chosen is not None and isinstance(chosen.what, Function):
         return "function", chosen.what, chosen.path
     return "", None, None

@@ -28,11 +28,11 @@ _SHARING = ("&", "*")
 class Functions:
     """Results of functions of the workspace."""
 
-    __slots__ = ("context",)
+    __slots__ = ("ctx",)
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, ctx: Context) -> None:
         """Call functions in an evaluation."""
-        self.context = context
+        self.ctx = ctx
 
     def call(
         self,
@@ -45,15 +45,15 @@ class Functions:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
         if function.function.name not in MAKE:
             return self._call(function, arguments, keywords, written, templates)
-        context = self.context
-        site, before = context.state.site, {id(one): len(one.endpoints) for one in context.emitter.nodes}
+        ctx = self.ctx
+        site, before = ctx.state.site, {id(one): len(one.endpoints) for one in ctx.emitter.nodes}
         result = self._call(function, arguments, keywords, written, templates)
         makes = False
-        for one in context.emitter.nodes:
+        for one in ctx.emitter.nodes:
             for place in range(before.get(id(one), 0), len(one.endpoints)):
                 one.endpoints[place] = led_to(one.endpoints[place], site)
                 makes = True
-        context.callbacks.reached.pass_on((site.path, site.line), makes=makes)
+        ctx.callbacks.reached.pass_on((site.path, site.line), makes=makes)
         return result
 
     def _call(
@@ -64,22 +64,22 @@ class Functions:
         written: tuple[Expression, ...],
         templates: tuple[str, ...],
     ) -> Value:
-        context, what = self.context, function.function
-        state, key = context.state, (function.path, what.line)
-        stack = context.stack.keys
-        if key in stack or len(stack) >= context.budget.depth:
+        ctx, what = self.ctx, function.function
+        state, key = ctx.state, (function.path, what.line)
+        stack = ctx.stack.keys
+        if key in stack or len(stack) >= ctx.budget.depth:
             if key in stack:
-                context.summaries.cuts.add(key)
+                ctx.summaries.cuts.add(key)
             return Unknown(f"result of {what.name}()")
-        context.callbacks.reached.add(key)
-        if not what.body and not what.initialisers and context.index.programs[function.path].dialect.declared_apart:
-            lose_unseen(context, function, written)
+        ctx.callbacks.reached.add(key)
+        if not what.body and not what.initialisers and ctx.index.programs[function.path].dialect.declared_apart:
+            lose_unseen(ctx, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
-        if what.decorators and (made := decorated(context, function)) is not function:
+        if what.decorators and (made := decorated(ctx, function)) is not function:
             return self.call(made, arguments, keywords, written) if isinstance(made, Callable) else made
         arguments = [*function.arguments, *arguments]
         plain = not keywords and not function.names
-        done = context.summaries.known(key, function.self, (arguments, templates), stack) if plain else None
+        done = ctx.summaries.known(key, function.self, (arguments, templates), stack) if plain else None
         if done is None:
             frame = self._followed(function, arguments, keywords, written, templates)
             result, names = frame.outcome(), frame.names
@@ -92,15 +92,15 @@ class Functions:
                 function.self.fields.update(done.fields)
         for parameter, expression in zip(what.parameters, written, strict=False):
             if parameter.type.endswith(_SHARING) and "const" not in parameter.type.split() and parameter.name:
-                self._given_back(parameter, expression, newest(context, names.get(parameter.name)))
+                self._given_back(parameter, expression, newest(ctx, names.get(parameter.name)))
         if state.changes.refined:
-            changed_by_call(context)
+            changed_by_call(ctx)
         return result
 
     def _given_back(self, parameter: Parameter, written: Expression, value: Value) -> None:
         # A pointer to anything else is the same object, or may point elsewhere by now.
         if parameter.type[-1] == "&" or isinstance(value, QosValue):
-            self.context.assign(written, value)
+            self.ctx.assign(written, value)
 
     def _followed(
         self,
@@ -111,12 +111,12 @@ class Functions:
         templates: tuple[str, ...],
     ) -> Frame:
         """Evaluate the body of a function; return its names and what it returned."""
-        context, what, thing = self.context, function.function, function.self
-        state, summaries = context.state, context.summaries
+        ctx, what, thing = self.ctx, function.function, function.self
+        state, summaries = ctx.state, ctx.summaries
         outer = state.frame
         key = (function.path, what.line)
         names = function.names
-        names = names_now(context, names) if type(names) is Around else dict(names or {})
+        names = names_now(ctx, names) if type(names) is Around else dict(names or {})
         frame = state.frame_of(function.path, what.qualified_name, thing, names)
         if isinstance(thing, Obj):
             frame.templates.update(thing.templates_of(what.class_name))
@@ -124,36 +124,31 @@ class Functions:
             frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(state.conditions)
         site = state.site
-        bind(context, what, arguments, keywords, frame)
+        bind(ctx, what, arguments, keywords, frame)
         around, summaries.cuts = summaries.cuts, set()
-        steps, touched = context.budget.steps, summaries.touched
+        steps, touched = ctx.budget.steps, summaries.touched
         before = dict(thing.fields) if isinstance(thing, Obj) else {}
-        context.stack.enter(key, site, what, written)
+        ctx.stack.enter(key, site, what, written)
         state.frame = frame
         try:
             for statement in what.initialisers:
-                initialise(context, statement)
+                initialise(ctx, statement)
             if what.sets:
                 lose(thing, what, frame.names)
-            context.block(what.body)
+            ctx.block(what.body)
         finally:
             state.frame = outer
-            context.stack.leave()
+            ctx.stack.leave()
         if what.name == "lambda":
-            set_around(context, function, frame)
+            set_around(ctx, function, frame)
         if frame.left and isinstance(thing, Obj):
             for fields, condition in frame.left:
                 join(thing.fields, fields, condition)
         summaries.cuts.discard(key)
-        if (
-            context.budget.steps - steps > HEAVY
-            and summaries.touched == touched
-            and not keywords
-            and not function.names
-        ):
+        if ctx.budget.steps - steps > HEAVY and summaries.touched == touched and not keywords and not function.names:
             given = (arguments, templates)
             summaries.keep(
-                key, Summary(what, thing, given, len(context.stack.keys), frame, before, summaries.cuts, state.site)
+                key, Summary(what, thing, given, len(ctx.stack.keys), frame, before, summaries.cuts, state.site)
             )
         around |= summaries.cuts
         summaries.cuts = around
@@ -172,5 +167,5 @@ class Functions:
         """Return how many of a function's template parameters are those of its class."""
         if not function.function.class_name:
             return 0
-        found = self.context.index.class_of(function.function.class_name, function.path, "")
+        found = self.ctx.index.class_of(function.function.class_name, function.path, "")
         return len(getattr(found.what, "templates", ())) if found is not None else 0

@@ -42,123 +42,123 @@ MOST_COUNTED = 16
 """So many turns of a loop that counts are followed one by one."""
 
 
-def left(engine: Context, statement: Leave) -> None:
+def left(ctx: Context, statement: Leave) -> None:
     """Leave a loop, or a turn of it."""
-    frame = engine.state.frame
+    frame = ctx.state.frame
     if frame.ways is None:
         return
-    frame.ways.out.append(WayOut(tuple(engine.state.conditions), frame.ways.turn, frame.snapshot(), statement.again))
+    frame.ways.out.append(WayOut(tuple(ctx.state.conditions), frame.ways.turn, frame.snapshot(), statement.again))
     frame.stopped = True
 
 
-def without_ways_out(engine: Context, since: int) -> None:
+def without_ways_out(ctx: Context, since: int) -> None:
     """Note of what follows that no way out was taken of those that were found since."""
-    ways = engine.state.frame.ways
-    if ways is None or engine.state.frame.stopped:
+    ways = ctx.state.frame.ways
+    if ways is None or ctx.state.frame.stopped:
         return
-    here = len(engine.state.conditions)
+    here = len(ctx.state.conditions)
     for way in ways.out[since:]:
-        _hold_not(engine, way.conditions[here:])
+        _hold_not(ctx, way.conditions[here:])
 
 
-def block_of_loop(engine: Context, body: tuple[Statement, ...]) -> None:
+def block_of_loop(ctx: Context, body: tuple[Statement, ...]) -> None:
     """Follow statements of a turn; what comes after them has not taken a way out that is in them."""
-    ways = engine.state.frame.ways
+    ways = ctx.state.frame.ways
     known = len(ways.out) if ways is not None else 0
-    engine.block(body)
+    ctx.block(body)
     if ways is not None and len(ways.out) > known:
-        without_ways_out(engine, known)
+        without_ways_out(ctx, known)
 
 
-def _hold_not(engine: Context, conditions: Conditions) -> None:
+def _hold_not(ctx: Context, conditions: Conditions) -> None:
     if not conditions:
         return
     note = negated(all_of(conditions))
-    if note not in engine.state.conditions:
-        engine.state.under(note)
-        engine.state.frame.passed += 1
+    if note not in ctx.state.conditions:
+        ctx.state.under(note)
+        ctx.state.frame.passed += 1
 
 
-def looped(engine: Context, statement: Loop) -> None:
+def looped(ctx: Context, statement: Loop) -> None:
     """Follow a loop."""
-    frame, depth = engine.state.frame, len(engine.state.conditions)
+    frame, depth = ctx.state.frame, len(ctx.state.conditions)
     around, frame.ways = frame.ways, Ways(depth)
     broken = None
     try:
-        broken = _followed(engine, statement)
+        broken = _followed(ctx, statement)
     finally:
         frame.broken = broken
         ways, frame.ways = frame.ways, around
-        frame.passed -= len(engine.state.conditions) - depth
-        del engine.state.conditions[depth:]
+        frame.passed -= len(ctx.state.conditions) - depth
+        del ctx.state.conditions[depth:]
         frame.stopped = False
     for way in ways.out:
         if not way.again and len(way.conditions) > way.turn:
             frame.join(way.held, all_of(way.conditions[way.turn :]))
 
 
-def _followed(engine: Context, statement: Loop) -> bool | None:
+def _followed(ctx: Context, statement: Loop) -> bool | None:
     """Follow the turns of a loop; return whether it was left by ``break``, None where that depends."""
-    over = engine.value(statement.over) if statement.over is not None else None
-    target, items = _gone_through(engine, statement, over)
+    over = ctx.value(statement.over) if statement.over is not None else None
+    target, items = _gone_through(ctx, statement, over)
     if target is not None and items is not None:
-        return _each_in_turn(engine, statement, target, items)
-    holds = engine.truth(over) if statement.over is not None else True
+        return _each_in_turn(ctx, statement, target, items)
+    holds = ctx.truth(over) if statement.over is not None else True
     if statement.target is None and holds is False:
         return False
-    if statement.target is None and holds and engine.budget.repeats:
-        _repeated(engine, statement)
+    if statement.target is None and holds and ctx.budget.repeats:
+        _repeated(ctx, statement)
         return None
-    count = _count(engine, statement) if statement.target is None else None
+    count = _count(ctx, statement) if statement.target is None else None
     if count is not None and count <= MOST_COUNTED:
         for _ in range(count):
-            if not _turn(engine, statement):
+            if not _turn(ctx, statement):
                 break
         return None
-    _once_for_all(engine, statement, over)
+    _once_for_all(ctx, statement, over)
     return None
 
 
-def _repeated(engine: Context, statement: Loop) -> None:
+def _repeated(ctx: Context, statement: Loop) -> None:
     """Follow a loop with a condition turn by turn, as long as that is known to hold.
 
     Raises:
         SpentError: it holds too often.
     """
-    for _ in range(engine.budget.repeats):
-        if not _turn(engine, statement):
+    for _ in range(ctx.budget.repeats):
+        if not _turn(ctx, statement):
             return
-        over = engine.value(statement.over) if statement.over is not None else True
-        holds = engine.truth(over)
+        over = ctx.value(statement.over) if statement.over is not None else True
+        holds = ctx.truth(over)
         if holds is None:
-            _once_for_all(engine, statement, over)
+            _once_for_all(ctx, statement, over)
         if not holds:
             return
     raise SpentError
 
 
-def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Value]) -> bool | None:
+def _each_in_turn(ctx: Context, statement: Loop, target: Expression, items: list[Value]) -> bool | None:
     """Follow a turn for each item; return whether one was left by ``break``, None where that depends."""
-    frame, depth = engine.state.frame, len(engine.state.conditions)
+    frame, depth = ctx.state.frame, len(ctx.state.conditions)
     ways = frame.ways
-    for item in items[: engine.budget.turns]:
+    for item in items[: ctx.budget.turns]:
         if type(item) is Perhaps:
-            _perhaps_with(engine, statement, item)
+            _perhaps_with(ctx, statement, item)
             continue
-        engine.assign(target, item)
-        if not _turn(engine, statement):
+        ctx.assign(target, item)
+        if not _turn(ctx, statement):
             break
     breaks = [len(way.conditions) > depth for way in ways.out if not way.again] if ways is not None else [True]
     if breaks:
         return None if all(breaks) else True
-    return None if len(items) > engine.budget.turns or any(type(one) is Perhaps for one in items) else False
+    return None if len(items) > ctx.budget.turns or any(type(one) is Perhaps for one in items) else False
 
 
-def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:
+def _once_for_all(ctx: Context, statement: Loop, over: Value) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
-    before, frame = engine.state.frame.snapshot(), engine.state.frame
+    before, frame = ctx.state.frame.snapshot(), ctx.state.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
-    _turn_for_all(engine, statement, over, once=once)
+    _turn_for_all(ctx, statement, over, once=once)
     if once:
         return
     # It may have no turn at all.
@@ -166,53 +166,53 @@ def _once_for_all(engine: Context, statement: Loop, over: Value) -> None:
     frame.restore(before)
     frame.returned = False
     if not returned:
-        frame.join(after, _written(engine, statement))
+        frame.join(after, _written(ctx, statement))
         _keep_filled(frame.names, after[0])
 
 
-def _turn_for_all(engine: Context, statement: Loop, over: Value, *, once: bool) -> None:
+def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
-    changes, frame = engine.state.changes, engine.state.frame
+    changes, frame = ctx.state.changes, ctx.state.frame
     since = changes.count
     changes.open += 1
-    _forget_counters(engine, statement)
-    forget_set_by_methods(engine, statement)
+    _forget_counters(ctx, statement)
+    forget_set_by_methods(ctx, statement)
     if statement.target is not None:
-        engine.assign(statement.target, _each(engine, over, statement))
-    _perhaps_turned(engine, statement, over)
+        ctx.assign(statement.target, _each(ctx, over, statement))
+    _perhaps_turned(ctx, statement, over)
     if changes.count > since and not once:
         way = changes.taken_back(since, frame.members)
-        why = (_written(engine, statement), ALWAYS)
+        why = (_written(ctx, statement), ALWAYS)
         changes.came_to(way, changes.count, frame.members, (False, False), why, None)
     changes.open -= 1
     if not changes.open and changes.count:
         changes.ended()
 
 
-def _perhaps_turned(engine: Context, statement: Loop, over: Value) -> None:
+def _perhaps_turned(ctx: Context, statement: Loop, over: Value) -> None:
     """Follow the one turn that stands for all, under the condition that there is one.
 
     A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
     """
-    written = _written(engine, statement)
-    always = statement.over is None or (engine.truth(over) is True and statement.target is None)
+    written = _written(ctx, statement)
+    always = statement.over is None or (ctx.truth(over) is True and statement.target is None)
     if always or isinstance(over, Each | Text) or _RUNS.search(written.text):
-        _turn(engine, statement)
+        _turn(ctx, statement)
         return
-    here = len(engine.state.conditions)
-    engine.state.under(written, test_of(over) if statement.target is None else None)
-    _turn(engine, statement)
-    del engine.state.conditions[here]
+    here = len(ctx.state.conditions)
+    ctx.state.under(written, test_of(over) if statement.target is None else None)
+    _turn(ctx, statement)
+    del ctx.state.conditions[here]
 
 
-def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
+def _perhaps_with(ctx: Context, statement: Loop, item: Perhaps) -> None:
     """Follow the turn of an item that the list may have."""
-    frame, here, before = engine.state.frame, len(engine.state.conditions), engine.state.frame.snapshot()
-    engine.state.under(item.condition, item.test)
+    frame, here, before = ctx.state.frame, len(ctx.state.conditions), ctx.state.frame.snapshot()
+    ctx.state.under(item.condition, item.test)
     if statement.target is not None:
-        engine.assign(statement.target, item.value)
-    _turn(engine, statement)
-    del engine.state.conditions[here]
+        ctx.assign(statement.target, item.value)
+    _turn(ctx, statement)
+    del ctx.state.conditions[here]
     after = frame.snapshot()
     returned, frame.returned = frame.returned, False
     frame.restore(before)
@@ -220,14 +220,14 @@ def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
         frame.join(after, item.condition)
 
 
-def _gone_through(engine: Context, statement: Loop, over: Value) -> tuple[Expression | None, list[Value] | None]:
+def _gone_through(ctx: Context, statement: Loop, over: Value) -> tuple[Expression | None, list[Value] | None]:
     """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
     target = statement.target
     if target is None:
         reads = isinstance(statement.over, Operation) and statement.over.operator == ">>"
-        return (words_read(engine, statement.over) if reads else None) or (None, None)
-    items = engine.items(over)
-    return target, plugged_in(engine, over) if items is None and engine.emitter.plugged else items
+        return (words_read(ctx, statement.over) if reads else None) or (None, None)
+    items = ctx.items(over)
+    return target, plugged_in(ctx, over) if items is None and ctx.emitter.plugged else items
 
 
 def _keep_filled(names: Names, after: Names) -> None:
@@ -238,20 +238,20 @@ def _keep_filled(names: Names, after: Names) -> None:
             names[name] = value
 
 
-def _written(engine: Context, statement: Loop) -> Written:
-    text = engine.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
+def _written(ctx: Context, statement: Loop) -> Written:
+    text = ctx.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
     return Written(text if statement.target is None else f"there is any of {text}")
 
 
-def _turn(engine: Context, statement: Loop) -> bool:
+def _turn(ctx: Context, statement: Loop) -> bool:
     """Follow one turn; return whether another one may follow."""
-    frame = engine.state.frame
+    frame = ctx.state.frame
     ways = frame.ways
     if ways is None:
         return False
-    here, known = len(engine.state.conditions), len(ways.out)
+    here, known = len(ctx.state.conditions), len(ways.out)
     ways.turn = here
-    engine.block(statement.body)
+    ctx.block(statement.body)
     found = ways.out[known:]
     gone, frame.stopped = frame.stopped, False
     if frame.returned:
@@ -262,14 +262,14 @@ def _turn(engine: Context, statement: Loop) -> bool:
             frame.join(way.held, all_of(conditions))
         elif not way.again:
             # There is no turn after one that left the loop.
-            _hold_not(engine, conditions)
+            _hold_not(ctx, conditions)
     if gone and found and not any(one.again for one in found):
         return False
-    engine.block(statement.update)
+    ctx.block(statement.update)
     return True
 
 
-def _count(engine: Context, statement: Loop) -> int | None:
+def _count(ctx: Context, statement: Loop) -> int | None:
     """Return how many turns a loop has that counts: ``for (i = 0; i < 3; ++i)``; None where that is unknown."""
     over, step = statement.over, _step(statement)
     if step is None or not isinstance(over, Operation) or len(over.operands) != 2 or over.operator not in _STOPS:
@@ -277,9 +277,9 @@ def _count(engine: Context, statement: Loop) -> int | None:
     counter, end = over.operands
     if not isinstance(counter, Name) or counter.name != step[0]:
         return None
-    first, last = engine.value(counter), engine.value(end)
+    first, last = ctx.value(counter), ctx.value(end)
     if isinstance(last, Unknown):
-        last = count_of_filled(engine, end) or last
+        last = count_of_filled(ctx, end) or last
     if not (is_number(first) and is_number(last)) or not step[1]:
         return None
     turns = float(last - first) / step[1]
@@ -302,9 +302,9 @@ def _step(statement: Loop) -> tuple[str, int | float] | None:
     return None
 
 
-def _forget_counters(engine: Context, statement: Loop) -> None:
+def _forget_counters(ctx: Context, statement: Loop) -> None:
     """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
-    frame = engine.state.frame
+    frame = ctx.state.frame
     for place, grows in _assigned((*statement.body, *statement.update)):
         if isinstance(place, Name) and place.name in frame.names:
             holder = frame.names
@@ -339,11 +339,11 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
     return found
 
 
-def _each(engine: Context, over: Value, statement: Loop) -> Value:
+def _each(ctx: Context, over: Value, statement: Loop) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
         return each_of(over)
-    return Unknown(EachOf(engine.index.lookups.text(statement.over)) if statement.over is not None else "an item")
+    return Unknown(EachOf(ctx.index.lookups.text(statement.over)) if statement.over is not None else "an item")
 
 
 _STOPS = frozenset({"<", "<=", ">", ">=", "!="})

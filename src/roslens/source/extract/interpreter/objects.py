@@ -28,24 +28,24 @@ if TYPE_CHECKING:
 class Objects:
     """Makes objects and values of a type."""
 
-    __slots__ = ("context",)
+    __slots__ = ("ctx",)
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, ctx: Context) -> None:
         """Make them in an evaluation."""
-        self.context = context
+        self.ctx = ctx
 
     def constructed(self, declared: str, value: Value) -> Value:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
-        engine = self.context
+        ctx = self.ctx
         name, inside = type_name(declared)
         if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
             return self.converted(declared, value)
         if is_list(declared) and isinstance(value, Text):
             # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
             return [value] if value.known is not None else value
-        defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
+        defined = ctx.index.class_of(name, ctx.state.frame.path, ctx.state.frame.scope)
         same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
-        outer = find_outer(engine, engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope))
+        outer = find_outer(ctx, ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope))
         if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
             return self.converted(declared, value)
         return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
@@ -54,64 +54,64 @@ class Objects:
         self, defined: Defined, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()
     ) -> Value:
         """Make an object of a class of the workspace, its constructor evaluated."""
-        engine = self.context
-        known = find_class(engine, defined.what.qualified_name, defined.path)
+        ctx = self.ctx
+        known = find_class(ctx, defined.what.qualified_name, defined.path)
         if known is not None:
             name, word = known
-            return word(engine, None, Called(name, arguments, keywords, templates, (), engine.state.site))
+            return word(ctx, None, Called(name, arguments, keywords, templates, (), ctx.state.site))
         thing = Obj(defined.what.qualified_name, defined, {})
         names = getattr(defined.what, "templates", ())
         thing.templates.update(zip(names, templates, strict=False))
-        site, written, since = engine.state.site, engine.state.written, engine.state.changes.count
+        site, written, since = ctx.state.site, ctx.state.written, ctx.state.changes.count
         self.prepare(thing)
-        engine.state.site, engine.state.written = site, written
+        ctx.state.site, ctx.state.written = site, written
         self.construct_as(thing, defined, arguments, keywords)
-        if engine.state.changes.count > since:
-            engine.state.changes.made(thing.fields, since)
+        if ctx.state.changes.count > since:
+            ctx.state.changes.made(thing.fields, since)
         if thing.node is not None:
-            engine.emitter.made.append(thing)
+            ctx.emitter.made.append(thing)
         return thing
 
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
-        engine = self.context
-        bind_bases(engine, thing)
-        if thing.type in engine.state.preparing:
+        ctx = self.ctx
+        bind_bases(ctx, thing)
+        if thing.type in ctx.state.preparing:
             # By value no class holds itself: what is taken for it here is a pointer, or something else of its name.
             return
-        engine.state.preparing.append(thing.type)
-        for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
+        ctx.state.preparing.append(thing.type)
+        for one in reversed(ctx.index.chain(thing.defined)) if thing.defined is not None else ():
             for field, always in self._members(one):
                 if always is not _OF_TYPE:
                     thing.fields[field.name] = always
                     continue
-                outer, engine.state.frame = engine.state.frame, Frame(one.path, one.what.qualified_name, thing)
-                engine.state.frame.templates.update(thing.templates_of(one.what.qualified_name))
-                engine.state.site = Evidence(one.path, field.line)
+                outer, ctx.state.frame = ctx.state.frame, Frame(one.path, one.what.qualified_name, thing)
+                ctx.state.frame.templates.update(thing.templates_of(one.what.qualified_name))
+                ctx.state.site = Evidence(one.path, field.line)
                 try:
                     if field.value is not None:
-                        value = self.typed(field.type, engine.value(field.value))
+                        value = self.typed(field.type, ctx.value(field.value))
                         python = one.path[-3:] == ".py"
-                        thing.fields[field.name] = of_object(engine, one, field.name, value) if python else value
+                        thing.fields[field.name] = of_object(ctx, one, field.name, value) if python else value
                     elif field.type and "*" not in field.type:
                         value = self.declared(field.type)
                         # Who sets it may not be followed: it is not sure to be empty.
                         not_set = unknown(NotSet(field.name))
                         thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
-                    engine.state.frame = outer
-        engine.state.preparing.pop()
+                    ctx.state.frame = outer
+        ctx.state.preparing.pop()
 
     def _members(self, defined: Defined) -> tuple[tuple[Field, Value], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
-        engine = self.context
-        known = engine.index.lookups.members
+        ctx = self.ctx
+        known = ctx.index.lookups.members
         found = known.get(id(defined.what))
         if found is None:
             initialised = {
                 # Constructors of C++ initialise them: they are not made twice.
                 statement.target.name
-                for method in engine.index.methods(defined, defined.what.name)
+                for method in ctx.index.methods(defined, defined.what.name)
                 for statement in getattr(method.what, "initialisers", ())
                 if isinstance(statement, Assign) and isinstance(statement.target, Member)
             }
@@ -121,7 +121,7 @@ class Objects:
                 if field.name in initialised
                 or field.value is not None
                 # A static member has its value where it is defined, outside of the class.
-                or (field.type and "*" not in field.type and engine.index.member(defined, field.name) is None)
+                or (field.type and "*" not in field.type and ctx.index.member(defined, field.name) is None)
             ]
             found = known[id(defined.what)] = tuple(
                 (field, Unknown(field.name) if field.name in initialised else _at_first(field)) for field in given
@@ -130,37 +130,37 @@ class Objects:
 
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Evaluate the constructor of one class of an object."""
-        engine = self.context
-        dialect = engine.index.programs[defined.path].dialect
+        ctx = self.ctx
+        dialect = ctx.index.programs[defined.path].dialect
         name = dialect.constructor or defined.what.name
-        found = engine.index.methods(defined, name)
-        chosen = overload(engine.index, found, len(arguments) + len(keywords), arguments)
+        found = ctx.index.methods(defined, name)
+        chosen = overload(ctx.index, found, len(arguments) + len(keywords), arguments)
         if chosen is not None and isinstance(chosen.what, Function):
             whole = thing.defined
             if dialect.bases_are_constructed:
-                for base in bases_by_default(engine.index, defined, chosen.what):
+                for base in bases_by_default(ctx.index, defined, chosen.what):
                     self.construct_as(thing, base, [], {})
                 # While a base is constructed, its own virtual methods are called.
                 thing.defined = defined
-            engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.state.written)
+            ctx.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, ctx.state.written)
             thing.defined = whole
             return
         if (
             dialect.fields_are_arguments
             and (arguments or keywords)
-            and set_fields(engine, thing, defined, arguments, keywords)
+            and set_fields(ctx, thing, defined, arguments, keywords)
         ):
             return
-        for base in engine.index.chain(defined)[1:2]:
+        for base in ctx.index.chain(defined)[1:2]:
             self.construct_as(thing, base, arguments, keywords)
-        if not engine.index.chain(defined)[1:]:
+        if not ctx.index.chain(defined)[1:]:
             self.base_constructed(thing, defined, arguments, keywords)
 
     def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> None:
         """Construct the bases that are not in the workspace."""
-        engine = self.context
-        for base in engine.index.outer_bases(defined):
-            engine.calls.construct_outer(thing, base, arguments, keywords)
+        ctx = self.ctx
+        for base in ctx.index.outer_bases(defined):
+            ctx.calls.construct_outer(thing, base, arguments, keywords)
 
     def declared(self, declared: str) -> Value:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
@@ -171,8 +171,8 @@ class Objects:
 
     def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
-        engine = self.context
-        if isinstance(value, _MADE_BY_TYPE) and not engine.dialect.types_convert:
+        ctx = self.ctx
+        if isinstance(value, _MADE_BY_TYPE) and not ctx.dialect.types_convert:
             # Annotations make nothing.
             return value
         match value:
@@ -200,21 +200,21 @@ class Objects:
 
     def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
         """Return an object of a class by its name as written."""
-        engine = self.context
+        ctx = self.ctx
         if not name or name in _PLAIN:
             return plain(name, arguments)
-        name = engine.state.frame.templates.get(name, name)
-        alias = "" if templates else engine.index.alias(name, engine.state.frame.path, engine.state.frame.scope)
+        name = ctx.state.frame.templates.get(name, name)
+        alias = "" if templates else ctx.index.alias(name, ctx.state.frame.path, ctx.state.frame.scope)
         if alias.endswith("*"):
             return arguments[0] if arguments else None
         if "<" in alias:
             name, inside = type_name(alias)
-            templates = tuple(engine.calls.template(one) for one in type_arguments(inside))
-        defined = engine.index.class_of(name, engine.state.frame.path, engine.state.frame.scope)
+            templates = tuple(ctx.calls.template(one) for one in type_arguments(inside))
+        defined = ctx.index.class_of(name, ctx.state.frame.path, ctx.state.frame.scope)
         if defined is not None:
             return self.construct(defined, arguments, keywords, templates)
-        return engine.calls.made_outer(
-            engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope),
+        return ctx.calls.made_outer(
+            ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope),
             arguments,
             keywords,
             templates,

@@ -35,15 +35,15 @@ _NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
 }
 
 
-def chosen(engine: Context, expression: Operation, decides: Value) -> Value:
+def chosen(ctx: Context, expression: Operation, decides: Value) -> Value:
     """Return one of two values, or what is known of both: ``decides`` is what the condition comes to."""
-    condition = engine.index.lookups.condition(expression.operands[0])
+    condition = ctx.index.lookups.condition(expression.operands[0])
     then, otherwise = expression.operands[1:]
-    one = way_of(engine, then, condition, decides) if does_something(engine, then) else engine.value(then)
-    if does_something(engine, otherwise):
-        other = way_of(engine, otherwise, condition, decides, opposite=True)
+    one = way_of(ctx, then, condition, decides) if does_something(ctx, then) else ctx.value(then)
+    if does_something(ctx, otherwise):
+        other = way_of(ctx, otherwise, condition, decides, opposite=True)
     else:
-        other = engine.value(otherwise)
+        other = ctx.value(otherwise)
     if isinstance(one, Text) and isinstance(other, Text):
         if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
             return decides
@@ -58,71 +58,71 @@ def chosen(engine: Context, expression: Operation, decides: Value) -> Value:
         return one_or_none(one, other, condition, test_of(decides))
     if isinstance(one, _DECIDES) and isinstance(other, _DECIDES):
         # Neither is taken for the other: what is counted or asked later depends on which one it is.
-        return one if type(one) is type(other) and one == other else opened(engine, expression)
+        return one if type(one) is type(other) and one == other else opened(ctx, expression)
     return one if not isinstance(one, Unknown) else other
 
 
-def decided(engine: Context, expression: Operation) -> Value:
+def decided(ctx: Context, expression: Operation) -> Value:
     """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
-    results = engine.dialect.operands_are_results
+    results = ctx.dialect.operands_are_results
     operator, operands = expression.operator, expression.operands
     stops = operator == "or"
     open_: list[tuple[Value, Expression]] = []
     value: Value = not stops
     for number, one in enumerate(operands):
-        ways = open_ and does_something(engine, one)
-        value = after_others(engine, one, open_, operator) if ways else engine.value(one)
-        holds = engine.truth(value)
+        ways = open_ and does_something(ctx, one)
+        value = after_others(ctx, one, open_, operator) if ways else ctx.value(one)
+        holds = ctx.truth(value)
         if holds is stops:
             break
         if holds is None:
             open_.append((value, one))
             if results and stops and number < len(operands) - 1 and isinstance(value, Text):
-                return _or_else(engine, value, operands[number:])
+                return _or_else(ctx, value, operands[number:])
     if not open_:
-        holds = engine.truth(value)
+        holds = ctx.truth(value)
         return value if results or holds is None else holds
-    if engine.truth(value) is stops:
-        return stops if not results or isinstance(value, bool) else opened(engine, expression)
+    if ctx.truth(value) is stops:
+        return stops if not results or isinstance(value, bool) else opened(ctx, expression)
     tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
     test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
-    return opened(engine, expression, test if len(tests) == len(open_) else None)
+    return opened(ctx, expression, test if len(tests) == len(open_) else None)
 
 
-def opened(engine: Context, expression: Expression, test: Condition | None = None) -> Unknown:
+def opened(ctx: Context, expression: Expression, test: Condition | None = None) -> Unknown:
     """Return that an expression is open, with what decides it where that is known."""
-    return Unknown(engine.index.lookups.text(expression), test)
+    return Unknown(ctx.index.lookups.text(expression), test)
 
 
-def _or_else(engine: Context, value: Text, operands: tuple[Expression, ...]) -> Value:
+def _or_else(ctx: Context, value: Text, operands: tuple[Expression, ...]) -> Value:
     """Return a text, or where it is empty what comes after ``or``."""
-    rest = engine.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
+    rest = ctx.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
     other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
-    return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
+    return either(value, other, ctx.index.lookups.condition(operands[0]), test_of(value))
 
 
-def computed(engine: Context, operator: str, values: list[Value], expression: Operation) -> Value:
+def computed(ctx: Context, operator: str, values: list[Value], expression: Operation) -> Value:
     """Return what an operator makes of values."""
     if len(values) == 2 and operator in ("==", "!="):
         one, other = (_comparable(value) for value in values)
         plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
         if plain and not any(isinstance(value, Text) and value.known is None for value in values):
             return (one == other) is (operator == "==")
-        return opened(engine, expression, _compared(operator, values))
+        return opened(ctx, expression, _compared(operator, values))
     if len(values) == 2 and isinstance(values[0], AtLeast):
         found = values[0].compared(operator, values[1])
-        return opened(engine, expression) if found is None else found
+        return opened(ctx, expression) if found is None else found
     if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
         return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
     if len(values) == 2 and isinstance(values[0], _NUMBER) and isinstance(values[1], _NUMBER):
         function = _NUMBERS.get(operator)
         try:
-            return function(*values) if function else opened(engine, expression)
+            return function(*values) if function else opened(ctx, expression)
         except (ArithmeticError, ValueError):
-            return opened(engine, expression)
+            return opened(ctx, expression)
     if operator == "-" and len(values) == 1 and isinstance(values[0], _NUMBER):
         return -values[0]
-    return opened(engine, expression)
+    return opened(ctx, expression)
 
 
 def _compared(operator: str, values: list[Value]) -> Condition | None:

@@ -61,13 +61,13 @@ class Called(msgspec.Struct, frozen=True):
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
 
 
-def written_as(engine: Context, called: Called, place: int) -> str:
+def written_as(ctx: Context, called: Called, place: int) -> str:
     """Return an argument by position as source has it; empty where that is not known.
 
     Where an object is made, its arguments are those of the call that makes it.
     """
-    written = called.written or engine.state.written
-    return engine.index.lookups.text(written[place]) if written and len(written) == len(called.arguments) else ""
+    written = called.written or ctx.state.written
+    return ctx.index.lookups.text(written[place]) if written and len(written) == len(called.arguments) else ""
 
 
 Word = Function1[["Context", Any, Called], Value]
@@ -140,13 +140,13 @@ def known_names() -> frozenset[str]:
     return frozenset(_OUTER)
 
 
-def find_outer(engine: Context, name: str) -> Word | None:
+def find_outer(ctx: Context, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()
     word = _OUTER.get(name)
     if word is None and name.endswith(LISTENER):
         word = _OUTER.get(LISTENER)
-    return _said(engine, word)
+    return _said(ctx, word)
 
 
 def is_method(name: str) -> bool:
@@ -155,35 +155,35 @@ def is_method(name: str) -> bool:
     return name in _NAMES
 
 
-def find_class(engine: Context, name: str, path: str) -> tuple[str, Word] | None:
+def find_class(ctx: Context, name: str, path: str) -> tuple[str, Word] | None:
     """Return whole name and word of a class that is in the workspace, and known better than what its code says."""
     known = _BETTER.get(name)
     if known is None or (known[1] and not path.endswith(known[1])):
         return None
-    word = find_outer(engine, known[0])
+    word = find_outer(ctx, known[0])
     return None if word is None else (known[0], word)
 
 
-def _said(engine: Context, word: Word | None) -> Word | None:
+def _said(ctx: Context, word: Word | None) -> Word | None:
     if word is not None and word not in _QUIET:
-        engine.summaries.touch()
+        ctx.summaries.touch()
     return word
 
 
-def find_method(engine: Context, receiver: Value, called: Called) -> Word | None:
+def find_method(ctx: Context, receiver: Value, called: Called) -> Word | None:
     """Return what a method of an object does; None where it is not known."""
     _load()
     name = called.name
-    for kind in kinds_of(engine, receiver) if name in _NAMES else ():
+    for kind in kinds_of(ctx, receiver) if name in _NAMES else ():
         word = _METHODS.get((kind, name))
         if word is not None:
-            return _said(engine, word)
+            return _said(ctx, word)
     if receiver is None or isinstance(receiver, Unknown) or (isinstance(receiver, Obj) and receiver.defined is None):
-        return _said(engine, _ANYWHERE.get(name))
+        return _said(ctx, _ANYWHERE.get(name))
     return None
 
 
-def guessed_method(engine: Context, receiver: Value, called: Called) -> Word | None:
+def guessed_method(ctx: Context, receiver: Value, called: Called) -> Word | None:
     """Return what a method does that an object may have of a base or a declaration outside of the workspace.
 
     None where nothing is known of it, or the object has no such base.
@@ -193,21 +193,21 @@ def guessed_method(engine: Context, receiver: Value, called: Called) -> Word | N
     if word is None:
         return None
     if isinstance(receiver, Obj):
-        outside = receiver.defined is not None and receiver.node is None and engine.index.outer_bases(receiver.defined)
-        return _said(engine, word) if outside else None
-    return _said(engine, word) if isinstance(receiver, Named) and engine.dialect.declared_apart else None
+        outside = receiver.defined is not None and receiver.node is None and ctx.index.outer_bases(receiver.defined)
+        return _said(ctx, word) if outside else None
+    return _said(ctx, word) if isinstance(receiver, Named) and ctx.dialect.declared_apart else None
 
 
-def kinds_of(engine: Context, receiver: Value) -> tuple[str, ...]:
+def kinds_of(ctx: Context, receiver: Value) -> tuple[str, ...]:
     """Return what an object is, to find its methods."""
     match receiver:
         case Obj():
             defined = receiver.defined
             key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
-            known = engine.index.lookups.kinds
+            known = ctx.index.lookups.kinds
             found = known.get(key)
             if found is None:
-                kinds = [receiver.type, *(engine.index.outer_bases(defined) if defined is not None else ())]
+                kinds = [receiver.type, *(ctx.index.outer_bases(defined) if defined is not None else ())]
                 if receiver.node is not None:
                     kinds.append("node")
                 found = known[key] = (*kinds, *(kind.rpartition(".")[2] for kind in kinds))
@@ -221,7 +221,7 @@ def kinds_of(engine: Context, receiver: Value) -> tuple[str, ...]:
     return ("made",) if isinstance(receiver, Made) else ()
 
 
-def node_of(engine: Context, value: Value) -> Building:
+def node_of(ctx: Context, value: Value) -> Building:
     """Return the node that a value stands for: the one that is built where it is unknown."""
     match value:
         case Handle():
@@ -232,7 +232,7 @@ def node_of(engine: Context, value: Value) -> Building:
             for inner in value.fields.values():
                 if isinstance(inner, Handle):
                     return inner.node
-    return engine.emitter.node
+    return ctx.emitter.node
 
 
 def below(value: Value, name: Text) -> Text:

@@ -18,13 +18,13 @@ HELD = "-text"
 
 
 @outer(*STREAMS)
-def stream(_engine: Context, _thing: Value, called: Called) -> Value:
+def stream(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A stream with a text or without."""
     return Obj("std.stringstream", None, {HELD: as_text(called.argument(0)) if called.arguments else Text()})
 
 
 @method("std.stringstream", "str")
-def text_of(_engine: Context, thing: Obj, called: Called) -> Value:
+def text_of(_ctx: Context, thing: Obj, called: Called) -> Value:
     """The text of a stream is asked for, or given."""
     if called.arguments:
         thing.fields[HELD] = as_text(called.argument(0))
@@ -33,26 +33,26 @@ def text_of(_engine: Context, thing: Obj, called: Called) -> Value:
 
 
 @method("std.stringstream", "clear")
-def cleared(_engine: Context, _thing: Value, _called: Called) -> Value:
+def cleared(_ctx: Context, _thing: Value, _called: Called) -> Value:
     """The state of a stream is cleared: its text stays."""
     return None
 
 
-def words_read(engine: Context, over: Expression | None) -> tuple[Expression, list[Value]] | None:
+def words_read(ctx: Context, over: Expression | None) -> tuple[Expression, list[Value]] | None:
     """Return what a loop reads the words of a stream into, and these: ``while (stream >> word)``.
 
     Words of a text that is unknown are one that stands for each. None where a loop does something else.
     """
     if not isinstance(over, Operation) or over.operator != ">>" or len(over.operands) != 2:
         return None
-    source = engine.value(over.operands[0])
+    source = ctx.value(over.operands[0])
     if not isinstance(source, Obj) or HELD not in source.fields:
         return None
     text = as_text(source.fields[HELD])
-    node = deciding_node(engine, text)
+    node = deciding_node(ctx, text)
     if text.holes and text not in node.asks:
         node.asks.append(text)
-    usual = text.known if engine.given.chosen is None else text.usual
+    usual = text.known if ctx.given.chosen is None else text.usual
     if usual is not None:
         where = f"default of {text.holes[0].reason}" if text.holes else ""
         return over.operands[1], [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]

@@ -23,57 +23,53 @@ _STR = Name("str")
 class LaunchCalls(Calls):
     """Results of calls in a launch file."""
 
-    def __init__(self, context: Context, visit: Visit) -> None:
+    def __init__(self, ctx: Context, visit: Visit) -> None:
         """Call while an action is visited, or the file is read."""
-        super().__init__(context)
+        super().__init__(ctx)
         self.visit = visit
 
     def called(self, expression: Call) -> Value:
         """Return the result of a call."""
-        if (
-            expression.function == _STR
-            and len(expression.arguments) == 1
-            and "str" not in self.context.state.frame.names
-        ):
-            return lifted(as_value(self.context.value(expression.arguments[0])))
+        if expression.function == _STR and len(expression.arguments) == 1 and "str" not in self.ctx.state.frame.names:
+            return lifted(as_value(self.ctx.value(expression.arguments[0])))
         return super().called(expression)
 
     def outer(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         """Return the result of calling something outside of the workspace."""
-        self.context.summaries.touch()
+        self.ctx.summaries.touch()
         last = name.rpartition(".")[2]
         given = {one: value for one, value in keywords.items() if one != "**"}
         if last in ACTIONS:
             first = arguments[0] if arguments else None
             if last == "LaunchDescription" and isinstance(first, list):
                 arguments = [list(first), *arguments[1:]]
-            place = Evidence(self.context.state.frame.path, expression.line, expression.column)
-            return Made(last, place, list(arguments), given, tuple(dict.fromkeys(self.context.state.conditions)))
+            place = Evidence(self.ctx.state.frame.path, expression.line, expression.column)
+            return Made(last, place, list(arguments), given, tuple(dict.fromkeys(self.ctx.state.conditions)))
         if name not in READS and not is_known(name):
             return super().outer(name, expression, arguments, keywords, templates)
         positional = [plain(one) for one in arguments]
         if name in READS:
-            return lifted(read(name, positional, self.context.state.frame.path, self.visit.files, self.visit.scope))
+            return lifted(read(name, positional, self.ctx.state.frame.path, self.visit.files, self.visit.scope))
         return lifted(call_known(name, positional, {one: plain(value) for one, value in given.items()}))
 
     def plain_method(
         self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
     ) -> Value:
         """Call a method of a text, a list or a table, of an object of launch, or of what is not known."""
-        self.context.summaries.touch()
+        self.ctx.summaries.touch()
         name = function.name
         if name == "perform" and isinstance(of, Deferred | Text | Made):
             return lifted(self._resolved(as_value(of)))
         match of:
             case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
-                self.context.state.changes.items(of.positional)
-                of.positional.append([kept(self.context, one) for one in arguments])
+                self.ctx.state.changes.items(of.positional)
+                of.positional.append([kept(self.ctx, one) for one in arguments])
                 return None
             case list() if name in _ADDING:
                 added = arguments[0] if name == "extend" and arguments and isinstance(arguments[0], list) else arguments
-                arguments = [[kept(self.context, one) for one in added]]
+                arguments = [[kept(self.ctx, one) for one in added]]
                 return super().plain_method(expression, Member(function.of, "extend"), of, arguments, keywords)
             case list() | dict() if name == "copy":
                 return of.copy()
@@ -81,7 +77,7 @@ class LaunchCalls(Calls):
                 arguments = [*arguments, None]
             case _ if isinstance(of, _TEXTS):
                 given = {one: plain(value) for one, value in keywords.items()}
-                written = self.context.index.lookups.text(expression.function)
+                written = self.ctx.index.lookups.text(expression.function)
                 return lifted(call_method(plain(of), name, [plain(one) for one in arguments], given, written))
         return super().plain_method(expression, function, of, arguments, keywords)
 

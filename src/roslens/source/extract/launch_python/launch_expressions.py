@@ -25,9 +25,9 @@ _PLAIN = (str, bool, int, float, list, dict, type(None))
 class LaunchExpressions(Expressions):
     """Values of expressions of a launch file."""
 
-    def __init__(self, context: Context, visit: Visit) -> None:
+    def __init__(self, ctx: Context, visit: Visit) -> None:
         """Evaluate them while an action is visited, or the file is read."""
-        super().__init__(context)
+        super().__init__(ctx)
         self.visit = visit
 
     def outside(self, name: str) -> Value:
@@ -47,7 +47,7 @@ class LaunchExpressions(Expressions):
         if not isinstance(of, Class):
             return super().member_of(of, name)
         # A class from outside may say what a member means: ``Enum``.
-        for one in self.context.index.chain(of.defined) if not self.context.index.outer_bases(of.defined) else ():
+        for one in self.ctx.index.chain(of.defined) if not self.ctx.index.outer_bases(of.defined) else ():
             found = super().member_of(Class(one), name)
             if not isinstance(found, Unknown):
                 return found
@@ -59,7 +59,7 @@ class LaunchExpressions(Expressions):
 
     def sequence(self, expression: Listed) -> list[Value]:
         """Return a list."""
-        return bounded(spread_out(self.context, expression))
+        return bounded(spread_out(self.ctx, expression))
 
     def mapping(self, expression: Mapping) -> Table:
         """Return a dictionary; keys may be substitutions."""
@@ -83,7 +83,7 @@ class LaunchExpressions(Expressions):
     def _piece(self, expression: Expression) -> Text:
         value = self.visit.performed(self.value(expression))
         if isinstance(value, Deferred):
-            value = Unknown(f"a substitution in an f-string: {self.context.index.lookups.text(expression)}")
+            value = Unknown(f"a substitution in an f-string: {self.ctx.index.lookups.text(expression)}")
         found = as_value(value)
         if isinstance(found, Deferred):
             found = resolve(found, Scope(_NO_FILES, {}, {}, self.visit.path))
@@ -92,7 +92,7 @@ class LaunchExpressions(Expressions):
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts and substitutions one after the other."""
         if isinstance(one, list) and isinstance(other, list):
-            return bounded([*one, *(kept(self.context, one) for one in other)])
+            return bounded([*one, *(kept(self.ctx, one) for one in other)])
         if not isinstance(one, list) and (isinstance(one, Deferred) or isinstance(other, Deferred)):
             return bounded(lifted(text(as_value(one), as_value(other))))
         return super().sum(one, other)
@@ -103,12 +103,12 @@ class LaunchExpressions(Expressions):
         if isinstance(of, Named) and of.name == "os.environ":
             return Deferred("environment", (as_value(self.value(expression.key)),))
         found = super().item(expression)
-        return opened(self.context, expression) if isinstance(of, dict) and isinstance(found, Unknown) else found
+        return opened(self.ctx, expression) if isinstance(of, dict) and isinstance(found, Unknown) else found
 
     def either(self, expression: Operation, decides: Value) -> Value:  # noqa: ARG002 - nothing is asked of it
         """Return one of two values, or both with what decides."""
         then, otherwise = expression.operands[1:]
-        condition = self.context.index.lookups.condition(expression.operands[0])
+        condition = self.ctx.index.lookups.condition(expression.operands[0])
         return either(self.value(then), self.value(otherwise), condition)
 
     def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
@@ -121,11 +121,11 @@ class LaunchExpressions(Expressions):
             return super().computed(operator, values, expression)
         one, other = map(plain, values)
         if not (_is_plain(one) and _is_plain(other)):
-            return opened(self.context, expression)
+            return opened(self.ctx, expression)
         try:
             return bool(compare(one, other))
         except TypeError:
-            return opened(self.context, expression)
+            return opened(self.ctx, expression)
 
 
 def _is_plain(value: Any) -> bool:

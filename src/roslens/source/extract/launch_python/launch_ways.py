@@ -69,9 +69,9 @@ def joined(one: list[Value], other: list[Value], condition: Condition) -> list[V
     return [*one[:same], *then, *otherwise]
 
 
-def kept(context: Context, value: Value) -> Value:
+def kept(ctx: Context, value: Value) -> Value:
     """Return a value that a list gets: it has it if what is around now holds, wherever it was made."""
     if not isinstance(value, Made):
         return value
-    around = tuple(one for one in dict.fromkeys(context.state.conditions) if one not in value.conditions)
+    around = tuple(one for one in dict.fromkeys(ctx.state.conditions) if one not in value.conditions)
     return Perhaps(value, all_of(around)) if around else value

@@ -12,31 +12,27 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def bind_bases(engine: Context, thing: Obj) -> None:
+def bind_bases(ctx: Context, thing: Obj) -> None:
     """Note what the classes of an object give their bases as template arguments: ``class A : public Base<String>``."""
-    for one in engine.index.chain(thing.defined) if thing.defined is not None else ():
+    for one in ctx.index.chain(thing.defined) if thing.defined is not None else ():
         arguments = getattr(one.what, "base_templates", ())
         if not arguments:
             continue
         name = one.what.qualified_name
-        outer, engine.state.frame = engine.state.frame, Frame(one.path, name, thing)
-        engine.state.frame.templates.update(thing.templates_of(name))
+        outer, ctx.state.frame = ctx.state.frame, Frame(one.path, name, thing)
+        ctx.state.frame.templates.update(thing.templates_of(name))
         for written, given in zip(getattr(one.what, "bases", ()), arguments, strict=False):
-            base = engine.index.class_of(written, one.path, name.rpartition(".")[0])
+            base = ctx.index.class_of(written, one.path, name.rpartition(".")[0])
             if base is not None and given:
                 names = getattr(base.what, "templates", ())
-                bound = dict(zip(names, (_whole(engine, each) for each in given), strict=False))
+                bound = dict(zip(names, (_whole(ctx, each) for each in given), strict=False))
                 thing.base_templates.setdefault(base.what.qualified_name, bound)
-        engine.state.frame = outer
+        ctx.state.frame = outer
 
 
-def _whole(engine: Context, written: str) -> str:
+def _whole(ctx: Context, written: str) -> str:
     """Return a template argument as it is meant where it is written: elsewhere its name may mean another class."""
-    meant = engine.calls.template(written)
+    meant = ctx.calls.template(written)
     plain = dotted(meant)
-    defined = (
-        engine.index.class_of(plain, engine.state.frame.path, engine.state.frame.scope)
-        if plain.isidentifier()
-        else None
-    )
+    defined = ctx.index.class_of(plain, ctx.state.frame.path, ctx.state.frame.scope) if plain.isidentifier() else None
     return meant if defined is None else defined.what.qualified_name

@@ -32,44 +32,44 @@ class Around(dict[str, Value]):
         return True
 
 
-def names_around(engine: Context, made: Lambda) -> Names:
+def names_around(ctx: Context, made: Lambda) -> Names:
     """Return the variables around a lambda that is made now."""
-    frame, holds = engine.state.frame, made.holds
+    frame, holds = ctx.state.frame, made.holds
     if not holds:
         return Around(frame, {}) if frame.aliases else frame.names
     if holds[0] != "=":
         known = (*frame.names, *frame.aliases)
-        return Around(frame, {name: engine.value(Name(name)) for name in holds if name in known})
-    copies = {**frame.names, **_referred(engine)}
+        return Around(frame, {name: ctx.value(Name(name)) for name in holds if name in known})
+    copies = {**frame.names, **_referred(ctx)}
     for name in holds[1:]:
         copies.pop(name, None)
     return Around(frame, copies)
 
 
-def names_now(engine: Context, around: Around) -> Names:
+def names_now(ctx: Context, around: Around) -> Names:
     """Return what the variables around a lambda are that is called now."""
     frame = around.frame
     if not frame.aliases:
         return {**frame.names, **around}
-    outer, engine.state.frame = engine.state.frame, frame
+    outer, ctx.state.frame = ctx.state.frame, frame
     try:
-        return {**frame.names, **_referred(engine), **around}
+        return {**frame.names, **_referred(ctx), **around}
     finally:
-        engine.state.frame = outer
+        ctx.state.frame = outer
 
 
-def _referred(engine: Context) -> Names:
-    return {name: engine.value(one) for name, (one, _) in engine.state.frame.aliases.items()}
+def _referred(ctx: Context) -> Names:
+    return {name: ctx.value(one) for name, (one, _) in ctx.state.frame.aliases.items()}
 
 
-def set_around(engine: Context, function: Callable, frame: Frame) -> None:
+def set_around(ctx: Context, function: Callable, frame: Frame) -> None:
     """Forget what variables around a lambda were that it set when it was called.
 
     Whether a name is that of a variable around, or of one of its own (``auto topic = "b"``), a program does not tell:
     so nobody knows what the one around is, rather than that it has a value that it may not have.
     """
     around, what = function.names, function.function
-    if around is None or not engine.index.programs[function.path].dialect.copies_are_captured:
+    if around is None or not ctx.index.programs[function.path].dialect.copies_are_captured:
         return
     own = {parameter.name for parameter in what.parameters}
     holds, names = (around, around.frame.names) if isinstance(around, Around) else ({}, around)
@@ -81,19 +81,19 @@ def set_around(engine: Context, function: Callable, frame: Frame) -> None:
         if lost is not None:
             names[name] = lost
     if isinstance(around, Around) and around.frame.aliases:
-        _set_referred(engine, around, frame, own)
+        _set_referred(ctx, around, frame, own)
 
 
-def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) -> None:
+def _set_referred(ctx: Context, around: Around, frame: Frame, own: set[str]) -> None:
     """Forget what other names of variables around lead to where a lambda set it."""
-    outer, engine.state.frame = engine.state.frame, around.frame
+    outer, ctx.state.frame = ctx.state.frame, around.frame
     try:
-        for name, before in _referred(engine).items():
+        for name, before in _referred(ctx).items():
             lost = None if name in own or name in around else _lost(name, before)
             if lost is not None and frame.names.get(name, before) != before:
-                engine.assign(Name(name), lost)
+                ctx.assign(Name(name), lost)
     finally:
-        engine.state.frame = outer
+        ctx.state.frame = outer
 
 
 def _lost(name: str, before: Value) -> Text | Unknown | None:

@@ -28,12 +28,12 @@ _MOST_LENGTH = 10_000
 
 
 def changed_by(
-    engine: Context, written: Expression, of: Value, name: str, arguments: list[Value], keywords: Names
+    ctx: Context, written: Expression, of: Value, name: str, arguments: list[Value], keywords: Names
 ) -> tuple[Value] | None:
     """Change a value by a method of it; return the result of the call, None where the method changes nothing.
 
     Args:
-        engine: that evaluates.
+        ctx: the evaluation.
         written: what the method is called on.
         of: its value.
         name: of the method.
@@ -42,30 +42,30 @@ def changed_by(
     """
     match of:
         case Text():
-            changes = engine.dialect.texts_change and name in _OF_TEXTS
-            return _text(engine, _root(written), of, name, arguments) if changes else None
+            changes = ctx.dialect.texts_change and name in _OF_TEXTS
+            return _text(ctx, _root(written), of, name, arguments) if changes else None
         case list() if name in _OF_LISTS and not isinstance(of, Words):
-            return _list(engine, of, name, [*arguments, *keywords.values()])
+            return _list(ctx, of, name, [*arguments, *keywords.values()])
         case dict() if name in _OF_TABLES:
-            return _table(engine, of, name, arguments, keywords)
+            return _table(ctx, of, name, arguments, keywords)
     return None
 
 
-def is_open(engine: Context) -> Condition | None:
+def is_open(ctx: Context) -> Condition | None:
     """Return the innermost condition of the function that nobody can decide; None where there is none."""
-    frame = engine.state.frame
-    return engine.state.conditions[-1] if len(engine.state.conditions) > frame.depth + frame.passed else None
+    frame = ctx.state.frame
+    return ctx.state.conditions[-1] if len(ctx.state.conditions) > frame.depth + frame.passed else None
 
 
-def put_item(engine: Context, of: Table | list[Value], key: Value, value: Value) -> None:
+def put_item(ctx: Context, of: Table | list[Value], key: Value, value: Value) -> None:
     """Put an item into a table or list."""
     if isinstance(of, dict):
-        engine.state.changes.put(of, hashable(key), value)
+        ctx.state.changes.put(of, hashable(key), value)
     elif is_whole(key) and -len(of) <= key < len(of):
-        engine.state.changes.items(of)
+        ctx.state.changes.items(of)
         of[key] = value
     else:
-        engine.state.changes.items(of)
+        ctx.state.changes.items(of)
         _forget(of, "an item of a list that was changed")
 
 
@@ -76,7 +76,7 @@ def _root(written: Expression) -> Expression:
     return written
 
 
-def _text(engine: Context, written: Expression, of: Text, name: str, arguments: list[Value]) -> tuple[Value] | None:
+def _text(ctx: Context, written: Expression, of: Text, name: str, arguments: list[Value]) -> tuple[Value] | None:
     if not isinstance(written, Name | Member | Call):
         return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
@@ -88,7 +88,7 @@ def _text(engine: Context, written: Expression, of: Text, name: str, arguments: 
     else:
         known = _changed(of, name, arguments)
         found = _doubtful(of, name) if known is None else known
-    engine.assign(written, found)
+    ctx.assign(written, found)
     return (found,)
 
 
@@ -134,14 +134,14 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
     return None
 
 
-def _list(engine: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
+def _list(ctx: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
-        engine.state.changes.items(of)
+        ctx.state.changes.items(of)
         of += arguments[0]
         return (None,)
     first = arguments[0] if arguments else None
-    engine.state.changes.items(of, less=name not in _GROWING)
-    if not is_open(engine):
+    ctx.state.changes.items(of, less=name not in _GROWING)
+    if not is_open(ctx):
         if name == "insert" and len(arguments) == 2 and type(first) is int:
             of.insert(first, arguments[1])
             return (None,)
@@ -185,19 +185,19 @@ def _forget(of: list[Value] | Table, reason: str) -> Unknown:
 
 
 def _table(
-    engine: Context, of: Table, name: str, arguments: list[Value], keywords: Names,
+    ctx: Context, of: Table, name: str, arguments: list[Value], keywords: Names,
 ) -> tuple[Value]:  # fmt: skip
     first = arguments[0] if arguments else None
     if name == "update" and (first is None or isinstance(first, dict)):
         for key, value in (*(first or {}).items(), *((Text.of(one), keywords[one]) for one in keywords)):
-            put_item(engine, of, key, value)
+            put_item(ctx, of, key, value)
         return (None,)
     if name == "setdefault" and arguments:
         if hashable(first) not in of:
-            engine.state.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
+            ctx.state.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
         return (of[hashable(first)],)
-    engine.state.changes.items(of, less=True)
-    if not is_open(engine):
+    ctx.state.changes.items(of, less=True)
+    if not is_open(ctx):
         if name == "clear":
             of.clear()
             return (None,)

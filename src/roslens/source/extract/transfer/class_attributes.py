@@ -22,26 +22,26 @@ if TYPE_CHECKING:
 Place = tuple[str, str]
 
 
-def set_attribute(engine: Context, of: Class, name: str, value: Value) -> None:
+def set_attribute(ctx: Context, of: Class, name: str, value: Value) -> None:
     """Put a value into an attribute of a class."""
-    place = _place(engine, of.defined, name)
+    place = _place(ctx, of.defined, name)
     if place is not None:
-        before = engine.expressions.member_of(of, name)
-        engine.summaries.forget_all()
-        _for_objects(engine, of.defined, name, before, value)
-        engine.state.changes.put(engine.state.constants, place, value)
+        before = ctx.expressions.member_of(of, name)
+        ctx.summaries.forget_all()
+        _for_objects(ctx, of.defined, name, before, value)
+        ctx.state.changes.put(ctx.state.constants, place, value)
 
 
-def class_of_scope(engine: Context) -> Value:
+def class_of_scope(ctx: Context) -> Value:
     """Return the class in whose method ``cls`` stands."""
-    found = engine.index.class_of(engine.state.frame.scope.rpartition(".")[0], engine.state.frame.path, "")
+    found = ctx.index.class_of(ctx.state.frame.scope.rpartition(".")[0], ctx.state.frame.path, "")
     return Unknown("cls") if found is None else Class(found)
 
 
-def read_first(engine: Context, name: str, value: Value) -> Value:
+def read_first(ctx: Context, name: str, value: Value) -> Value:
     """Return what an attribute is to whoever reads it first: what the class says, if nothing sets it by its class."""
     class_name, _, last = name.rpartition(".")
-    if (class_name.rpartition(".")[2], last) not in _all_set(engine):
+    if (class_name.rpartition(".")[2], last) not in _all_set(ctx):
         return value
     reason = f"{last}, which is set for all of {class_name}"
     match value:
@@ -52,37 +52,37 @@ def read_first(engine: Context, name: str, value: Value) -> Value:
     return Unknown(reason) if isinstance(value, int | float) else value
 
 
-def of_object(engine: Context, defined: Defined, name: str, value: Value) -> Value:
+def of_object(ctx: Context, defined: Defined, name: str, value: Value) -> Value:
     """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
-    if (defined.what.name, name) not in _all_set(engine):
+    if (defined.what.name, name) not in _all_set(ctx):
         return value
-    return engine.expressions.member_of(Class(defined), name)
+    return ctx.expressions.member_of(Class(defined), name)
 
 
-def _for_objects(engine: Context, defined: Defined, name: str, before: Value, value: Value) -> None:
+def _for_objects(ctx: Context, defined: Defined, name: str, before: Value, value: Value) -> None:
     """Let objects that are at hand have it too, but for those that have one of their own."""
-    thing = engine.state.frame.self
-    held = [thing, *engine.state.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
+    thing = ctx.state.frame.self
+    held = [thing, *ctx.state.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
     for one in held:
-        of_class = isinstance(one, Obj) and one.defined is not None and defined in engine.index.chain(one.defined)
+        of_class = isinstance(one, Obj) and one.defined is not None and defined in ctx.index.chain(one.defined)
         if of_class and one.fields.get(name) == before:
-            engine.state.changes.put(one.fields, name, value)
+            ctx.state.changes.put(one.fields, name, value)
 
 
-def _place(engine: Context, defined: Defined, name: str) -> Place | None:
-    for one in engine.index.chain(defined):
-        constant = engine.index.member(one, name)
+def _place(ctx: Context, defined: Defined, name: str) -> Place | None:
+    for one in ctx.index.chain(defined):
+        constant = ctx.index.member(one, name)
         if constant is not None:
             return constant[0], f"{one.what.qualified_name}.{name}"
     return None
 
 
-def _all_set(engine: Context) -> set[Place]:
+def _all_set(ctx: Context) -> set[Place]:
     """Return the attributes that some function sets on a class, by the last name of that and their own."""
-    lookups = engine.index.lookups
+    lookups = ctx.index.lookups
     if lookups.set_on_classes is None:
         lookups.set_on_classes = set()
-        for program in engine.index.programs.values():
+        for program in ctx.index.programs.values():
             if program.dialect.modules_run:
                 lookups.set_on_classes |= _set_in(program)
     return lookups.set_on_classes

@@ -14,32 +14,32 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def decorated(engine: Context, function: Callable) -> Callable | Unknown:
+def decorated(ctx: Context, function: Callable) -> Callable | Unknown:
     """Return what a call of a function calls; the function itself where nothing of the workspace decorates it.
 
     Decorators from elsewhere are taken for such as hand on what they decorate. Of a method only its result is lost: its
     object is bound before.
     """
     what = function.function
-    outer, engine.state.frame = engine.state.frame, Frame(function.path, what.qualified_name.rpartition(".")[0])
+    outer, ctx.state.frame = ctx.state.frame, Frame(function.path, what.qualified_name.rpartition(".")[0])
     try:
-        known = [one for one in what.decorators if _is_known(engine, one)]
+        known = [one for one in what.decorators if _is_known(ctx, one)]
         if not known:
             return function
-        bare = engine.named.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
+        bare = ctx.named.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
         itself = Callable(bare, function.path, function.self, function.names, function.arguments)
         if what.class_name:
-            engine.call(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
+            ctx.call(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
             return Unknown(f"result of {what.name}(), which is decorated")
         made: Value = itself
         for one in reversed(known):
-            decorator = engine.value(one)
-            made = engine.call(decorator, [made], {}) if isinstance(decorator, Callable) else None
+            decorator = ctx.value(one)
+            made = ctx.call(decorator, [made], {}) if isinstance(decorator, Callable) else None
         return made if isinstance(made, Callable) else Unknown(f"result of {what.name}(), which is decorated")
     finally:
-        engine.state.frame = outer
+        ctx.state.frame = outer
 
 
-def _is_known(engine: Context, decorator: Expression) -> bool:
+def _is_known(ctx: Context, decorator: Expression) -> bool:
     name = decorator.function if isinstance(decorator, Call) else decorator
-    return isinstance(name, Name) and engine.named.function(name.name, 1) is not None
+    return isinstance(name, Name) and ctx.named.function(name.name, 1) is not None

@@ -14,21 +14,21 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def each_way(engine: Context, several: Obj, called: Function1[[Obj], Value]) -> Value:
+def each_way(ctx: Context, several: Obj, called: Function1[[Obj], Value]) -> Value:
     """Call a method of each object that it may be, and return what the last one returns."""
     found = None
     for conditions, thing in several.ways:
-        with _conditions(engine, conditions):
+        with _conditions(ctx, conditions):
             found = called(thing)
     return found
 
 
 @contextmanager
-def _conditions(engine: Context, conditions: Conditions) -> Iterator[None]:
+def _conditions(ctx: Context, conditions: Conditions) -> Iterator[None]:
     for one in conditions:
-        engine.state.under(one)
+        ctx.state.under(one)
     try:
         yield
     finally:
         for _ in conditions:
-            engine.state.conditions.pop()
+            ctx.state.conditions.pop()

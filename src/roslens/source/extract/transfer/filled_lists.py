@@ -19,25 +19,20 @@ _SIZES = frozenset({"size", "length"})
 _FILLS = frozenset({"push_back", "emplace_back"})
 
 
-def count_of_filled(engine: Context, end: Expression) -> int:
+def count_of_filled(ctx: Context, end: Expression) -> int:
     """Return the number of items where a loop counts to the size of a list of which each is known; 0 else.
 
     The list is a variable of the function that is evaluated, and nothing but ``push_back`` changes it there.
     """
     call = end.function if isinstance(end, Call) and not end.arguments else None
-    if (
-        not isinstance(call, Member)
-        or call.name not in _SIZES
-        or not isinstance(call.of, Name)
-        or not engine.stack.calls
-    ):
+    if not isinstance(call, Member) or call.name not in _SIZES or not isinstance(call.of, Name) or not ctx.stack.calls:
         return 0
-    thing = engine.state.frame.names.get(call.of.name)
+    thing = ctx.state.frame.names.get(call.of.name)
     if not isinstance(thing, Obj) or thing.type != VECTOR:
         return 0
     held = held_in(thing)
     known = all(isinstance(one, Text) and one.known is not None for one in held.values())
-    return len(held) if held and known and None not in held and _filled_here(engine.stack.calls[-1][1], call.of) else 0
+    return len(held) if held and known and None not in held and _filled_here(ctx.stack.calls[-1][1], call.of) else 0
 
 
 def _filled_here(function: Function, name: Name) -> bool:

@@ -14,16 +14,16 @@ _WITHOUT = frozenset({"object", "NamedTuple", "Protocol", "ABC", "Generic"})
 """Bases that have no constructor of their own."""
 
 
-def set_fields(engine: Context, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> bool:
+def set_fields(ctx: Context, thing: Obj, defined: Defined, arguments: list[Value], keywords: Names) -> bool:
     """Set the fields of an object whose class has no constructor; return whether it takes them.
 
     A class that takes arguments, has no constructor and no base elsewhere that may have one, takes its annotated
     fields, those of its bases first.
     """
-    chain = engine.index.chain(defined)
-    if any(one.rpartition(".")[2] not in _WITHOUT for one in engine.index.outer_bases(defined)):
+    chain = ctx.index.chain(defined)
+    if any(one.rpartition(".")[2] not in _WITHOUT for one in ctx.index.outer_bases(defined)):
         return False
-    if any(engine.index.methods(one, "__init__") for one in chain):
+    if any(ctx.index.methods(one, "__init__") for one in chain):
         return False
     names = [
         field.name for one in reversed(chain) for field in getattr(one.what, "fields", ()) if _is_given(field.type)

@@ -39,30 +39,30 @@ def changes_of(program: Program) -> dict[str, tuple[Statement, ...]]:
     return {name: tuple(all_) for name, all_ in found.items() if len(all_) > 1 or not isinstance(all_[0], Assign)}
 
 
-def module_value(engine: Context, path: str, name: str, first: Expression) -> tuple[Value] | None:
+def module_value(ctx: Context, path: str, name: str, first: Expression) -> tuple[Value] | None:
     """Return what a variable of a module is after all that changes it; None where one statement says it all.
 
     Args:
-        engine: that evaluates.
+        ctx: the evaluation.
         path: of the module.
         name: of the variable.
         first: what it is set to first; another one of this name is an attribute of a class.
     """
-    lookups = engine.index.lookups
+    lookups = ctx.index.lookups
     known = lookups.of_modules.get(path)
     if known is None:
-        known = lookups.of_modules[path] = changes_of(engine.index.programs[path])
+        known = lookups.of_modules[path] = changes_of(ctx.index.programs[path])
     statements = known.get(name, ())
     if not any(isinstance(one, Assign) and one.value is first for one in statements):
         return None
-    outer, changes = engine.state.frame, engine.state.changes
-    engine.state.frame, engine.state.changes = engine.state.frame_of(path, ""), type(changes)()
-    engine.state.frame.depth, engine.state.changes.refined = len(engine.state.conditions), changes.refined
+    outer, changes = ctx.state.frame, ctx.state.changes
+    ctx.state.frame, ctx.state.changes = ctx.state.frame_of(path, ""), type(changes)()
+    ctx.state.frame.depth, ctx.state.changes.refined = len(ctx.state.conditions), changes.refined
     try:
-        engine.block(statements)
-        return (engine.state.frame.names[name],) if name in engine.state.frame.names else None
+        ctx.block(statements)
+        return (ctx.state.frame.names[name],) if name in ctx.state.frame.names else None
     finally:
-        engine.state.frame, engine.state.changes = outer, changes
+        ctx.state.frame, ctx.state.changes = outer, changes
 
 
 def _changed(statement: Statement) -> list[str]:

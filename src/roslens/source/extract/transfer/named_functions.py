@@ -36,9 +36,9 @@ class NamedFunctions:
         bare: functions without their decorators, by the identity of those with them, which they keep alive.
     """
 
-    def __init__(self, engine: Caller) -> None:
-        """Look for them where ``engine`` is."""
-        self._engine = engine
+    def __init__(self, ctx: Caller) -> None:
+        """Look for them where ``ctx`` is."""
+        self._ctx = ctx
         self.bare: dict[int, tuple[Function, Function]] = {}
 
     def method(self, thing: Obj, name: str) -> Callable | None:
@@ -46,14 +46,14 @@ class NamedFunctions:
         defined = thing.defined
         if defined is None:
             return None
-        known, key = self._engine.index.lookups.method, (id(defined.what), name)
+        known, key = self._ctx.index.lookups.method, (id(defined.what), name)
         found = known[key] if key in known else known.setdefault(key, self.method_of(defined, name))
         return None if found is None else Callable(found[0], found[1], thing)
 
     def method_of(self, defined: Defined, name: str) -> Found:
         """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
-        for one in self._engine.index.chain(defined):
-            found = self._engine.index.methods(one, name)
+        for one in self._ctx.index.chain(defined):
+            found = self._ctx.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
                 functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
                 return next((one for one in functions if one[0].body), functions[0])
@@ -64,26 +64,23 @@ class NamedFunctions:
         defined = thing.defined
         if defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
-        known, key = self._engine.index.lookups.overloads, (id(defined.what), name, count)
+        known, key = self._ctx.index.lookups.overloads, (id(defined.what), name, count)
         found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
-        if arguments and found is not None and key not in self._engine.index.lookups.alone:
+        if arguments and found is not None and key not in self._ctx.index.lookups.alone:
             found = self._overload_of(defined, name, count, arguments)
         return None if found is None else Callable(found[0], found[1], thing)
 
     def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = ()) -> Found:
         """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
         hidden: Found = None
-        for one in self._engine.index.chain(defined):
-            found = self._engine.index.methods(one, name)
-            chosen = overload(self._engine.index, found, count, arguments, self._engine.stack.running)
+        for one in self._ctx.index.chain(defined):
+            found = self._ctx.index.methods(one, name)
+            chosen = overload(self._ctx.index, found, count, arguments, self._ctx.stack.running)
             if chosen is None or not isinstance(chosen.what, Function):
                 continue
-            if (
-                taking(self._engine.index, [chosen], count)
-                or not self._engine.index.programs[chosen.path].dialect.overloads
-            ):
+            if taking(self._ctx.index, [chosen], count) or not self._ctx.index.programs[chosen.path].dialect.overloads:
                 if len(found) < 2:
-                    self._engine.index.lookups.alone.add((id(defined.what), name, count))
+                    self._ctx.index.lookups.alone.add((id(defined.what), name, count))
                 return chosen.what, chosen.path
             # A class that has ``using Base::name`` has those of its base too.
             hidden = hidden or (chosen.what, chosen.path)
@@ -91,26 +88,26 @@ class NamedFunctions:
 
     def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
-        frame, known = self._engine.state.frame, self._engine.index.lookups.functions
+        frame, known = self._ctx.state.frame, self._ctx.index.lookups.functions
         key = (name, frame.path, frame.scope, count)
         if key in known:
             found = known[key]
         else:
-            several = self._engine.index.functions_of(name, frame.path, frame.scope)
+            several = self._ctx.index.functions_of(name, frame.path, frame.scope)
             found = self._function(several, name, count, arguments)
             if len(several) < 2:
                 known[key] = found
         return None if found is None else Callable(found[0], found[1])
 
     def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
-        running = self._engine.stack.running
+        running = self._ctx.stack.running
         chosen = overload(
-            self._engine.index,
+            self._ctx.index,
             several,
             count,
             arguments,
             running,
-            (self._engine.state.frame.path, self._engine.emitter.first.path),
+            (self._ctx.state.frame.path, self._ctx.emitter.first.path),
         )
         if chosen is None:
             self._unknown_which(name, several)
@@ -125,5 +122,5 @@ class NamedFunctions:
             return
         places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
         reason = f"{name}() is called, but none that is known to be linked here: there is {places}"
-        if (self._engine.state.site, reason) not in self._engine.emitter.node.unresolved:
-            self._engine.emitter.node.unresolved.append((self._engine.state.site, reason))
+        if (self._ctx.state.site, reason) not in self._ctx.emitter.node.unresolved:
+            self._ctx.emitter.node.unresolved.append((self._ctx.state.site, reason))

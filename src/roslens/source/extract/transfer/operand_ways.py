@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 _KNOWN = (bool, int, float, QosValue, list, dict)
 
 
-def does_something(engine: Context, operand: Expression) -> bool:
+def does_something(ctx: Context, operand: Expression) -> bool:
     """Whether an operand calls a function of the workspace, by its name."""
     if type(operand) is not Call and type(operand) is not Operation:
         return False
-    lookups = engine.index.lookups
+    lookups = ctx.index.lookups
     names = lookups.called.get(id(operand))
     if names is None or names[0] is not operand:
         names = lookups.called[id(operand)] = (operand, _called(operand))
     if not names[1]:
         return False
     if lookups.function_names is None:
-        programs = engine.index.programs.values()
+        programs = ctx.index.programs.values()
         lookups.function_names = {one.name for program in programs for one in program.functions if one.body}
-    local = engine.state.frame.names
+    local = ctx.state.frame.names
     for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
         if one in lookups.function_names or (one in local and type(local[one]) is Callable):
             return True
@@ -65,26 +65,26 @@ def _called(operand: Expression) -> tuple[str, ...]:
 
 
 def value_if(
-    engine: Context, operand: Expression, condition: Condition, test: Condition | None, *, noted: bool = True
+    ctx: Context, operand: Expression, condition: Condition, test: Condition | None, *, noted: bool = True
 ) -> Value:
     """Return the value of an operand that is evaluated where a condition holds.
 
     Args:
-        engine: that evaluates.
+        ctx: the evaluation.
         operand: whose value is asked for.
         condition: under which it is evaluated.
         test: what decides that, where it is known.
         noted: whether what is made in it keeps the condition.
     """
-    frame, changes, here = engine.state.frame, engine.state.changes, len(engine.state.conditions)
+    frame, changes, here = ctx.state.frame, ctx.state.changes, len(ctx.state.conditions)
     before, since = frame.snapshot(), changes.count
     changes.open += 1
     if noted:
-        engine.state.under(condition, test)
+        ctx.state.under(condition, test)
     try:
-        value = engine.value(operand)
+        value = ctx.value(operand)
     finally:
-        del engine.state.conditions[here:]
+        del ctx.state.conditions[here:]
         changes.open -= 1
     if not frame.is_as(before):
         _may_be_as(frame.names, before[0], condition, test)
@@ -98,32 +98,30 @@ def value_if(
     return value
 
 
-def way_of(
-    engine: Context, operand: Expression, condition: Condition, decides: Value, *, opposite: bool = False
-) -> Value:
+def way_of(ctx: Context, operand: Expression, condition: Condition, decides: Value, *, opposite: bool = False) -> Value:
     """Return the value of one of two operands of which a condition chooses; the second one with ``opposite``."""
     test = test_of(decides)
     if opposite:
         condition, test = negated(condition), None if test is None else negated(test)
-    return value_if(engine, operand, condition, test)
+    return value_if(ctx, operand, condition, test)
 
 
 def after_others(
-    engine: Context, operand: Expression, others: SequenceOf[tuple[Value, Expression]], operator: str
+    ctx: Context, operand: Expression, others: SequenceOf[tuple[Value, Expression]], operator: str
 ) -> Value:
     """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
 
     Where one of these does something itself, that it went well is no condition worth telling.
     """
-    conditions = [engine.index.lookups.condition(one) for _, one in others]
+    conditions = [ctx.index.lookups.condition(one) for _, one in others]
     if operator == "or":
         conditions = [negated(one) for one in conditions]
     tests = [test if operator == "and" else negated(test) for value, _ in others if (test := test_of(value))]
     test = None
     if len(tests) == len(others):
         test = tests[0] if len(tests) == 1 else And(tuple(tests))
-    asks = not any(does_something(engine, one) for _, one in others)
-    return value_if(engine, operand, all_of(conditions), test, noted=asks)
+    asks = not any(does_something(ctx, one) for _, one in others)
+    return value_if(ctx, operand, all_of(conditions), test, noted=asks)
 
 
 def _may_be_as(now: Names, before: Names, condition: Condition, test: Condition | None) -> None:

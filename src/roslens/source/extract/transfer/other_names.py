@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 _PLAIN = (Text, bool, int, float, QosValue)
 
 
-def refer(engine: Context, statement: Assign) -> bool:
+def refer(ctx: Context, statement: Assign) -> bool:
     """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
-    frame, name, value = engine.state.frame, statement.target, statement.value
+    frame, name, value = ctx.state.frame, statement.target, statement.value
     if not isinstance(name, Name) or value is None or value == name:
         return False
     if isinstance(value, Call) and not value.arguments and not value.keywords:
-        return _refer_to_result(engine, statement, name, value)
+        return _refer_to_result(ctx, statement, name, value)
     if not _stays(value):
         return False
-    if not isinstance(engine.value(value), _PLAIN):
+    if not isinstance(ctx.value(value), _PLAIN):
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
         return False
     frame.names.pop(name.name, None)
@@ -36,15 +36,13 @@ def refer(engine: Context, statement: Assign) -> bool:
     return True
 
 
-def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call) -> bool:
+def _refer_to_result(ctx: Context, statement: Assign, name: Name, call: Call) -> bool:
     """Let a name be another one of what a call returns a reference to; return True."""
-    frame = engine.state.frame
-    no_place(engine)
-    value = (
-        engine.objects.converted(statement.declared, engine.value(call)) if statement.declared else engine.value(call)
-    )
+    frame = ctx.state.frame
+    no_place(ctx)
+    value = ctx.objects.converted(statement.declared, ctx.value(call)) if statement.declared else ctx.value(call)
     frame.names.pop(name.name, None)
-    if engine.state.gave is not None and isinstance(value, _PLAIN):
+    if ctx.state.gave is not None and isinstance(value, _PLAIN):
         frame.aliases = {**frame.aliases, name.name: (call, statement.operator == "*")}
     else:
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
@@ -52,13 +50,13 @@ def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call)
     return True
 
 
-def assign_referred(engine: Context, name: str, value: Value) -> None:
+def assign_referred(ctx: Context, name: str, value: Value) -> None:
     """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
-    expression, pointer = engine.state.frame.aliases[name]
+    expression, pointer = ctx.state.frame.aliases[name]
     if pointer:
         reason = f"what {name} points to"
-        value = unknown(reason) if isinstance(engine.value(expression), Text) else Unknown(reason)
-    engine.assign(expression, value)
+        value = unknown(reason) if isinstance(ctx.value(expression), Text) else Unknown(reason)
+    ctx.assign(expression, value)
 
 
 def _stays(value: Expression) -> bool:

@@ -37,16 +37,16 @@ def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None
     return Text((Hole(reason, default=usual),))
 
 
-def deciding_node(engine: Context, text: Text) -> Building:
+def deciding_node(ctx: Context, text: Text) -> Building:
     """Return the node whose parameters decide a text, else the one whose code is evaluated."""
     for hole in text.holes:
         for reason in (hole.reason, *(one.reason for named in hole.named for one in named.holes)):
-            if 0 < (number := node_of_reason(reason)) <= len(engine.emitter.others):
-                return engine.emitter.others[number - 1]
+            if 0 < (number := node_of_reason(reason)) <= len(ctx.emitter.others):
+                return ctx.emitter.others[number - 1]
         if hole.parameter:
-            return engine.emitter.first
-    node = getattr(engine.state.frame.self, "node", None)
-    return engine.emitter.node if node is None else node
+            return ctx.emitter.first
+    node = getattr(ctx.state.frame.self, "node", None)
+    return ctx.emitter.node if node is None else node
 
 
 def _maps(value: str) -> Value:

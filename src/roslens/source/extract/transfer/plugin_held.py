@@ -22,19 +22,19 @@ def held_in(thing: Obj) -> Table:
     return found if isinstance(found, dict) else {}
 
 
-def hold(engine: Context, thing: Obj, key: Value, value: Value) -> None:
+def hold(ctx: Context, thing: Obj, key: Value, value: Value) -> None:
     """Put something at a place of a list; what is only there under a condition of its function is unknown."""
-    engine.summaries.touch()
+    ctx.summaries.touch()
     place = key if is_whole(key) else _EACH
     if not isinstance(value, Text | Obj) or (place is _EACH and isinstance(value, Text) and not value.holes):
         value = Unknown("an item of a list")
     held = thing.fields.setdefault(_HELD, {})
     if not isinstance(held, dict):
         return
-    uncertain = len(engine.state.conditions) > engine.state.frame.depth + engine.state.frame.passed
+    uncertain = len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed
     if (uncertain or place is _EACH) and held.get(place, value) != value:
         value = Unknown("an item of a list")
-    engine.state.changes.put(held, place, value)
+    ctx.state.changes.put(held, place, value)
 
 
 def item_held(thing: Obj, key: Value) -> Value:
@@ -45,11 +45,11 @@ def item_held(thing: Obj, key: Value) -> Value:
     return held.get(key) if _EACH not in held and isinstance(key, int) else None
 
 
-def plugged_in(engine: Context, value: Value) -> list[Value] | None:
+def plugged_in(ctx: Context, value: Value) -> list[Value] | None:
     """Return the plug-ins that a list holds; None where it holds none, or others too."""
     if not isinstance(value, Obj) or value.defined is not None:
         return None
     held = held_in(value)
     items = [held[key] for key in sorted(all_of_kind(held, int))]
-    known = len(items) == len(held) and all(any(one is item for one, _ in engine.emitter.plugged) for item in items)
+    known = len(items) == len(held) and all(any(one is item for one, _ in ctx.emitter.plugged) for item in items)
     return items if items and known else None

@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def refine(engine: Context, holder: Expression, before: Value, after: Value) -> Value:
+def refine(ctx: Context, holder: Expression, before: Value, after: Value) -> Value:
     """Let what holds a quality of service hold what it was changed to; return that.
 
     Args:
-        engine: the evaluation.
+        ctx: the evaluation.
         holder: the expression that was changed: a name, a member, or calls that hand on what they change
             (``qos.reliable().transient_local()``).
         before: what it was.
@@ -29,11 +29,11 @@ def refine(engine: Context, holder: Expression, before: Value, after: Value) -> 
     if not isinstance(after, QosValue):
         return after
     if isinstance(holder, Call):
-        put_where_it_stands(engine, before, after)
+        put_where_it_stands(ctx, before, after)
     if not isinstance(holder, Name | Member):
         return after
-    engine.assign(holder, after)
-    changed_for_all(engine, holder, before, after)
+    ctx.assign(holder, after)
+    changed_for_all(ctx, holder, before, after)
     return after
 
 
@@ -59,7 +59,7 @@ def lose(thing: Value, function: Function, names: Names | None = None) -> None:
                 thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
 
 
-def lose_unseen(engine: Context, called: Callable, written: tuple[Expression, ...]) -> None:
+def lose_unseen(ctx: Context, called: Callable, written: tuple[Expression, ...]) -> None:
     """Forget what a function without a body sets: members of its object, and the numbers that it is given."""
     function = called.function
     if not function.sets:
@@ -67,8 +67,8 @@ def lose_unseen(engine: Context, called: Callable, written: tuple[Expression, ..
     lose(called.self, function)
     for parameter, expression in zip(function.parameters, written, strict=False):
         told = parameter.name in function.sets and isinstance(expression, Name | Member)
-        if told and isinstance(engine.value(expression), bool | int | float):
-            engine.assign(expression, Unknown(f"{parameter.name}, which {function.name}() may set"))
+        if told and isinstance(ctx.value(expression), bool | int | float):
+            ctx.assign(expression, Unknown(f"{parameter.name}, which {function.name}() may set"))
 
 
 HANDED_ON = frozenset(

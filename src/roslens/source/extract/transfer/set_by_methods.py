@@ -39,34 +39,34 @@ _PLAIN = frozenset({str, int, float, bool, type(None), Literal, Opaque, Lambda, 
 _LEAVES = frozenset({*_PLAIN, Name})
 
 
-def forget_set_by_methods(engine: Context, statement: Loop) -> None:
+def forget_set_by_methods(ctx: Context, statement: Loop) -> None:
     """Let texts and numbers be unknown that methods of the own object set in a turn, and that it reads before.
 
     What is true or false is left alone: it mostly tells what the first turn did.
     """
-    thing = engine.state.frame.self
+    thing = ctx.state.frame.self
     if not isinstance(thing, Obj) or thing.defined is None:
         return
-    lookups, fields = engine.index.lookups, thing.fields
+    lookups, fields = ctx.index.lookups, thing.fields
     known, key = lookups.set_in_turns, (id(statement), id(thing.defined.what))
     found = known.get(key)
     if found is None or found[0] is not statement:
-        found = known[key] = (statement, _set_by_methods(engine, thing.defined, statement))
+        found = known[key] = (statement, _set_by_methods(ctx, thing.defined, statement))
     for name in [name for name in found[1] if name in fields]:
         before = fields[name]
         text = type(before) is Text and before.known
         if not text and type(before) is not int and type(before) is not float:
             continue
-        if _order(engine, thing.defined, (*statement.body, *statement.update), name, _MOST_DEPTH):
+        if _order(ctx, thing.defined, (*statement.body, *statement.update), name, _MOST_DEPTH):
             reason = f"{name}, which a turn of a loop sets"
             fields[name] = unknown(reason) if text else Unknown(reason)
 
 
-def _set_by_methods(engine: Context, of: Defined, statement: Loop) -> tuple[str, ...]:
+def _set_by_methods(ctx: Context, of: Defined, statement: Loop) -> tuple[str, ...]:
     """Return the members that methods of the object set which a turn calls, and variables of these methods."""
     names: set[str] = set()
     for called in _called_in(statement.body):
-        function = _method(engine, of, called)
+        function = _method(ctx, of, called)
         if function is not None:
             names |= assigned_names(function.body)
     return tuple(sorted(names))
@@ -98,9 +98,9 @@ def _called_in(body: tuple[Statement, ...]) -> list[str]:
     return found
 
 
-def _method(engine: Context, of: Defined, name: str) -> Function | None:
-    known, key = engine.index.lookups.method, (id(of.what), name)
-    found = known[key] if key in known else known.setdefault(key, engine.named.method_of(of, name))
+def _method(ctx: Context, of: Defined, name: str) -> Function | None:
+    known, key = ctx.index.lookups.method, (id(of.what), name)
+    found = known[key] if key in known else known.setdefault(key, ctx.named.method_of(of, name))
     return found[0] if found is not None and found[0].body else None
 
 
@@ -126,40 +126,40 @@ def _own_calls(part: Any) -> list[str]:
     return found
 
 
-def _order(engine: Context, of: Defined, body: tuple[Statement, ...], name: str, depth: int) -> bool | None:
+def _order(ctx: Context, of: Defined, body: tuple[Statement, ...], name: str, depth: int) -> bool | None:
     """Return whether a member is read before it is set for sure; None where it is neither."""
     for one in body:
         match one:
             case Assign() if one.operator == "=" and _is_place(one.target, name):
-                read = one.value is not None and _says(engine, of, one.value, name, depth)
+                read = one.value is not None and _says(ctx, of, one.value, name, depth)
                 return read is True
             case Branch() | Loop():
                 parts = (one.then, one.otherwise) if isinstance(one, Branch) else ((*one.body, *one.update),)
                 head = one.condition if isinstance(one, Branch) else (one.target, one.over)
-                found = _says(engine, of, head, name, depth)
+                found = _says(ctx, of, head, name, depth)
                 if found is not None:
                     return found
-                ways = [_order(engine, of, part, name, depth) for part in parts]
+                ways = [_order(ctx, of, part, name, depth) for part in parts]
                 if True in ways:
                     return True
                 if isinstance(one, Branch) and all(way is False for way in ways):
                     return False
                 continue
-        found = _says(engine, of, one, name, depth)
+        found = _says(ctx, of, one, name, depth)
         if found is not None:
             return found
     return None
 
 
-def _says(engine: Context, of: Defined, part: Any, name: str, depth: int) -> bool | None:
+def _says(ctx: Context, of: Defined, part: Any, name: str, depth: int) -> bool | None:
     """Return whether an expression or statement reads a member, or calls what does; False where that sets it."""
     if _names(part, name):
         return True
     if not depth:
         return None
     for called in _own_calls(part):
-        function = _method(engine, of, called)
-        found = None if function is None else _order(engine, of, function.body, name, depth - 1)
+        function = _method(ctx, of, called)
+        found = None if function is None else _order(ctx, of, function.body, name, depth - 1)
         if found is not None:
             return found
     return None

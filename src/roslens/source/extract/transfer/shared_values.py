@@ -12,46 +12,46 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def changed_for_all(engine: Context, holder: Name | Member, before: Value, after: QosValue) -> None:
+def changed_for_all(ctx: Context, holder: Name | Member, before: Value, after: QosValue) -> None:
     """Let a quality of service be what it was changed to under its other names too."""
-    shared = engine.dialect.names_share_objects
-    if isinstance(before, QosValue) and before is not after and (shared or _is_reference(engine, holder)):
-        engine.summaries.forget_all()
-        engine.state.changes.refine(before, after)
+    shared = ctx.dialect.names_share_objects
+    if isinstance(before, QosValue) and before is not after and (shared or _is_reference(ctx, holder)):
+        ctx.summaries.forget_all()
+        ctx.state.changes.refine(before, after)
         if shared:
-            _in_constants(engine, before, after)
-            changed_by_call(engine)
+            _in_constants(ctx, before, after)
+            changed_by_call(ctx)
 
 
-def newest(engine: Context, value: Value) -> Value:
+def newest(ctx: Context, value: Value) -> Value:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
-    while isinstance(value, QosValue) and id(value) in engine.state.changes.refined:
-        value = engine.state.changes.refined[id(value)][1]
+    while isinstance(value, QosValue) and id(value) in ctx.state.changes.refined:
+        value = ctx.state.changes.refined[id(value)][1]
     return value
 
 
-def changed_by_call(engine: Context) -> None:
+def changed_by_call(ctx: Context) -> None:
     """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
-    if not engine.dialect.names_share_objects:
+    if not ctx.dialect.names_share_objects:
         return
-    thing = engine.state.frame.self
-    for held in (engine.state.frame.names, thing.fields if isinstance(thing, Obj) else {}):
+    thing = ctx.state.frame.self
+    for held in (ctx.state.frame.names, thing.fields if isinstance(thing, Obj) else {}):
         for name, value in held.items():
-            if isinstance(value, QosValue) and id(value) in engine.state.changes.refined:
-                engine.state.changes.put(held, name, newest(engine, value))
+            if isinstance(value, QosValue) and id(value) in ctx.state.changes.refined:
+                ctx.state.changes.put(held, name, newest(ctx, value))
 
 
-def _in_constants(engine: Context, before: QosValue, after: QosValue) -> None:
+def _in_constants(ctx: Context, before: QosValue, after: QosValue) -> None:
     """What a module or class holds is changed for all that use it; under a condition it may be."""
-    for place, value in engine.state.constants.items():
+    for place, value in ctx.state.constants.items():
         if value is before:
-            why = f"it may be changed, if {engine.state.conditions[-1]}" if engine.state.conditions else ""
-            engine.state.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
+            why = f"it may be changed, if {ctx.state.conditions[-1]}" if ctx.state.conditions else ""
+            ctx.state.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
 
 
-def _is_reference(engine: Context, holder: Name | Member) -> bool:
+def _is_reference(ctx: Context, holder: Name | Member) -> bool:
     """Whether what is changed is a member that refers to something outside of its object."""
-    thing = engine.state.frame.self
-    if not isinstance(thing, Obj) or holder.name in engine.state.frame.names:
+    thing = ctx.state.frame.self
+    if not isinstance(thing, Obj) or holder.name in ctx.state.frame.names:
         return False
-    return declared_field(engine.index, thing.defined, holder.name).endswith("&")
+    return declared_field(ctx.index, thing.defined, holder.name).endswith("&")

@@ -17,16 +17,16 @@ _MOST_LEFT = 8
 """So many arguments stand for those of a list that nobody knows."""
 
 
-def spread(engine: Context, call: Call) -> tuple[list[Value], Names]:
+def spread(ctx: Context, call: Call) -> tuple[list[Value], Names]:
     """Return the arguments of a call by position and by name, as far as what is spread out is known.
 
     Where a table is not known, ``**`` stands among the names: any of them may be given.
     """
-    lists = [engine.value(one) for name, one in call.keywords if name == "*"]
+    lists = [ctx.value(one) for name, one in call.keywords if name == "*"]
     arguments: list[Value] = []
     for one in call.arguments:
         if not isinstance(one, Opaque) or not one.text.startswith("*"):
-            arguments.append(engine.value(one))
+            arguments.append(ctx.value(one))
             continue
         items = lists.pop(0) if lists else None
         if not isinstance(items, list) or not is_counted(items):
@@ -37,7 +37,7 @@ def spread(engine: Context, call: Call) -> tuple[list[Value], Names]:
     for name, expression in call.keywords:
         if name == "*":
             continue
-        value = engine.value(expression)
+        value = ctx.value(expression)
         if name != "**":
             keywords[name] = value
         elif isinstance(value, dict) and all(isinstance(key, Text) and key.known for key in value):

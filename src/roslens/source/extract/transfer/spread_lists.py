@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-def spread_out(engine: Context, expression: Sequence) -> list[Value]:
+def spread_out(ctx: Context, expression: Sequence) -> list[Value]:
     """Return a list with the items of those that are spread out in it; one value stands for those that are unknown."""
     found: list[Value] = []
     for one in expression.items:
         if not isinstance(one, Operation) or one.operator != "*" or len(one.operands) != 1:
-            found.append(engine.value(one))
+            found.append(ctx.value(one))
             continue
-        items = engine.items(engine.value(one.operands[0]))
-        found += [Unknown(f"each of {engine.index.lookups.text(one.operands[0])}")] if items is None else items
+        items = ctx.items(ctx.value(one.operands[0]))
+        found += [Unknown(f"each of {ctx.index.lookups.text(one.operands[0])}")] if items is None else items
     return found

@@ -25,13 +25,13 @@ Parts = dict[str, Part]
 """Items by name."""
 
 
-def put_part(engine: Context, of: Obj, key: Value, value: Value) -> None:
+def put_part(ctx: Context, of: Obj, key: Value, value: Value) -> None:
     """Put an item into a value; what has no known name is left out."""
     if isinstance(key, Text) and key.known:
-        engine.summaries.touch()
+        ctx.summaries.touch()
         parts = of.fields.setdefault(_PARTS, {})
         if isinstance(parts, dict):
-            parts[key.known] = Part(value, tuple(dict.fromkeys(engine.state.conditions)))
+            parts[key.known] = Part(value, tuple(dict.fromkeys(ctx.state.conditions)))
 
 
 def parts_of(value: Value) -> Parts:

@@ -93,43 +93,43 @@ def facts_of_class(
     ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Given`.
     """
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
-    engine = Interpreter(index, building, Given(chosen, plugin_names))
+    ctx = Interpreter(index, building, Given(chosen, plugin_names))
 
     def run() -> None:
-        engine.state.frame = Frame(defined.path, defined.what.qualified_name)
+        ctx.state.frame = Frame(defined.path, defined.what.qualified_name)
         thing = Obj(defined.what.qualified_name, defined, {}, building if generation == "ros1" else None)
-        engine.objects.prepare(thing)
+        ctx.objects.prepare(thing)
         thing.node = thing.node or building
         building.named = False
-        engine.objects.construct_as(thing, defined, [], {})
-        run_methods(engine, thing)
-        _run_made(engine, thing)
-        _run_plugged(engine)
+        ctx.objects.construct_as(thing, defined, [], {})
+        run_methods(ctx, thing)
+        _run_made(ctx, thing)
+        _run_plugged(ctx)
 
-    return finished(engine, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind))
+    return finished(ctx, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind))
 
 
 def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
-    engine = Interpreter(index, building)
+    ctx = Interpreter(index, building)
 
     def run() -> None:
-        engine.state.frame = Frame(defined.path, defined.what.qualified_name)
+        ctx.state.frame = Frame(defined.path, defined.what.qualified_name)
         thing = Obj(defined.what.qualified_name, defined, {})
-        engine.objects.prepare(thing)
-        engine.objects.construct_as(thing, defined, [], {})
-        run_methods(engine, thing)
+        ctx.objects.prepare(thing)
+        ctx.objects.construct_as(thing, defined, [], {})
+        run_methods(ctx, thing)
         for found in index.methods(defined, defined.what.name):
             # Constructors that nobody calls are an offer too.
-            if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.callbacks.reached:
+            if isinstance(found.what, Function) and (found.path, found.what.line) not in ctx.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
-                engine.objects.prepare(other)
-                engine.call(Callable(found.what, found.path, other), [], {})
-        engine.run_later()
+                ctx.objects.prepare(other)
+                ctx.call(Callable(found.what, found.path, other), [], {})
+        ctx.run_later()
 
-    return finished(engine, run, reached)
+    return finished(ctx, run, reached)
 
 
 def facts_of_function(
@@ -141,18 +141,18 @@ def facts_of_function(
     """
     building = building_of(function.qualified_name, path, function.line, generation_of(index, path), "function")
     building.named = True
-    engine = Interpreter(index, building)
+    ctx = Interpreter(index, building)
 
     def run() -> None:
         defined = index.class_of(function.class_name, path, "") if function.class_name else None
         thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
-        engine.state.frame = Frame(path, "")
+        ctx.state.frame = Frame(path, "")
         if thing is not None and prepared:
-            engine.objects.prepare(thing)
-        engine.call(Callable(function, path, thing), [], {})
-        engine.run_later()
+            ctx.objects.prepare(thing)
+        ctx.call(Callable(function, path, thing), [], {})
+        ctx.run_later()
 
-    return finished(engine, run, reached)
+    return finished(ctx, run, reached)
 
 
 def facts_of_main(
@@ -169,22 +169,22 @@ def facts_of_main(
     if main is None:
         return []
     building = building_of("main", path, main.line, generation_of(index, path), "node")
-    engine = Interpreter(index, building, Given(chosen, plugin_names))
+    ctx = Interpreter(index, building, Given(chosen, plugin_names))
 
     def run() -> None:
-        engine.state.frame = Frame(path, "")
+        ctx.state.frame = Frame(path, "")
         held = None if words is None else words_given(words)
         given: list[Value] = [Unknown("argc"), Unknown("argv")]
         if held is not None:
             given = [held.length, held]
-        engine.call(Callable(main, path), given, {})
-        _run_callbacks(engine)
-        if len(engine.emitter.made) > 1:
+        ctx.call(Callable(main, path), given, {})
+        _run_callbacks(ctx)
+        if len(ctx.emitter.made) > 1:
             # Which node of several is which only this evaluation knows.
-            _run_made(engine)
-        _run_plugged(engine)
+            _run_made(ctx)
+        _run_plugged(ctx)
 
-    found = finished(engine, run, reached, () if words is not None or chosen is not None else ("main", path))
+    found = finished(ctx, run, reached, () if words is not None or chosen is not None else ("main", path))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
@@ -201,40 +201,40 @@ def facts_of_module(
     """
     program = index.programs[path]
     building = building_of(function or "<module>", path, 1, generation_of(index, path), "node")
-    engine = Interpreter(index, building, Given(words=None if words is None else words_given(words)))
+    ctx = Interpreter(index, building, Given(words=None if words is None else words_given(words)))
 
     def run() -> None:
-        engine.state.frame = Frame(path, "")
-        engine.state.frame.names["__name__"] = Text.of("__main__")
+        ctx.state.frame = Frame(path, "")
+        ctx.state.frame.names["__name__"] = Text.of("__main__")
         chosen: list[Function] = [one for one in program.functions if one.qualified_name == function]
         if function and chosen:
-            engine.call(Callable(chosen[0], path), [], {})
+            ctx.call(Callable(chosen[0], path), [], {})
         elif not function:
             for statement in program.body:
                 if isinstance(statement, Branch) and _is_main(statement):
-                    engine.block(statement.then)
+                    ctx.block(statement.then)
                 elif isinstance(statement, Evaluate):
-                    engine.value(statement.expression)
+                    ctx.value(statement.expression)
                 elif isinstance(statement, Branch | Loop) or _calls(statement):
-                    engine.block((statement,))
-        _run_lifecycle(engine)
-        _run_callbacks(engine)
+                    ctx.block((statement,))
+        _run_lifecycle(ctx)
+        _run_callbacks(ctx)
 
-    found = finished(engine, run, reached, () if words is not None else ("module", path, function))
+    found = finished(ctx, run, reached, () if words is not None else ("module", path, function))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
-def _run_lifecycle(engine: Interpreter) -> None:
+def _run_lifecycle(ctx: Interpreter) -> None:
     """Run what managed nodes do until they are active: nobody in their own program asks for it."""
-    for one in [made for made in engine.emitter.made if made.node is not None and made.node.kind == "lifecycle"]:
-        outer, engine.emitter.node = engine.emitter.node, one.node or engine.emitter.node
+    for one in [made for made in ctx.emitter.made if made.node is not None and made.node.kind == "lifecycle"]:
+        outer, ctx.emitter.node = ctx.emitter.node, one.node or ctx.emitter.node
         try:
             for name in _FIRST[:3]:
-                method = engine.named.method(one, name)
+                method = ctx.named.method(one, name)
                 if method is not None:
-                    engine.call(method, [], {})
+                    ctx.call(method, [], {})
         finally:
-            engine.emitter.node = outer
+            ctx.emitter.node = outer
 
 
 def _calls(statement: Statement) -> bool:
@@ -246,65 +246,65 @@ def _is_main(branch: Branch) -> bool:
     return isinstance(condition, Operation) and Literal("__main__") in condition.operands
 
 
-def run_methods(engine: Interpreter, thing: Obj, *, again: bool = False) -> None:
+def run_methods(ctx: Interpreter, thing: Obj, *, again: bool = False) -> None:
     """Run what a node does after it is made: its life cycle first, then what was never called.
 
     What another object of its class did is done ``again``.
     """
     for name in _FIRST:
-        method = engine.named.method(thing, name)
-        if method is not None and (again or (method.path, method.function.line) not in engine.callbacks.reached):
-            engine.call(method, [], {})
-    _forget(engine, thing)
-    engine.run_later()
+        method = ctx.named.method(thing, name)
+        if method is not None and (again or (method.path, method.function.line) not in ctx.callbacks.reached):
+            ctx.call(method, [], {})
+    _forget(ctx, thing)
+    ctx.run_later()
     if thing.defined is None:
         return
-    home = engine.index.package(thing.defined.path)
-    for one in engine.index.chain(thing.defined):
+    home = ctx.index.package(thing.defined.path)
+    for one in ctx.index.chain(thing.defined):
         # What a base in another package could do is not what this node does.
-        if engine.index.package(one.path) == home:
-            for found in engine.index.methods_of(one):
+        if ctx.index.package(one.path) == home:
+            for found in ctx.index.methods_of(one):
                 if isinstance(found.what, Function) and not _made_by(found.what, one):
                     called = Written(f"{found.what.name}() is called")
-                    engine.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
-    engine.run_later()
+                    ctx.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
+    ctx.run_later()
 
 
-def _run_made(engine: Interpreter, first: Obj | None = None) -> None:
+def _run_made(ctx: Interpreter, first: Obj | None = None) -> None:
     """Run what further nodes do that were made on the way: each class of them once."""
     seen: set[int] = {id(first)}
-    while fresh := [one for one in engine.emitter.made if id(one) not in seen and one.node is not None]:
+    while fresh := [one for one in ctx.emitter.made if id(one) not in seen and one.node is not None]:
         for one in fresh:
             seen.add(id(one))
-            outer, engine.emitter.node = engine.emitter.node, one.node or engine.emitter.node
+            outer, ctx.emitter.node = ctx.emitter.node, one.node or ctx.emitter.node
             try:
-                run_methods(engine, one, again=True)
+                run_methods(ctx, one, again=True)
             finally:
-                engine.emitter.node = outer
+                ctx.emitter.node = outer
 
 
-def _run_plugged(engine: Interpreter) -> None:
+def _run_plugged(ctx: Interpreter) -> None:
     """Run what plug-ins do that nobody was seen to call; they may load others."""
     done = 0
-    while done < len(engine.emitter.plugged):
-        thing, node = engine.emitter.plugged[done]
-        outer, engine.emitter.node = engine.emitter.node, node
+    while done < len(ctx.emitter.plugged):
+        thing, node = ctx.emitter.plugged[done]
+        outer, ctx.emitter.node = ctx.emitter.node, node
         try:
-            run_methods(engine, thing)
+            run_methods(ctx, thing)
         finally:
-            engine.emitter.node = outer
+            ctx.emitter.node = outer
         done += 1
 
 
-def _run_callbacks(engine: Interpreter) -> None:
+def _run_callbacks(ctx: Interpreter) -> None:
     """Run the callbacks of a program: by then, members of their objects may have changed."""
-    for callback, _ in engine.callbacks.waiting:
+    for callback, _ in ctx.callbacks.waiting:
         if isinstance(callback.self, Obj):
-            _forget(engine, callback.self)
-    engine.run_later()
+            _forget(ctx, callback.self)
+    ctx.run_later()
 
 
-def _forget(engine: Interpreter, thing: Obj) -> None:
+def _forget(ctx: Interpreter, thing: Obj) -> None:
     """Forget truth values that may have changed when a callback runs: those of members that methods set."""
     waiting, seen = [thing], set[int]()
     while waiting and len(seen) < 200:
@@ -313,8 +313,8 @@ def _forget(engine: Interpreter, thing: Obj) -> None:
             continue
         seen.add(id(one))
         # Small programs of C++ leave out functions that only compute: they may set any member.
-        any_member = engine.index.programs[one.defined.path].dialect.sliced
-        changed = engine.index.changed(one.defined)
+        any_member = ctx.index.programs[one.defined.path].dialect.sliced
+        changed = ctx.index.changed(one.defined)
         for name, value in one.fields.items():
             match value:
                 case bool() if any_member or name in changed:
@@ -330,11 +330,11 @@ def _made_by(function: Function, defined: Defined) -> bool:
 
 
 def finished(
-    engine: Interpreter, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
+    ctx: Interpreter, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
 ) -> list[NodeFacts]:
     """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
-    units = engine.index.units if unit else None
-    found, followed = (units or {}).get(unit) or (_made(engine, run), engine.callbacks.reached)
+    units = ctx.index.units if unit else None
+    found, followed = (units or {}).get(unit) or (_made(ctx, run), ctx.callbacks.reached)
     if units is not None:
         units[unit] = (found, followed)
     if reached is not None:
@@ -342,20 +342,20 @@ def finished(
     return list(found)
 
 
-def _made(engine: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
+def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
     try:
         run()
     except (SpentError, RecursionError):
-        node = engine.emitter.node
+        node = ctx.emitter.node
         place = Evidence(node.path, node.line)
         node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
-        for one in (node, *engine.emitter.others):
+        for one in (node, *ctx.emitter.others):
             _doubt_conditions(one)
     except _ODD as error:
-        site = engine.state.site
+        site = ctx.state.site
         reason = f"what is written at {site.path}:{site.line} is evaluated to nonsense ({error})"
-        engine.emitter.node.unresolved.append((site, f"{reason}; what was found until then is here"))
-    return [one.facts() for one in (engine.emitter.node, *engine.emitter.others)]
+        ctx.emitter.node.unresolved.append((site, f"{reason}; what was found until then is here"))
+    return [one.facts() for one in (ctx.emitter.node, *ctx.emitter.others)]
 
 
 def _doubt_conditions(node: Building) -> None:

@@ -34,19 +34,19 @@ def _facts_of_tree_node(
     path, function, call = registered_by
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
     building.named = True
-    engine = Interpreter(index, building)
+    ctx = Interpreter(index, building)
     unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
 
     def run() -> None:
-        engine.state.frame = Frame(path, function.qualified_name)
-        engine.block(tuple(one for one in function.body if isinstance(one, Assign)))
-        builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
+        ctx.state.frame = Frame(path, function.qualified_name)
+        ctx.block(tuple(one for one in function.body if isinstance(one, Assign)))
+        builder = ctx.value(call.arguments[1]) if len(call.arguments) > 1 else None
         match builder:
             case Callable():
-                thing = engine.call(builder, unknown, {})
+                thing = ctx.call(builder, unknown, {})
             case _:
-                thing = engine.objects.construct(defined, unknown, {})
+                thing = ctx.objects.construct(defined, unknown, {})
         if isinstance(thing, Obj):
-            run_methods(engine, thing)
+            run_methods(ctx, thing)
 
-    return finished(engine, run, reached)
+    return finished(ctx, run, reached)

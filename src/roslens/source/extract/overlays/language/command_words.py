@@ -75,41 +75,41 @@ def without_ros(words: Sequence[Value]) -> Words:
     return Words(one for one in words if not (isinstance(one, Text) and _ASSIGNS in one.pattern))
 
 
-def given_to_ros(engine: Context, called: Called) -> None:
+def given_to_ros(ctx: Context, called: Called) -> None:
     """Take what is for ROS from the words that ``ros::init(argc, argv, …)`` is given, as it does."""
     words = called.argument(1)
     if isinstance(words, Words) and called.written:
         words[:] = without_ros(words)
-        engine.assign(called.written[0], len(words))
+        ctx.assign(called.written[0], len(words))
 
 
 @outer("ros.removeROSArgs")
-def remove_ros_args(engine: Context, _thing: Value, called: Called) -> Value:
+def remove_ros_args(ctx: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS are put into a list."""
     words = called.argument(1)
     if isinstance(words, Words) and len(called.written) > 2:
-        engine.assign(called.written[2], without_ros(words))
+        ctx.assign(called.written[2], without_ros(words))
     return None
 
 
 @outer("rospy.myargv", quiet=True)
-def my_words(engine: Context, _thing: Value, called: Called) -> Value:
+def my_words(ctx: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS."""
-    words = called.argument(0, "argv", default=engine.given.words)
+    words = called.argument(0, "argv", default=ctx.given.words)
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
 
 
 @outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
        "rclcpp.init_and_remove_ros_arguments", quiet=True)  # fmt: skip
-def of_program(engine: Context, _thing: Value, called: Called) -> Value:
+def of_program(ctx: Context, _thing: Value, called: Called) -> Value:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
-    words = engine.given.words if words is None else words
+    words = ctx.given.words if words is None else words
     return without_ros2(words) if isinstance(words, Words) else Unknown(f"result of {called.name}()")
 
 
 @outer("rcutils_cli_option_exist", quiet=True)
-def option_given(_engine: Context, _thing: Value, called: Called) -> Value:
+def option_given(_ctx: Context, _thing: Value, called: Called) -> Value:
     """Whether a word is among those of the command line."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -117,7 +117,7 @@ def option_given(_engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rcutils_cli_get_option", quiet=True)
-def option_value(_engine: Context, _thing: Value, called: Called) -> Value:
+def option_value(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The word after an option; nothing where it is not given."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -140,14 +140,14 @@ def _place(words: Value, option: Value) -> int | None:
 
 
 @outer("len", quiet=True)
-def count(_engine: Context, _thing: Value, called: Called) -> Value:
+def count(_ctx: Context, _thing: Value, called: Called) -> Value:
     """How many words there are; other lists may have become longer in a way that was not followed."""
     words = called.argument(0)
     return words.length if isinstance(words, Words) else Unknown("result of len()")
 
 
 @outer("strcmp", "std.strcmp", quiet=True)
-def compared(_engine: Context, _thing: Value, called: Called) -> Value:
+def compared(_ctx: Context, _thing: Value, called: Called) -> Value:
     """Two texts are compared: 0 where they are the same."""
     one, other = (known_text(value) for value in (*called.arguments, None, None)[:2])
     return Unknown("result of strcmp()") if one is None or other is None else (one > other) - (one < other)

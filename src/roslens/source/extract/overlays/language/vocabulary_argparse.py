@@ -55,45 +55,45 @@ class LostError(Exception):
 
 
 @outer(_PARSER)
-def parser(engine: Context, thing: Value, called: Called) -> Value:
+def parser(ctx: Context, thing: Value, called: Called) -> Value:
     """A parser of command lines; what parents of it know is not followed."""
     found = thing if isinstance(thing, Obj) else Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
-    found.fields[_UNDER] = _Under(tuple(engine.state.conditions))
+    found.fields[_UNDER] = _Under(tuple(ctx.state.conditions))
     return found
 
 
 @method(_PARSER, "add_argument_group", "add_mutually_exclusive_group")
-def group(_engine: Context, thing: Value, _called: Called) -> Value:
+def group(_ctx: Context, thing: Value, _called: Called) -> Value:
     """A group of arguments is part of its parser."""
     return thing
 
 
 @method(_PARSER, "add_subparsers")
-def commands(_engine: Context, thing: Obj, _called: Called) -> Value:
+def commands(_ctx: Context, thing: Obj, _called: Called) -> Value:
     """Commands have parsers of their own, which are not followed."""
     thing.fields[_LOST] = True
     return Unknown("parsers of commands")
 
 
 @method(_PARSER, "set_defaults", anywhere=True)
-def defaults(engine: Context, thing: Value, called: Called) -> Value:
+def defaults(ctx: Context, thing: Value, called: Called) -> Value:
     """Values where nothing is given; a function among them is what a command of the command line does."""
     if isinstance(thing, Obj):
         held = thing.fields.setdefault(_DEFAULTS, {})
         if isinstance(held, dict):
             held.update(called.keywords.items())
     for one in called.keywords.values():
-        engine.callbacks.give(one, Written("the command line asks for it"))
+        ctx.callbacks.give(one, Written("the command line asks for it"))
     return None
 
 
 @method(_PARSER, "add_argument")
-def option(engine: Context, thing: Obj, called: Called) -> Value:
+def option(ctx: Context, thing: Obj, called: Called) -> Value:
     """An argument is made known to the parser."""
     names = [known_text(one) for one in called.arguments]
     known = [one for one in names if one]
-    if len(known) < len(names) or not known or _Under(tuple(engine.state.conditions)) != thing.fields.get(_UNDER):
+    if len(known) < len(names) or not known or _Under(tuple(ctx.state.conditions)) != thing.fields.get(_UNDER):
         thing.fields[_LOST] = True
         return None
     given = called.keywords
@@ -122,11 +122,11 @@ def _kind(value: Value) -> str:
 
 
 @method(_PARSER, "parse_args", "parse_known_args")
-def parsed(engine: Context, thing: Obj, called: Called) -> Value:
+def parsed(ctx: Context, thing: Obj, called: Called) -> Value:
     """The words are taken apart."""
     words = called.argument(0, "args")
-    if words is None and engine.given.words is not None:
-        words = engine.given.words.part(1, None)
+    if words is None and ctx.given.words is not None:
+        words = ctx.given.words.part(1, None)
     rest = called.name == "parse_known_args"
     options = all_of_kind(items_of(thing.fields.get(_OPTIONS)), Option)
     held = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})

@@ -24,10 +24,10 @@ _MOST = 16
 
 
 @outer("enumerate", quiet=True)
-def numbered(engine: Context, _thing: Value, called: Called) -> Value:
+def numbered(ctx: Context, _thing: Value, called: Called) -> Value:
     """Items with their numbers."""
     over, first = called.argument(0), called.argument(1, "start", default=0)
-    items = engine.items(over)
+    items = ctx.items(over)
     if items is not None and not is_counted(items):
         return perhaps_numbered(items)
     if items is None:
@@ -47,9 +47,9 @@ def perhaps_numbered(items: list[Value]) -> list[Value]:
 
 
 @outer("zip", quiet=True)
-def side_by_side(engine: Context, _thing: Value, called: Called) -> Value:
+def side_by_side(ctx: Context, _thing: Value, called: Called) -> Value:
     """Items of several lists, side by side."""
-    lists = [engine.items(one) for one in called.arguments]
+    lists = [ctx.items(one) for one in called.arguments]
     known = [one for one in lists if one is not None]
     if len(known) == len(lists) and all(map(is_counted, known)):
         return [list(one) for one in zip(*known, strict=False)]
@@ -58,14 +58,14 @@ def side_by_side(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)
-def collected(engine: Context, _thing: Value, called: Called) -> Value:
+def collected(ctx: Context, _thing: Value, called: Called) -> Value:
     """A list of the items of another one."""
     if not called.arguments and not called.keywords:
         return []
     over = called.argument(0)
     if isinstance(over, Words):
         return over.part(None, None) if called.name in ("list", "tuple") else Unknown(f"result of {called.name}()")
-    items = engine.items(over)
+    items = ctx.items(over)
     if items is None:
         listed = isinstance(over, Each) or (isinstance(over, Text) and over.known is None)
         return over if listed else Unknown(f"result of {called.name}()")
@@ -82,7 +82,7 @@ def collected(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("range", quiet=True)
-def counted(_engine: Context, _thing: Value, called: Called) -> Value:
+def counted(_ctx: Context, _thing: Value, called: Called) -> Value:
     """Numbers in a row."""
     given = [one for one in called.arguments if is_whole(one)]
     if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
@@ -92,7 +92,7 @@ def counted(_engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(VECTOR, "vector", quiet=True)
-def vector(_engine: Context, _thing: Value, called: Called) -> Value:
+def vector(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)

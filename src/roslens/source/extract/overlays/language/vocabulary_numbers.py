@@ -15,13 +15,13 @@ _MOST_SIGNS = 30
 
 
 @outer("int", "std.stoi", "std.stol", "std.stoul", "atoi", "std.atoi", quiet=True)
-def whole(_engine: Context, _thing: Value, called: Called) -> Value:
+def whole(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A text or number is made a whole number."""
     return _number(called, int)
 
 
 @outer("float", "std.stod", "std.stof", "atof", "std.atof", quiet=True)
-def real(_engine: Context, _thing: Value, called: Called) -> Value:
+def real(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A text or number is made a real number."""
     return _number(called, float)
 

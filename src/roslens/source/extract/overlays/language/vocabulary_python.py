@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @outer("copy.copy", "copy.deepcopy", quiet=True)
-def copied(_engine: Context, _thing: Value, called: Called) -> Value:
+def copied(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A value that is another one than what it is a copy of."""
     value = called.argument(0)
     if type(value) is list:
@@ -36,29 +36,27 @@ _PLAIN = (Text, bool, int, float, QosValue)
 
 
 @outer("setattr", quiet=True)
-def member_set(engine: Context, _thing: Value, called: Called) -> None:
+def member_set(ctx: Context, _thing: Value, called: Called) -> None:
     """A member that is set by its name."""
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
-        engine.assign(Member(called.written[0], name.known), called.argument(2))
+        ctx.assign(Member(called.written[0], name.known), called.argument(2))
     elif len(called.written) == 3 and isinstance(thing := called.argument(0), Obj):
-        _forget_members(engine, thing, name)
+        _forget_members(ctx, thing, name)
 
 
-def _forget_members(engine: Context, thing: Obj, name: Value) -> None:
+def _forget_members(ctx: Context, thing: Obj, name: Value) -> None:
     """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
     pattern = name.pattern if isinstance(name, Text) else "*"
     for member, value in list(thing.fields.items()):
         of_values = isinstance(value, list) and all(isinstance(one, _PLAIN) for one in value)
         if (of_values or isinstance(value, _PLAIN)) and fnmatchcase(member, pattern):
             reason = f"{member}, which setattr() may set"
-            engine.state.changes.put(
-                thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason)
-            )
+            ctx.state.changes.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
 
 
 @outer("type", quiet=True)
-def kind_of(_engine: Context, _thing: Value, called: Called) -> Value:
+def kind_of(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The class of an object."""
     value = called.argument(0)
     if isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1:

@@ -16,13 +16,13 @@ _BUILT_IN = frozenset({"bool", "char", "double", "float", "int", "long", "short"
 
 
 @outer("std.true_type", "std.false_type", quiet=True)
-def tag(_engine: Context, _thing: Value, called: Called) -> Value:
+def tag(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A tag says what it is called."""
     return called.name == "std.true_type"
 
 
 @outer("std.is_same", "boost.is_same", quiet=True)
-def same(_engine: Context, _thing: Value, called: Called) -> Value:
+def same(_ctx: Context, _thing: Value, called: Called) -> Value:
     """Whether two types are one, as far as both are known by their whole names."""
     if len(called.templates) != 2:
         return Unknown("whether types are the same")

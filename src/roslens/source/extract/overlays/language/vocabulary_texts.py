@@ -38,16 +38,16 @@ _OTHERS = ("replace_last", "erase_last", "replace_nth", "erase_nth", "trim_if", 
 
 
 @outer(*_names(*_CHANGES, *_OTHERS))
-def changed(engine: Context, _thing: Value, called: Called) -> Value:
+def changed(ctx: Context, _thing: Value, called: Called) -> Value:
     """A text is changed where it is."""
     of = called.argument(0)
     if isinstance(of, Text) and called.written:
-        _put(engine, called.written[0], _result(called, _CHANGES.get(_last(called.name))))
+        _put(ctx, called.written[0], _result(called, _CHANGES.get(_last(called.name))))
     return None
 
 
 @outer(*_names(*_COPIES), quiet=True)
-def copied(_engine: Context, _thing: Value, called: Called) -> Value:
+def copied(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A changed copy of a text is made."""
     return _result(called, _COPIES[_last(called.name)])
 
@@ -70,20 +70,20 @@ def _result(called: Called, change: Callable[..., str] | None) -> Text:
 
 @outer("std.transform", "std.reverse", "std.sort", "std.remove", "std.remove_if", "std.unique", "std.fill",
        "std.replace_if", "std.rotate", "std.random_shuffle", "std.shuffle")  # fmt: skip
-def rearranged(engine: Context, _thing: Value, called: Called) -> Value:
+def rearranged(ctx: Context, _thing: Value, called: Called) -> Value:
     """What lies between two iterators is changed: ``std::transform(s.begin(), s.end(), s.begin(), ::tolower)``."""
     place = 2 if called.name == "std.transform" else 0
     written = called.written[place] if len(called.written) > place else None
     function = written.function if isinstance(written, Call) else None
     target = function.of if isinstance(function, Member) and function.name in ("begin", "rbegin") else None
-    if not isinstance(target, Name | Member) or not isinstance(value := engine.value(target), Text):
+    if not isinstance(target, Name | Member) or not isinstance(value := ctx.value(target), Text):
         return None
     source = called.written[0] if called.written else None
     same = isinstance(source, Call) and isinstance(source.function, Member) and source.function.of == target
     change = _sign_by_sign(called.written[-1]) if called.name == "std.transform" and same else None
     parameter = next((hole.parameter for hole in value.holes), "")
     doubtful = unknown(said(value, f", which {called.name}() changed", most=200), parameter=parameter)
-    engine.assign(target, doubtful if change is None or value.known is None else Text.of(change(value.known)))
+    ctx.assign(target, doubtful if change is None or value.known is None else Text.of(change(value.known)))
     return None
 
 
@@ -93,7 +93,7 @@ def _sign_by_sign(written: Expression) -> Callable[[str], str] | None:
 
 
 @outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf", quiet=True)
-def printed(engine: Context, _thing: Value, called: Called) -> Value:
+def printed(ctx: Context, _thing: Value, called: Called) -> Value:
     """A text is written into a buffer: ``snprintf(name, sizeof(name), "camera%d", number)``."""
     first = 2 if "snprintf" in called.name else 1
     pattern = called.argument(first)
@@ -101,25 +101,25 @@ def printed(engine: Context, _thing: Value, called: Called) -> Value:
         found = unknown(f"what {called.name}() writes")
         if isinstance(pattern, Text) and not called.name.startswith("v"):
             found = formatted(pattern, called.arguments[first + 1 :])
-        _put(engine, called.written[0], found)
+        _put(ctx, called.written[0], found)
     return None
 
 
 @outer("strcpy", "std.strcpy", "strncpy", "std.strncpy", "strcat", "std.strcat", "strncat", "std.strncat")
-def copied_into(engine: Context, _thing: Value, called: Called) -> Value:
+def copied_into(ctx: Context, _thing: Value, called: Called) -> Value:
     """A text is copied into a buffer, or behind what is in it."""
     if len(called.written) > 1:
         adds, some = "cat" in called.name, "strn" in called.name
         pieces = [as_text(one) for one in called.arguments[: 2 if adds else 0]] or [as_text(called.argument(1))]
-        _put(engine, called.written[0], unknown(f"what {called.name}() writes") if some else Text.of(*pieces))
+        _put(ctx, called.written[0], unknown(f"what {called.name}() writes") if some else Text.of(*pieces))
     return None
 
 
-def _put(engine: Context, written: Expression, value: Text) -> None:
+def _put(ctx: Context, written: Expression, value: Text) -> None:
     if isinstance(written, Operation) and written.operator == "&" and written.operands:
         written = written.operands[0]
     if isinstance(written, Item):
         written = written.of
         value = unknown("a text that is written to in part")
     if isinstance(written, Name | Member):
-        engine.assign(written, value)
+        ctx.assign(written, value)

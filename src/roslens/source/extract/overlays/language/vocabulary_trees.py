@@ -21,35 +21,35 @@ if TYPE_CHECKING:
 @method("BT.ConditionNode", "getInput")
 @method("BT.DecoratorNode", "getInput")
 @method("BT.TreeNode", "getInput", anywhere=True)
-def port(engine: Context, _thing: Value, called: Called) -> Value:
+def port(ctx: Context, _thing: Value, called: Called) -> Value:
     """A port of a node of a behaviour tree is read: what the tree says."""
     name = as_text(called.argument(0))
-    value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(engine, name)),))
+    value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(ctx, name)),))
     if len(called.written) > 1:
-        engine.assign(called.written[1], value)
+        ctx.assign(called.written[1], value)
         return Unknown("whether the port is set")
     return value
 
 
-def _port_default(engine: Context, name: Text) -> str | None:
+def _port_default(ctx: Context, name: Text) -> str | None:
     """Return the default that the class of a node of a behaviour tree gives a port."""
-    thing = engine.state.frame.self
+    thing = ctx.state.frame.self
     if not isinstance(thing, Obj):
         return None
     if "ports" not in thing.fields:
         thing.fields["ports"] = {}
-        provided = engine.named.method(thing, "providedPorts")
+        provided = ctx.named.method(thing, "providedPorts")
         if provided is not None:
-            engine.call(provided, [], {})
+            ctx.call(provided, [], {})
     ports = thing.fields["ports"]
     default = ports.get(name) if isinstance(ports, dict) else None
     return default if isinstance(default, str) else None
 
 
 @outer("BT.InputPort", "BT.BidirectionalPort")
-def declared_port(engine: Context, _thing: Value, called: Called) -> Value:
+def declared_port(ctx: Context, _thing: Value, called: Called) -> Value:
     """A port is declared, with a default where it has three arguments."""
-    thing = engine.state.frame.self
+    thing = ctx.state.frame.self
     default = called.argument(1)
     ports = thing.fields.get("ports") if isinstance(thing, Obj) else None
     if isinstance(ports, dict) and len(called.arguments) > 2:
@@ -58,12 +58,12 @@ def declared_port(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
-def tree(engine: Context, _thing: Value, called: Called) -> Value:
+def tree(ctx: Context, _thing: Value, called: Called) -> Value:
     """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"
     note = (called.evidence, f"a behaviour tree is made of {name}: what its nodes make is unknown")
-    if note not in engine.emitter.node.unresolved:
-        engine.emitter.node.unresolved.append(note)
-        engine.summaries.touch()
+    if note not in ctx.emitter.node.unresolved:
+        ctx.emitter.node.unresolved.append(note)
+        ctx.summaries.touch()
     return Unknown("a behaviour tree")

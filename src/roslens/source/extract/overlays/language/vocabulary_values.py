@@ -23,20 +23,20 @@ _AS = {
 
 
 @method("text", *_AS, "get_value", "get", quiet=True)
-def taken(engine: Context, thing: Text, called: Called) -> Value:
+def taken(ctx: Context, thing: Text, called: Called) -> Value:
     """The value of a parameter is taken for one of a type."""
     kind = _AS.get(called.name) or (type_of_cpp(called.templates[0]) if called.templates else "")
     if kind:
-        _note(engine, thing, kind)
+        _note(ctx, thing, kind)
     return plain_method(thing, called.name, called.arguments)
 
 
-def _note(engine: Context, value: Text, kind: str) -> None:
+def _note(ctx: Context, value: Text, kind: str) -> None:
     """Give a parameter that was read, and of which no type is known, the type that it is taken for."""
     hole = value.only
     if hole is None or not hole.parameter:
         return
-    known = engine.emitter.node.parameters
+    known = ctx.emitter.node.parameters
     for place in range(len(known) - 1, -1, -1):
         one = known[place]
         if one.access == "read" and hole.parameter in (one.name.known, one.name.pattern):

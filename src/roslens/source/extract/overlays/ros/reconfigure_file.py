@@ -77,8 +77,8 @@ class ReconfigureFile(msgspec.Struct, frozen=True):
 class _Script(Expressions):
     """Expressions of a ``.cfg`` file, which keep what it generates."""
 
-    def __init__(self, context: Context, generated: list[ReconfigureFile]) -> None:
-        super().__init__(context)
+    def __init__(self, ctx: Context, generated: list[ReconfigureFile]) -> None:
+        super().__init__(ctx)
         self.generated = generated
 
     def outside(self, name: str) -> Value:
@@ -125,27 +125,27 @@ def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...
 
 
 @outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
-def generator(_engine: Context, _thing: Value, _called: Called) -> Value:
+def generator(_ctx: Context, _thing: Value, _called: Called) -> Value:
     """A generator is made."""
     return Obj(_GENERATOR, None, {_ADDED: []})
 
 
 @method(_GENERATOR, "add_group")
 @method(_GROUP, "add_group")
-def group(_engine: Context, thing: Obj, _called: Called) -> Value:
+def group(_ctx: Context, thing: Obj, _called: Called) -> Value:
     """A group is made; it is for people who look at the parameters, their names stay without it."""
     return Obj(_GROUP, None, {_ADDED: thing.fields[_ADDED]})
 
 
 @method(_GENERATOR, "const", "enum")
-def constant(_engine: Context, _thing: Obj, called: Called) -> Value:
+def constant(_ctx: Context, _thing: Obj, called: Called) -> Value:
     """A constant, or values that are chosen from: they limit nothing."""
     return Unknown(f"result of {called.name}()")
 
 
 @method(_GENERATOR, "add")
 @method(_GROUP, "add")
-def add(engine: Context, thing: Obj, called: Called) -> Value:
+def add(ctx: Context, thing: Obj, called: Called) -> Value:
     """A parameter is declared."""
     kind = _type(called.argument(1, "paramtype"))
     ends = [_end(called.argument(place, name), kind) for place, name in ((5, "min"), (6, "max"))]
@@ -158,20 +158,20 @@ def add(engine: Context, thing: Obj, called: Called) -> Value:
             "..".join(ends) if any(ends) else "",
             description.known or "",
             called.evidence,
-            tuple(dict.fromkeys(engine.state.conditions)),
+            tuple(dict.fromkeys(ctx.state.conditions)),
         )
     )
     return None
 
 
 @method(_GENERATOR, "generate")
-def generate(engine: Context, thing: Obj, called: Called) -> Value:
+def generate(ctx: Context, thing: Obj, called: Called) -> Value:
     """A class is generated of what was declared until now."""
-    if isinstance(engine.expressions, _Script):
+    if isinstance(ctx.expressions, _Script):
         texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
         package, name = (one.known or "" for one in texts)
         added = all_of_kind(items_of(thing.fields[_ADDED]), Declaration)
-        engine.expressions.generated.append(ReconfigureFile(package, name, engine.state.frame.path, tuple(added)))
+        ctx.expressions.generated.append(ReconfigureFile(package, name, ctx.state.frame.path, tuple(added)))
     return 0
 
 

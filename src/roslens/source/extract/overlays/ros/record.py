@@ -63,7 +63,7 @@ KINDS = {
 
 
 def endpoint(
-    engine: Context,
+    ctx: Context,
     receiver: Value,
     called: Called,
     role: Role,
@@ -78,14 +78,14 @@ def endpoint(
     overrides: Overrides | None = None,
 ) -> Made:
     """Record an endpoint of the node that the receiver is."""
-    node = node_of(engine, receiver)
+    node = node_of(ctx, receiver)
     written = below(receiver, as_text(name))
     if not written:
         written = unknown("a name that is not set")
-    asked = engine.state.asked_now()
+    asked = ctx.state.asked_now()
     if asked and node.generation == "ros1" and written.holes:
         written = without_defaults(written, asked)
-    evidence, through = origin(engine, called, name)
+    evidence, through = origin(ctx, called, name)
     sure = sure_of(written, receiver)
     if sure is not Sure.CERTAIN or written.holes:
         evidence = msgspec.structs.replace(evidence, how=how(written), sure=sure)
@@ -93,18 +93,18 @@ def endpoint(
     fact = EndpointFact(
         role,
         written,
-        type_text(engine, kind, node.generation, role),
+        type_text(ctx, kind, node.generation, role),
         evidence,
         qos=quality.qos if quality and node.generation == "ros2" else None,
         qos_unknown=quality.unknown if quality else "",
         queue=queue,
         latched=latched,
-        callback=engine.callbacks.give(callback),
+        callback=ctx.callbacks.give(callback),
         group=group.name if isinstance(group, Group) else "",
-        conditions=tuple(dict.fromkeys(engine.state.conditions)),
+        conditions=tuple(dict.fromkeys(ctx.state.conditions)),
         asked=asked,
         through=through,
-        overrides=_beyond(overrides, engine.state.conditions) if node.generation == "ros2" else None,
+        overrides=_beyond(overrides, ctx.state.conditions) if node.generation == "ros2" else None,
     )
     for place, known in enumerate(node.endpoints):
         if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
@@ -130,14 +130,14 @@ def _beyond(overrides: Overrides | None, conditions: list[Condition]) -> Overrid
     return msgspec.structs.replace(overrides, conditions=rest)
 
 
-def origin(engine: Context, called: Called, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
+def origin(ctx: Context, called: Called, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
     """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
     evidence = called.evidence
     through: list[Evidence] = []
     expression = next(
         (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
     )
-    for site, function, written in reversed(engine.stack.calls):
+    for site, function, written in reversed(ctx.stack.calls):
         while isinstance(expression, Call) and len(expression.arguments) == 1:
             expression = expression.arguments[0]
         if not isinstance(expression, Name) or not site.line:
@@ -170,7 +170,7 @@ def how(name: Text) -> str:
     return "; ".join(dict.fromkeys(str(hole.reason) for hole in name.holes))
 
 
-def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text:
+def type_text(ctx: Context, kind: Value, generation: str, role: Role) -> Text:
     """Return the type of an endpoint as text."""
     written = kind if isinstance(kind, str) else ""
     match kind:
@@ -182,32 +182,32 @@ def type_text(engine: Context, kind: Value, generation: str, role: Role) -> Text
             written = kind.type
     if not written:
         return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
-    written = _adapted(engine, written)
+    written = _adapted(ctx, written)
     name = _as_interface(written, generation)
     if not name:
-        name = _as_interface(_meant(engine, written), generation)
+        name = _as_interface(_meant(ctx, written), generation)
     if not name:
-        name = included_interface(written, engine.index.programs[engine.state.frame.path])
+        name = included_interface(written, ctx.index.programs[ctx.state.frame.path])
     if not name:
-        name = _in_scope(engine, written, KINDS[role])
+        name = _in_scope(ctx, written, KINDS[role])
     if not name:
-        name = lower_interface(written, engine.index.contents.headers)
+        name = lower_interface(written, ctx.index.contents.headers)
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
 
 
-def _meant(engine: Context, written: str) -> str:
+def _meant(ctx: Context, written: str) -> str:
     """Return what a type means that is written by an alias or without its namespace."""
-    path, scope = engine.state.frame.path, engine.state.frame.scope
+    path, scope = ctx.state.frame.path, ctx.state.frame.scope
     inner = message_of(written)
     plain = dotted(inner) if "<" not in inner else ""
-    alias = engine.index.alias(plain, path, scope) if plain else ""
+    alias = ctx.index.alias(plain, path, scope) if plain else ""
     if "<" in alias:
         # A name for a pointer: ``typedef boost::shared_ptr<package::Message const> MessageConstPtr``.
         return alias
-    meaning = engine.index.meaning(plain or written.replace("::", "."), path, scope)
+    meaning = ctx.index.meaning(plain or written.replace("::", "."), path, scope)
     if plain and meaning == plain and plain.isidentifier():
         # A class that stands for a message of any type: ``using namespace topic_tools; ShapeShifter``.
-        defined = engine.index.class_of(plain, path, scope)
+        defined = ctx.index.class_of(plain, path, scope)
         return meaning if defined is None else defined.what.qualified_name
     return meaning
 
@@ -218,32 +218,32 @@ def _as_interface(written: str, generation: str) -> str:
     return "" if generation == "ros2" and name.count("/") == 1 and "/" not in written else name
 
 
-def _adapted(engine: Context, written: str) -> str:
+def _adapted(ctx: Context, written: str) -> str:
     """Return the message that a type is adapted to: ``rclcpp::TypeAdapter<Custom, Message>``, or a registered class."""
     name, inside = type_name(written)
     if name == "rclcpp.TypeAdapter" and len(arguments := type_arguments(inside)) == 2:
         return arguments[1]
     if name.startswith("rclcpp.adapt_type") and "." in inside:
         return inside
-    return engine.index.adapted(name, engine.state.frame.path, engine.state.frame.scope) or written
+    return ctx.index.adapted(name, ctx.state.frame.path, ctx.state.frame.scope) or written
 
 
-def _in_scope(engine: Context, written: str, kind: str) -> str:
+def _in_scope(ctx: Context, written: str, kind: str) -> str:
     """Return the interface that a name without package means: of a module that is used whole, or of its namespace."""
-    program = engine.index.programs[engine.state.frame.path]
+    program = ctx.index.programs[ctx.state.frame.path]
     if not written.isidentifier():
         return ""
     if program.dialect.classes_in_modules:
         modules = [one for one in program.using if one.endswith(f".{kind}")]
-        module = engine.index.interfaces.of_modules(written, modules)
+        module = ctx.index.interfaces.of_modules(written, modules)
         return f"{module.replace('.', '/')}/{written}" if module else ""
-    found = used_interface(written, kind, program.using, engine.index.contents.headers)
+    found = used_interface(written, kind, program.using, ctx.index.contents.headers)
     if found:
         return found
-    scope = engine.state.frame.scope
+    scope = ctx.state.frame.scope
     while scope := scope.rpartition(".")[0]:
         last = scope.rpartition(".")[2]
-        if engine.index.contents.includes(f"{last}/{written}.h", engine.state.frame.path):
+        if ctx.index.contents.includes(f"{last}/{written}.h", ctx.state.frame.path):
             return f"{last}/{written}"
     return ""
 
@@ -273,15 +273,15 @@ _TAKEN = "taken to be of this node"
 
 
 def parameter(
-    engine: Context, receiver: Value, called: Called, access: str, name: Value, *,
+    ctx: Context, receiver: Value, called: Called, access: str, name: Value, *,
     default: Value = None, kind: str = "", given: bool = False, described: Described = _PLAIN,
     evidence: Evidence | None = None,
 ) -> Value:  # fmt: skip
     """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
-    node = node_of(engine, receiver)
+    node = node_of(ctx, receiver)
     written = below(receiver, as_text(name))
     text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
-    evidence = evidence or origin(engine, called, name)[0]
+    evidence = evidence or origin(ctx, called, name)[0]
     if is_guessed(receiver) and evidence.sure is Sure.CERTAIN:
         evidence = msgspec.structs.replace(evidence, how=_TAKEN, sure=Sure.LIKELY)
     fact = ParameterFact(
@@ -291,7 +291,7 @@ def parameter(
         kind or _type_by_default(node, default, python=called.evidence.path.endswith(".py")),
         text,
         described.range,
-        tuple(dict.fromkeys(engine.state.conditions)),
+        tuple(dict.fromkeys(ctx.state.conditions)),
         described.description,
         terms=described.terms,
     )
@@ -299,11 +299,11 @@ def parameter(
         node.parameters.append(fact)
     known = written.known or written.pattern
     stated = text if text is not None else declared_default(node, written)
-    if engine.given.chosen is not None:
+    if ctx.given.chosen is not None:
         known = written.usual or known
         if stated is None:
             stated = declared_default(node, Text.of(known))
-        decided = chosen_value(engine.given.chosen, node, known, stated)
+        decided = chosen_value(ctx.given.chosen, node, known, stated)
         if decided is not None:
             return decided
     usual = None if stated is None else stated.usual
@@ -351,9 +351,9 @@ def declared_default(node: Building, name: Text) -> Text | None:
     return None
 
 
-def timer(engine: Context, receiver: Value, called: Called, period: Value, callback: Value, group: Value) -> None:
+def timer(ctx: Context, receiver: Value, called: Called, period: Value, callback: Value, group: Value) -> None:
     """Record a timer."""
-    node = node_of(engine, receiver)
+    node = node_of(ctx, receiver)
     seconds = float(period) if is_number(period) else None
     name = group.name if isinstance(group, Group) else ""
-    node.timers.append(TimerFact(seconds, called.evidence, engine.callbacks.give(callback), name))
+    node.timers.append(TimerFact(seconds, called.evidence, ctx.callbacks.give(callback), name))

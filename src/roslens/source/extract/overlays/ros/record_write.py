@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def write_parameter(
-    engine: Context, receiver: Value, called: Called, name: Value, value: Value, conditions: Conditions = ()
+    ctx: Context, receiver: Value, called: Called, name: Value, value: Value, conditions: Conditions = ()
 ) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
 
@@ -31,28 +31,28 @@ def write_parameter(
     if isinstance(value, dict) and value and all(isinstance(key, Text | str) for key in value):
         for key, item in value.items():
             inner = as_text(key) if not isinstance(key, str) else Text.of(key)
-            write_parameter(engine, receiver, called, Text.of(as_text(name), "/", inner), item)
+            write_parameter(ctx, receiver, called, Text.of(as_text(name), "/", inner), item)
         return
     parts = parts_of(value)
     for key, part in parts.items():
         write_parameter(
-            engine, receiver, called, Text.of(as_text(name), "/", key), part.value, (*conditions, *part.conditions)
+            ctx, receiver, called, Text.of(as_text(name), "/", key), part.value, (*conditions, *part.conditions)
         )
     if parts:
         return
     text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
     writer = called.evidence
-    if engine.callbacks.running:
+    if ctx.callbacks.running:
         writer = msgspec.structs.replace(writer, how="while the node runs", sure=Sure.LIKELY)
     fact = ParameterFact(
         written,
         called.evidence,
         "written",
         "" if text.holes else type_of_value(value),
-        conditions=tuple(dict.fromkeys((*conditions, *engine.state.conditions))),
+        conditions=tuple(dict.fromkeys((*conditions, *ctx.state.conditions))),
         value=text,
         writer=writer,
     )
-    node = node_of(engine, receiver)
+    node = node_of(ctx, receiver)
     if fact not in node.parameters:
         node.parameters.append(fact)

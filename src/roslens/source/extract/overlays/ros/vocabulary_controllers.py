@@ -26,12 +26,12 @@ _SERVICES = (
 
 
 @outer("controller_manager.ControllerManager")
-def manager(engine: Context, _thing: Value, called: Called) -> Value:
+def manager(ctx: Context, _thing: Value, called: Called) -> Value:
     """A manager of controllers, in the namespace of the handle that it is given."""
-    if engine.emitter.node.generation == "ros1":
+    if ctx.emitter.node.generation == "ros1":
         given = all_of_kind(called.arguments, Handle)
-        handle = given[0] if given else Handle(engine.emitter.node)
+        handle = given[0] if given else Handle(ctx.emitter.node)
         for name, kind in _SERVICES:
             service = Text.of(f"controller_manager/{name}")
-            endpoint(engine, handle, called, Role.SERVICE_SERVER, service, f"controller_manager_msgs::{kind}")
+            endpoint(ctx, handle, called, Role.SERVICE_SERVER, service, f"controller_manager_msgs::{kind}")
     return Obj("controller_manager.ControllerManager")

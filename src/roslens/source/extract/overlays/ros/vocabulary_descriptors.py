@@ -24,7 +24,7 @@ _SET = "set__"
 
 
 @outer(_DESCRIPTOR, quiet=True)
-def descriptor(_engine: Context, _thing: Value, called: Called) -> Value:
+def descriptor(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A descriptor: with an empty range of each kind, which C++ makes by ``resize(1)``."""
     if called.arguments and is_descriptor(called.arguments[0]):
         return called.arguments[0]
@@ -33,7 +33,7 @@ def descriptor(_engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(*_RANGES.values(), quiet=True)
-def bounds(_engine: Context, _thing: Value, called: Called) -> Value:
+def bounds(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The range of a number."""
     if called.arguments and isinstance(called.arguments[0], Obj):
         return called.arguments[0]
@@ -45,7 +45,7 @@ def bounds(_engine: Context, _thing: Value, called: Called) -> Value:
         "read_only", "dynamic_typing", *_RANGES)))  # fmt: skip
 @method("IntegerRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
 @method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
-def set_field(_engine: Context, thing: Value, called: Called) -> Value:
+def set_field(_ctx: Context, thing: Value, called: Called) -> Value:
     """A field is set: ``descriptor.set__read_only(true)``."""
     if isinstance(thing, Obj):
         thing.fields[called.name.removeprefix(_SET)] = called.argument(0)

@@ -16,31 +16,31 @@ if TYPE_CHECKING:
 
 
 @method("node", "create_generic_publisher", anywhere=True)
-def publisher(engine: Context, thing: Value, called: Called) -> Value:
+def publisher(ctx: Context, thing: Value, called: Called) -> Value:
     """A publisher of serialized messages."""
     quality = quality_of(called.argument(2))
-    return endpoint(engine, thing, called, Role.PUBLISHER, called.argument(0), _kind(called), qos=quality)
+    return endpoint(ctx, thing, called, Role.PUBLISHER, called.argument(0), _kind(called), qos=quality)
 
 
 @method("node", "create_generic_subscription", anywhere=True)
-def subscription(engine: Context, thing: Value, called: Called) -> Value:
+def subscription(ctx: Context, thing: Value, called: Called) -> Value:
     """A subscription to serialized messages."""
     quality, callback = quality_of(called.argument(2)), called.argument(3)
     name = called.argument(0)
-    return endpoint(engine, thing, called, Role.SUBSCRIPTION, name, _kind(called), qos=quality, callback=callback)
+    return endpoint(ctx, thing, called, Role.SUBSCRIPTION, name, _kind(called), qos=quality, callback=callback)
 
 
 @method("node", "create_generic_client", anywhere=True)
-def client(engine: Context, thing: Value, called: Called) -> Value:
+def client(ctx: Context, thing: Value, called: Called) -> Value:
     """A client of a service with any type."""
-    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), _kind(called))
+    return endpoint(ctx, thing, called, Role.SERVICE_CLIENT, called.argument(0), _kind(called))
 
 
 @method("node", "create_generic_service", anywhere=True)
-def service(engine: Context, thing: Value, called: Called) -> Value:
+def service(ctx: Context, thing: Value, called: Called) -> Value:
     """A server of a service with any type."""
     name, callback = called.argument(0), called.argument(2)
-    return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, _kind(called), callback=callback)
+    return endpoint(ctx, thing, called, Role.SERVICE_SERVER, name, _kind(called), callback=callback)
 
 
 def _kind(called: Called) -> Value:

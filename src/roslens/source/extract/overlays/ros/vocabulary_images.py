@@ -23,102 +23,100 @@ _CAMERA = "sensor_msgs::msg::CameraInfo"
 
 
 @outer("image_transport.ImageTransport")
-def images(engine: Context, _thing: Value, called: Called) -> Value:
+def images(ctx: Context, _thing: Value, called: Called) -> Value:
     """What images are published and subscribed to with."""
-    return Obj("image_transport.ImageTransport", None, {"handle": handle_of(engine, called)})
+    return Obj("image_transport.ImageTransport", None, {"handle": handle_of(ctx, called)})
 
 
-def _handle(thing: Value, engine: Context) -> Value:
-    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.emitter.node)
+def _handle(thing: Value, ctx: Context) -> Value:
+    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(ctx.emitter.node)
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")
-def image_publisher(engine: Context, thing: Value, called: Called) -> Value:
+def image_publisher(ctx: Context, thing: Value, called: Called) -> Value:
     """A publisher of images, and with a camera of what is known of it."""
-    handle, queue = _handle(thing, engine), called.argument(1)
+    handle, queue = _handle(thing, ctx), called.argument(1)
     size = queue if isinstance(queue, int) else -1
-    follow_visitors(engine, called, 2)
-    made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
+    follow_visitors(ctx, called, 2)
+    made = endpoint(ctx, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
     if called.name.endswith("Camera"):
-        endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
+        endpoint(ctx, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
     return made
 
 
 @method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
-def image_subscription(engine: Context, thing: Value, called: Called) -> Value:
+def image_subscription(ctx: Context, thing: Value, called: Called) -> Value:
     """A subscription to images, and with a camera to what is known of it."""
-    handle, queue = _handle(thing, engine), called.argument(1)
+    handle, queue = _handle(thing, ctx), called.argument(1)
     size = queue if isinstance(queue, int) else -1
     callback = called.argument(2)
-    made = endpoint(
-        engine, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback
-    )
+    made = endpoint(ctx, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback)
     if called.name.endswith("Camera"):
-        endpoint(engine, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
+        endpoint(ctx, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
     return made
 
 
 @outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
-def camera(engine: Context, _thing: Value, called: Called) -> Value:
+def camera(ctx: Context, _thing: Value, called: Called) -> Value:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = first_of_kind(called.arguments, Callable)
-    made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
-    endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
+    made = endpoint(ctx, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
+    endpoint(ctx, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
     return made
 
 
 @outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
        "image_transport.Subscriber")  # fmt: skip
-def made_at_once(engine: Context, _thing: Value, called: Called) -> Value:
+def made_at_once(ctx: Context, _thing: Value, called: Called) -> Value:
     """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
     if len(called.arguments) < 2:
         return Unknown(called.name)
     kind = called.name.rpartition(".")[2]
     if kind.startswith("Camera"):
-        return camera(engine, _thing, called)
+        return camera(ctx, _thing, called)
     made = "create_publisher" if kind == "Publisher" else "create_subscription"
-    return free_function(engine, _thing, msgspec.structs.replace(called, name=f"image_transport.{made}"))
+    return free_function(ctx, _thing, msgspec.structs.replace(called, name=f"image_transport.{made}"))
 
 
 @outer("camera_info_manager.CameraInfoManager")
-def camera_manager(engine: Context, _thing: Value, called: Called) -> Value:
+def camera_manager(ctx: Context, _thing: Value, called: Called) -> Value:
     """What keeps what is known of a camera: it is set by a service.
 
     Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
     before there was an argument for it (camera_info_manager.cpp of the package ``camera_info_manager``).
     """
-    handle = handle_of(engine, called)
+    handle = handle_of(ctx, called)
     name = Text.of("set_camera_info")
-    if node_of(engine, handle).generation == "ros2":
+    if node_of(ctx, handle).generation == "ros2":
         texts = all_of_kind(called.arguments, Text)
         release = Hole("release of camera_info_manager", default="~")
         name = Text.of(texts[2] if len(texts) > 2 else release, "/", name)
-    endpoint(engine, handle, called, Role.SERVICE_SERVER, name, "sensor_msgs::srv::SetCameraInfo")
+    endpoint(ctx, handle, called, Role.SERVICE_SERVER, name, "sensor_msgs::srv::SetCameraInfo")
     return Obj("camera_info_manager.CameraInfoManager")
 
 
 @outer("image_transport.getCameraInfoTopic")
-def camera_topic(_engine: Context, _thing: Value, called: Called) -> Value:
+def camera_topic(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The topic of what is known of a camera, beside that of its images."""
     return _camera(called.argument(0))
 
 
 @outer("image_transport.SubscriberFilter")
-def filtered_images(engine: Context, _thing: Value, called: Called) -> Value:
+def filtered_images(ctx: Context, _thing: Value, called: Called) -> Value:
     """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("image_transport.SubscriberFilter")
     if called.arguments:
-        filtered_images_later(engine, found, called)
+        filtered_images_later(ctx, found, called)
     return found
 
 
 @method("image_transport.SubscriberFilter", "subscribe")
-def filtered_images_later(engine: Context, _thing: Value, called: Called) -> Value:
+def filtered_images_later(ctx: Context, _thing: Value, called: Called) -> Value:
     """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
     first = called.argument(0)
-    given = _handle(first, engine) if isinstance(first, Obj) and first.node is None else first
-    return endpoint(engine, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
+    given = _handle(first, ctx) if isinstance(first, Obj) and first.node is None else first
+    return endpoint(ctx, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
 
 
 def _camera(image: Value) -> Value:

@@ -26,40 +26,40 @@ _PARAMS, _ENTRIES = "ParameterStruct", "ParameterEntries"
 
 
 @outer(LISTENER)
-def listener(engine: Context, _thing: Value, called: Called) -> Value:
+def listener(ctx: Context, _thing: Value, called: Called) -> Value:
     """A listener is made: it declares the parameters of its file, below a prefix where one is given."""
     made = Obj(called.name, None, {})
     if not called.arguments:
         # A member or variable that is made later.
         return made
-    found = _library(engine, called)
+    found = _library(ctx, called)
     if found is None or found.unread:
         why = found.unread if found is not None else f"no build of the workspace makes {called.name}"
-        node = node_of(engine, called.argument(0))
+        node = node_of(ctx, called.argument(0))
         node.unresolved.append((called.evidence, f"the parameters of {called.name} are unknown: {why}"))
         return made
-    made.fields["params"] = _Declaring(engine, called, found).structure()
+    made.fields["params"] = _Declaring(ctx, called, found).structure()
     return made
 
 
 @method(LISTENER, "get_params", "get_stack_params")
-def params(_engine: Context, thing: Value, _called: Called) -> Value:
+def params(_ctx: Context, thing: Value, _called: Called) -> Value:
     """All parameters are read."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     return known if known is not None else Unknown("parameters of a listener")
 
 
 @method(LISTENER, "try_get_params", "try_update_params", "try_get_stack_params")
-def params_into(engine: Context, thing: Value, called: Called) -> Value:
+def params_into(ctx: Context, thing: Value, called: Called) -> Value:
     """All parameters are read into a variable."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     if known is not None and called.written:
-        engine.assign(called.written[0], known)
+        ctx.assign(called.written[0], known)
     return Unknown("whether parameters changed")
 
 
 @method(_ENTRIES, "at", "get_entry")
-def entry(_engine: Context, thing: Value, _called: Called) -> Value:
+def entry(_ctx: Context, thing: Value, _called: Called) -> Value:
     """One of the entries of a map, which stands for each."""
     return thing.fields["entry"] if isinstance(thing, Obj) else Unknown("an entry")
 
@@ -67,9 +67,9 @@ def entry(_engine: Context, thing: Value, _called: Called) -> Value:
 class _Declaring:
     """Declares the parameters of a library for one listener."""
 
-    def __init__(self, engine: Context, called: Called, library: ParameterLibrary) -> None:
-        self._engine, self._called, self._library = engine, called, library
-        self._prefix = _prefix(engine, called)
+    def __init__(self, ctx: Context, called: Called, library: ParameterLibrary) -> None:
+        self._ctx, self._called, self._library = ctx, called, library
+        self._prefix = _prefix(ctx, called)
         self._known: dict[str, Text] = {}
 
     def structure(self) -> Obj:
@@ -97,7 +97,7 @@ class _Declaring:
         sure = Sure.LIKELY if name.holes else Sure.CERTAIN
         evidence = msgspec.structs.replace(one.evidence, how=f"declared by the {LISTENER} made at {at}", sure=sure)
         value = parameter(
-            self._engine, called.argument(0), called, "declared", name,
+            self._ctx, called.argument(0), called, "declared", name,
             default=None if one.default is None else Text.of(one.default), given=one.default is not None,
             kind=one.type, described=Described(one.range, one.description, one.terms), evidence=evidence,
         )  # fmt: skip
@@ -126,29 +126,29 @@ def _inside(at: Obj, piece: str) -> Obj:
     return found if isinstance(found, Obj) else Obj(_PARAMS, None, {})
 
 
-def _prefix(engine: Context, called: Called) -> Text:
+def _prefix(ctx: Context, called: Called) -> Text:
     """Return what is put before the names: the last argument, where it is no logger."""
     given = called.keywords.get("prefix", called.arguments[-1] if len(called.arguments) > 1 else None)
-    if given is None or (len(called.arguments) == 2 and _is_logger(engine, given, called)):
+    if given is None or (len(called.arguments) == 2 and _is_logger(ctx, given, called)):
         return Text()
     prefix = as_text(given)
     last = prefix.parts[-1] if prefix.parts else "."
     return prefix if isinstance(last, str) and last.endswith(".") else Text.of(prefix, ".") if prefix.parts else prefix
 
 
-def _is_logger(engine: Context, value: Value, called: Called) -> bool:
+def _is_logger(ctx: Context, value: Value, called: Called) -> bool:
     """Return whether a value is a logger: an object of such a class, or what source names so."""
     match value:
         case Obj():
             return "logger" in value.type.lower()
         case Unknown():
-            return "logger" in written_as(engine, called, -1).lower()
+            return "logger" in written_as(ctx, called, -1).lower()
     return False
 
 
-def _library(engine: Context, called: Called) -> ParameterLibrary | None:
+def _library(ctx: Context, called: Called) -> ParameterLibrary | None:
     """Return what the class of a listener is made of: by its namespace; of several of one package or included."""
-    frame, index = engine.state.frame, engine.index
+    frame, index = ctx.state.frame, ctx.index
     python = called.evidence.path.endswith(".py")
     known = [one for one in index.parameter_libraries if one.python is python]
     names = [called.name] if python else [called.name, *index.named(called.name, frame.path, frame.scope)]
@@ -160,17 +160,17 @@ def _library(engine: Context, called: Called) -> ParameterLibrary | None:
             if (space.endswith(f"{one.target}.{one.namespace}") if python else space == one.namespace)
         ]
         if found:
-            return _nearest(found, engine, frame.path)
+            return _nearest(found, ctx, frame.path)
     unread = [one for one in known if one.unread and one.package == index.package(frame.path)]
     return unread[0] if len(unread) == 1 else None
 
 
-def _nearest(found: list[ParameterLibrary], engine: Context, path: str) -> ParameterLibrary | None:
+def _nearest(found: list[ParameterLibrary], ctx: Context, path: str) -> ParameterLibrary | None:
     """Return the one of several of a namespace whose header is included, or that the package makes."""
     if len(found) == 1:
         return found[0]
-    package = engine.index.package(path)
-    heads = _included(engine, path)
+    package = ctx.index.package(path)
+    heads = _included(ctx, path)
     for some in ([one for one in found if one.package == package], found):
         included = [one for one in some if f"{one.target}.hpp" in heads]
         if len(included) == 1 or len(some) == 1:
@@ -178,9 +178,9 @@ def _nearest(found: list[ParameterLibrary], engine: Context, path: str) -> Param
     return None
 
 
-def _included(engine: Context, path: str) -> set[str]:
+def _included(ctx: Context, path: str) -> set[str]:
     """Return the headers that a file includes, and those of the workspace that it includes, without their folders."""
-    programs = engine.index.programs
+    programs = ctx.index.programs
     own = {name.strip('<>"') for name, _ in programs[path].includes}
     ends = tuple(f"/{name}" for name in own)
     near = [path, *(other for other in programs if other.endswith(ends))]

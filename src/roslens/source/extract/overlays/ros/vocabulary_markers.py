@@ -28,24 +28,24 @@ _ENDS = (
     "interactive_markers.InteractiveMarkerServer",
     "interactive_markers.interactive_marker_server.InteractiveMarkerServer",
 )
-def server(engine: Context, _thing: Value, called: Called) -> Value:
+def server(ctx: Context, _thing: Value, called: Called) -> Value:
     """A server of interactive markers; in ROS 2 all that exist are asked for by a service."""
     found = Obj("interactive_markers.InteractiveMarkerServer")
     name = next((one for one in called.arguments if isinstance(one, Text)), called.keywords.get("topic_ns"))
     if isinstance(name, Text):
-        handle = handle_of(engine, called)
-        if node_of(engine, handle).generation == "ros2":
-            _server_of_ros2(engine, handle, called, name)
+        handle = handle_of(ctx, called)
+        if node_of(ctx, handle).generation == "ros2":
+            _server_of_ros2(ctx, handle, called, name)
         else:
             for end, kind, role, latched in _ENDS:
                 endpoint(
-                    engine, Handle(engine.emitter.node), called, role, Text.of(name, end),
+                    ctx, Handle(ctx.emitter.node), called, role, Text.of(name, end),
                     f"visualization_msgs::{kind}", queue=_QUEUE, latched=latched,
                 )  # fmt: skip
     return found
 
 
-def _server_of_ros2(engine: Context, handle: Value, called: Called, name: Text) -> None:
+def _server_of_ros2(ctx: Context, handle: Value, called: Called, name: Text) -> None:
     given = all_of_kind(called.arguments, QosValue)
     update = given[0] if given else _keeping(_QUEUE)
     feedback = given[1] if len(given) > 1 else _keeping(_QUEUE if called.evidence.path.endswith(".py") else 1)
@@ -54,7 +54,7 @@ def _server_of_ros2(engine: Context, handle: Value, called: Called, name: Text) 
         ("/feedback", "msg::InteractiveMarkerFeedback", Role.SUBSCRIPTION, feedback),
         ("/get_interactive_markers", "srv::GetInteractiveMarkers", Role.SERVICE_SERVER, None),
     ):
-        endpoint(engine, handle, called, role, Text.of(name, end), f"visualization_msgs::{kind}", qos=quality)
+        endpoint(ctx, handle, called, role, Text.of(name, end), f"visualization_msgs::{kind}", qos=quality)
 
 
 def _keeping(depth: int) -> QosValue:

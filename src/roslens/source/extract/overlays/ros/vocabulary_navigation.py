@@ -18,20 +18,20 @@ if TYPE_CHECKING:
 
 
 @outer("nav2_util.ServiceClient", "nav2_ros_common.ServiceClient")
-def service_client(engine: Context, _thing: Value, called: Called) -> Value:
+def service_client(ctx: Context, _thing: Value, called: Called) -> Value:
     """A client of a service."""
     return endpoint(
-        engine, called.argument(1, "provided_node"), called, Role.SERVICE_CLIENT, called.argument(0, "service_name"),
+        ctx, called.argument(1, "provided_node"), called, Role.SERVICE_CLIENT, called.argument(0, "service_name"),
         _interface(called),
     )  # fmt: skip
 
 
 @outer("nav2_util.SimpleActionServer", "nav2_ros_common.SimpleActionServer")
-def action_server(engine: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
     """A server of an action, whose goals a function of the node executes."""
     execute = called.argument(2, "execute_callback")
     return endpoint(
-        engine, called.argument(0, "node"), called, Role.ACTION_SERVER, called.argument(1, "action_name"),
+        ctx, called.argument(0, "node"), called, Role.ACTION_SERVER, called.argument(1, "action_name"),
         _interface(called), callback=execute if isinstance(execute, Callable) else None,
     )  # fmt: skip
 

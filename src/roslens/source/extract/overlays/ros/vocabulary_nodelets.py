@@ -23,36 +23,36 @@ _STRINGS = ("std::string", "std::string")
 
 
 @outer("ros.M_string", "nodelet.M_string", quiet=True)
-def remappings(_engine: Context, _thing: Value, called: Called) -> Value:
+def remappings(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A map of remappings, empty as long as nobody puts names in it."""
     given = called.argument(0)
     return Unknown("remappings that somebody gives") if given is not None else Remappings()
 
 
 @outer("std.map", quiet=True)
-def mapping(_engine: Context, _thing: Value, called: Called) -> Value:
+def mapping(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A map: one of texts may be one of remappings."""
     plain = tuple(one.strip() for one in called.templates) == _STRINGS and not called.arguments
     return Remappings() if plain else Obj("std.map")
 
 
 @outer("nodelet.Loader")
-def loader(engine: Context, _thing: Value, called: Called) -> Value:
+def loader(ctx: Context, _thing: Value, called: Called) -> Value:
     """A loader of nodelets, with services of a manager where it is told so."""
-    engine.emitter.node.generation = "ros1"
+    ctx.emitter.node.generation = "ros1"
     given = called.argument(0, default=True)
     if isinstance(given, Handle) or given is True:
-        handle = given if isinstance(given, Handle) else Handle(engine.emitter.node, Text.of("~"))
+        handle = given if isinstance(given, Handle) else Handle(ctx.emitter.node, Text.of("~"))
         for name, kind in _SERVICES:
-            endpoint(engine, handle, called, Role.SERVICE_SERVER, Text.of(name), f"nodelet::{kind}")
+            endpoint(ctx, handle, called, Role.SERVICE_SERVER, Text.of(name), f"nodelet::{kind}")
     elif isinstance(given, Unknown | Text):
         reason = "whether this loader of nodelets has the services of a manager depends on " + str(as_text(given))
-        engine.emitter.node.unresolved.append((called.evidence, reason))
+        ctx.emitter.node.unresolved.append((called.evidence, reason))
     return Obj("nodelet.Loader")
 
 
 @method("nodelet.Loader", "load")
-def load(engine: Context, _thing: Value, called: Called) -> Value:
+def load(ctx: Context, _thing: Value, called: Called) -> Value:
     """A nodelet is loaded into this process."""
     given = called.argument(2)
     match given:
@@ -67,8 +67,8 @@ def load(engine: Context, _thing: Value, called: Called) -> Value:
         as_text(kind) if kind is not None else Text((Hole("class of the nodelet"),)),
         called.evidence,
         pairs,
-        tuple(dict.fromkeys(engine.state.conditions)),
+        tuple(dict.fromkeys(ctx.state.conditions)),
     )
-    if fact not in engine.emitter.node.loads:
-        engine.emitter.node.loads.append(fact)
+    if fact not in ctx.emitter.node.loads:
+        ctx.emitter.node.loads.append(fact)
     return Unknown("whether the nodelet is loaded")

@@ -29,7 +29,7 @@ _SAME = (
 
 
 @outer(OPTIONS)
-def options(_engine: Context, thing: Value, called: Called) -> Value:
+def options(_ctx: Context, thing: Value, called: Called) -> Value:
     """Options of a node: those of a copy, or none."""
     given = called.argument(0)
     found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
@@ -44,7 +44,7 @@ def _copy(given: Obj) -> Obj:
 
 
 @method(OPTIONS, "arguments")
-def arguments(_engine: Context, thing: Obj, called: Called) -> Value:
+def arguments(_ctx: Context, thing: Obj, called: Called) -> Value:
     """The command line of the node is asked for, or given."""
     if not called.arguments:
         held = thing.fields.get("-arguments", [])
@@ -58,7 +58,7 @@ def arguments(_engine: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, "use_global_arguments")
-def use_global(_engine: Context, thing: Obj, called: Called) -> Value:
+def use_global(_ctx: Context, thing: Obj, called: Called) -> Value:
     """Whether the command line of the process is for the node too."""
     if not called.arguments:
         return thing.fields.get("-global", True)
@@ -67,7 +67,7 @@ def use_global(_engine: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, "parameter_overrides", "append_parameter_override")
-def overrides(_engine: Context, thing: Obj, called: Called) -> Value:
+def overrides(_ctx: Context, thing: Obj, called: Called) -> Value:
     """Values of parameters are given to the node."""
     if not called.arguments:
         return thing.fields.get("-overrides", [])
@@ -81,7 +81,7 @@ def overrides(_engine: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, _DECLARES)
-def declares(_engine: Context, thing: Obj, called: Called) -> Value:
+def declares(_ctx: Context, thing: Obj, called: Called) -> Value:
     """Whether the node declares each parameter that is set for it."""
     if not called.arguments:
         return thing.fields.get("-declares", False)
@@ -90,15 +90,15 @@ def declares(_engine: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, *_SAME)
-def same(_engine: Context, thing: Value, called: Called) -> Value:
+def same(_ctx: Context, thing: Value, called: Called) -> Value:
     """What says nothing of names."""
     return thing if called.arguments else Unknown(f"{called.name} of the options")
 
 
 @method("node", "get_node_options")
-def options_of(engine: Context, thing: Value, _called: Called) -> Value:
+def options_of(ctx: Context, thing: Value, _called: Called) -> Value:
     """The options of a node are asked for."""
-    held = node_of(engine, thing).options
+    held = node_of(ctx, thing).options
     return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
 
 
@@ -116,7 +116,7 @@ def given_options(called: Called) -> Obj | None:
     return Obj(OPTIONS, None, held)
 
 
-def take_options(engine: Context, building: Building, given: Obj, called: Called) -> None:
+def take_options(ctx: Context, building: Building, given: Obj, called: Called) -> None:
     """Let hold for a node what its options say."""
     building.options = given
     words = given.fields.get("-arguments", [])
@@ -141,7 +141,7 @@ def take_options(engine: Context, building: Building, given: Obj, called: Called
     for one in pairs:
         if isinstance(one, list | tuple) and len(one) == 2:
             building.settings.append((as_text(one[0]), as_text(one[1])))
-    del engine
+    del ctx
 
 
 def doubt_options(building: Building, called: Called) -> None:
@@ -157,13 +157,13 @@ def _doubt(building: Building, called: Called, reason: str) -> None:
 
 
 @outer("std.replace")
-def replaced(engine: Context, _thing: Value, called: Called) -> Value:
+def replaced(ctx: Context, _thing: Value, called: Called) -> Value:
     """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
     of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
     before, after = called.argument(2), called.argument(3)
     if of is None or not isinstance(before, Text) or not isinstance(after, Text):
         return None
-    value = engine.value(of)
+    value = ctx.value(of)
     if not isinstance(value, Text) or before.known is None or after.known is None:
         return None
     parts: list[str | Hole] = []
@@ -174,7 +174,7 @@ def replaced(engine: Context, _thing: Value, called: Called) -> Value:
             case _:
                 default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
                 parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
-    engine.assign(of, Text.of(*parts))
+    ctx.assign(of, Text.of(*parts))
     return None
 
 

@@ -25,7 +25,7 @@ _FIELD = "qos_overriding_options"
 
 @outer("rclcpp.PublisherOptions", "rclcpp.SubscriptionOptions", "rclcpp.PublisherOptionsWithAllocator",
        "rclcpp.SubscriptionOptionsWithAllocator", quiet=True)  # fmt: skip
-def of_endpoint(_engine: Context, thing: Value, called: Called) -> Value:
+def of_endpoint(_ctx: Context, thing: Value, called: Called) -> Value:
     """Options of an endpoint: those of a copy, or none yet."""
     given = called.argument(0)
     held = dict(given.fields) if isinstance(given, Obj) and given.type == called.name else {}
@@ -36,7 +36,7 @@ def of_endpoint(_engine: Context, thing: Value, called: Called) -> Value:
 
 
 @outer(_CPP, _PYTHON, quiet=True)
-def chosen(engine: Context, _thing: Value, called: Called) -> Overrides:
+def chosen(ctx: Context, _thing: Value, called: Called) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
     match kinds:
@@ -50,23 +50,23 @@ def chosen(engine: Context, _thing: Value, called: Called) -> Overrides:
         kinds, rest = all_of_kind(called.arguments, Named), []
     if isinstance(kinds, Overrides):
         return kinds
-    return _overrides(engine, called, kinds if kinds is not None else [], rest)
+    return _overrides(ctx, called, kinds if kinds is not None else [], rest)
 
 
 @outer(f"{_CPP}.with_default_policies", f"{_PYTHON}.with_default_policies", quiet=True)
-def usual(engine: Context, _thing: Value, called: Called) -> Overrides:
+def usual(ctx: Context, _thing: Value, called: Called) -> Overrides:
     """History, depth and reliability may be set by parameters."""
-    return _overrides(engine, called, None, called.arguments)
+    return _overrides(ctx, called, None, called.arguments)
 
 
-def _overrides(engine: Context, called: Called, kinds: Value, rest: list[Value]) -> Overrides:
+def _overrides(ctx: Context, called: Called, kinds: Value, rest: list[Value]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
-    engine.summaries.touch()
+    ctx.summaries.touch()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
     number = "" if given is None else as_text(given).known
     names = list(_USUAL) if kinds is None else _names(kinds)
     unknown = "" if names is not None and number is not None else f"which it may set is not known ({called.name})"
-    return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(engine.state.conditions)))
+    return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(ctx.state.conditions)))
 
 
 def _names(kinds: Value) -> list[str] | None:

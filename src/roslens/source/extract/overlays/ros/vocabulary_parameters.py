@@ -21,30 +21,30 @@ _PYTHON = ("rclpy.parameter.Parameter", "rclpy.Parameter")
 
 
 @method("node", "declare_parameter", anywhere=True)
-def declare(engine: Context, thing: Value, called: Called) -> Value:
+def declare(ctx: Context, thing: Value, called: Called) -> Value:
     """A parameter is declared."""
     default = called.argument(1, "value", "default_value")
-    return _declared(engine, thing, called, called.argument(0, "name"), default, _template(called))
+    return _declared(ctx, thing, called, called.argument(0, "name"), default, _template(called))
 
 
 @method("node", "declare_or_get_parameter", anywhere=True)
-def declare_or_read(engine: Context, thing: Value, called: Called) -> Value:
+def declare_or_read(ctx: Context, thing: Value, called: Called) -> Value:
     """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
-    return declare(engine, thing, called)
+    return declare(ctx, thing, called)
 
 
 @outer(
     *(f"{space}.{name}" for space in ("nav2_util", "nav2", "nav2_ros_common")
       for name in ("declare_parameter_if_not_declared", "declare_or_get_parameter")),
 )  # fmt: skip
-def declare_of(engine: Context, _thing: Value, called: Called) -> Value:
+def declare_of(ctx: Context, _thing: Value, called: Called) -> Value:
     """A parameter of the node that is given first is declared, if it is not yet."""
     named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
     inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
-    return declare(engine, called.argument(0), inner)
+    return declare(ctx, called.argument(0), inner)
 
 
-def _declared(engine: Context, thing: Value, called: Called, name: Value, default: Value, kind: str) -> Value:
+def _declared(ctx: Context, thing: Value, called: Called, name: Value, default: Value, kind: str) -> Value:
     if is_descriptor(default):
         default = None
     constant = type_of_constant(default)
@@ -59,7 +59,7 @@ def _declared(engine: Context, thing: Value, called: Called, name: Value, defaul
         # rclpy takes what has neither value nor type for one of any type.
         described = msgspec.structs.replace(described, terms=msgspec.structs.replace(described.terms, dynamic=True))
     return parameter(
-        engine, thing, called, "declared", name, default=_fitting(default, kind), given=default is not None,
+        ctx, thing, called, "declared", name, default=_fitting(default, kind), given=default is not None,
         kind=kind, described=described,
     )  # fmt: skip
 
@@ -74,7 +74,7 @@ def _fitting(default: Value, kind: str) -> Value:
 
 
 @outer("rclcpp.ParameterValue", "rclcpp.Parameter", *_PYTHON)
-def parameter_value(_engine: Context, _thing: Value, called: Called) -> Value:
+def parameter_value(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A value of a parameter."""
     if called.name == "rclcpp.ParameterValue":
         value = called.argument(0, default=Unknown("a value that is not set"))
@@ -92,7 +92,7 @@ def _template(called: Called) -> str:
 
 
 @method("node", "declare_parameters", anywhere=True)
-def declare_all(engine: Context, thing: Value, called: Called) -> Value:
+def declare_all(ctx: Context, thing: Value, called: Called) -> Value:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
     items: list[Value] = [[unknown("a parameter of a list that is not followed")]]
@@ -108,12 +108,12 @@ def declare_all(engine: Context, thing: Value, called: Called) -> Value:
             name = Text.of(as_text(prefix), ".", name)
         default = pair[1] if len(pair) > 1 else None
         inner = msgspec.structs.replace(called, arguments=[name, default, *pair[2:]], keywords={}, written=())
-        _declared(engine, thing, inner, name, default, kind)
+        _declared(ctx, thing, inner, name, default, kind)
     return None
 
 
 @method("node", "get_parameter", "get_parameter_or", anywhere=True)
-def read(engine: Context, thing: Value, called: Called) -> Value:
+def read(ctx: Context, thing: Value, called: Called) -> Value:
     """A parameter is read, into a variable where one is given."""
     python = called.evidence.path.endswith(".py")
     default = called.argument(1 if python else 2, "alternative_value")
@@ -122,15 +122,15 @@ def read(engine: Context, thing: Value, called: Called) -> Value:
     told = (isinstance(into, Text) and not into.holes) or (isinstance(into, Obj) and into.type == VECTOR)
     kind = _template(called) or (type_of_value(into) if told else "")
     value = parameter(
-        engine, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None, kind=kind
+        ctx, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None, kind=kind
     )
     if not python and len(called.written) > 1:
-        engine.assign(called.written[1], value)
+        ctx.assign(called.written[1], value)
         return Unknown("whether the parameter is set", is_set(value))
     return value
 
 
 @method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
-def write(_engine: Context, _thing: Value, called: Called) -> Value:
+def write(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written, or asked for; by names that are not followed."""
     return Unknown(f"result of {called.name}()")

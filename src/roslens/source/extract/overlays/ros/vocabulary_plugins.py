@@ -25,7 +25,7 @@ _MOST = 64
 
 
 @outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
-def loader(_engine: Context, _thing: Value, called: Called) -> Value:
+def loader(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A loader of classes."""
     written = called.argument(1)
     base = written.known if isinstance(written, Text) and called.name == _LOADER else None
@@ -34,30 +34,30 @@ def loader(_engine: Context, _thing: Value, called: Called) -> Value:
 
 @method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
         quiet=True)  # fmt: skip
-def instance(engine: Context, thing: Obj, called: Called) -> Value:
+def instance(ctx: Context, thing: Obj, called: Called) -> Value:
     """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
     held = thing.fields.get("base")
     base = called.templates[0] if called.templates else held if isinstance(held, str) else ""
-    node = deciding_node(engine, kind)
-    name = None if engine.given.chosen is None else kind.usual
-    defined = _class(engine, name) if name and len(engine.emitter.plugged) < _MOST else None
+    node = deciding_node(ctx, kind)
+    name = None if ctx.given.chosen is None else kind.usual
+    defined = _class(ctx, name) if name and len(ctx.emitter.plugged) < _MOST else None
     fact = PluginFact(kind, called.evidence, base, "" if defined is None else defined.what.qualified_name)
     if fact not in node.plugins:
         node.plugins.append(fact)
-        engine.summaries.touch()
+        ctx.summaries.touch()
     if defined is None:
         return Unknown(f"a plug-in of {base or 'some class'}")
-    engine.summaries.touch()
-    engine.budget.extend()
-    made = engine.objects.construct(defined, [], {})
+    ctx.summaries.touch()
+    ctx.budget.extend()
+    made = ctx.objects.construct(defined, [], {})
     if isinstance(made, Obj):
-        engine.emitter.plugged.append((made, node))
+        ctx.emitter.plugged.append((made, node))
     return made
 
 
 @method(_LOADER, "getName", quiet=True)
-def plain_name(_engine: Context, _thing: Value, called: Called) -> Value:
+def plain_name(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
     kind = as_text(called.argument(0))
     last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
@@ -66,32 +66,32 @@ def plain_name(_engine: Context, _thing: Value, called: Called) -> Value:
     return unknown(f"name of the plug-in {kind}", default=last)
 
 
-def _class(engine: Context, name: str) -> Defined | None:
+def _class(ctx: Context, name: str) -> Defined | None:
     """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
-    whole = type_name(engine.given.plugin_names.get(name, name).replace("/", "::"))[0]
-    return engine.index.class_of(whole, engine.state.frame.path, "")
+    whole = type_name(ctx.given.plugin_names.get(name, name).replace("/", "::"))[0]
+    return ctx.index.class_of(whole, ctx.state.frame.path, "")
 
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
-def added(engine: Context, thing: Obj, called: Called) -> Value:
+def added(ctx: Context, thing: Obj, called: Called) -> Value:
     """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
-        engine.callbacks.give(one)
+        ctx.callbacks.give(one)
     given = called.argument(0)
     place = sum(isinstance(key, int) for key in held_in(thing))
     match given:
         case Obj():
-            if any(one is given for one, _ in engine.emitter.plugged):
-                hold(engine, thing, place, given)
-        case Text() if len(engine.state.conditions) <= engine.state.frame.depth + engine.state.frame.passed:
-            hold(engine, thing, place, given)
+            if any(one is given for one, _ in ctx.emitter.plugged):
+                hold(ctx, thing, place, given)
+        case Text() if len(ctx.state.conditions) <= ctx.state.frame.depth + ctx.state.frame.passed:
+            hold(ctx, thing, place, given)
         case _:
-            hold(engine, thing, None, Unknown("an item of a list"))
+            hold(ctx, thing, None, Unknown("an item of a list"))
     return None
 
 
 @method("std.vector", "back", "front", "at", quiet=True)
-def end(_engine: Context, thing: Obj, called: Called) -> Value:
+def end(_ctx: Context, thing: Obj, called: Called) -> Value:
     """One end of a list, or what is at a place of it."""
     held = held_in(thing)
     keys = sorted(key for key in held if isinstance(key, int))

@@ -31,7 +31,7 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
-def qos(_engine: Context, thing: Value, called: Called) -> Value:
+def qos(_ctx: Context, thing: Value, called: Called) -> Value:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
     value = msgspec.structs.replace(_from_words(called))
@@ -81,25 +81,25 @@ def _reason(value: Value) -> str:
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
-def by_key(_engine: Context, _thing: Value, called: Called) -> Value:
+def by_key(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A preset by the name that command lines have for it."""
     return quality_by_key(called.argument(0, "name"))
 
 
 @outer("rmw_qos_profile_t")
-def profile(_engine: Context, _thing: Value, called: Called) -> Value:
+def profile(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A profile of the middleware, by its members or empty."""
     return profile_of(called.arguments)
 
 
 @outer("rclcpp.QoSInitialization")
-def initialisation(_engine: Context, _thing: Value, called: Called) -> Value:
+def initialisation(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A history and how many messages it keeps."""
     return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
-def keep(_engine: Context, _thing: Value, called: Called) -> Value:
+def keep(_ctx: Context, _thing: Value, called: Called) -> Value:
     """How many messages are kept."""
     first = called.argument(0)
     if called.name.endswith("from_rmw"):
@@ -112,7 +112,7 @@ def keep(_engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
-def preset(_engine: Context, thing: Value, called: Called) -> Value:
+def preset(_ctx: Context, thing: Value, called: Called) -> Value:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])
     first = called.argument(0)
@@ -130,12 +130,12 @@ def preset(_engine: Context, thing: Value, called: Called) -> Value:
         "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
         "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
-def refined(engine: Context, thing: Obj | QosValue, called: Called) -> Value:
+def refined(ctx: Context, thing: Obj | QosValue, called: Called) -> Value:
     """A quality of service with one policy changed."""
     base = _held(thing) if isinstance(thing, Obj) else thing
     found = _refined(base, called)
     if isinstance(thing, Obj):
-        engine.state.changes.put(thing.fields, "qos", found)
+        ctx.state.changes.put(thing.fields, "qos", found)
         return thing
     return found
 

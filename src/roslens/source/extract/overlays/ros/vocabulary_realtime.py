@@ -23,7 +23,7 @@ _MADE, _TYPE = "-made", "-type"
 
 
 @outer(_NAME)
-def realtime_publisher(engine: Context, _thing: Value, called: Called) -> Value:
+def realtime_publisher(ctx: Context, _thing: Value, called: Called) -> Value:
     """A publisher, the one that is given, or none before ``init`` makes it."""
     given = first_of_kind(called.arguments, Made)
     if given is not None:
@@ -32,38 +32,38 @@ def realtime_publisher(engine: Context, _thing: Value, called: Called) -> Value:
     if len(called.arguments) < 2:
         # That of ROS 2 is of a publisher that is not known here; somebody else makes it.
         return found
-    return _made(engine, found, called)
+    return _made(ctx, found, called)
 
 
 @method(_NAME, "init")
-def made_later(engine: Context, thing: Obj, called: Called) -> Value:
+def made_later(ctx: Context, thing: Obj, called: Called) -> Value:
     """The publisher is made."""
-    thing.fields[_MADE] = _made(engine, thing, called)
+    thing.fields[_MADE] = _made(ctx, thing, called)
     return None
 
 
-def _made(engine: Context, thing: Obj, called: Called) -> Made:
+def _made(ctx: Context, thing: Obj, called: Called) -> Made:
     queue, latched = called.argument(2), called.argument(3)
     return endpoint(
-        engine, handle_of(engine, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
+        ctx, handle_of(ctx, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
         queue=queue if is_whole(queue) else -1, latched=latched is True,
     )  # fmt: skip
 
 
 @method("made", "unlockAndPublish", "tryPublish", "try_publish")
-def publish(engine: Context, thing: Made, called: Called) -> Value:
+def publish(ctx: Context, thing: Made, called: Called) -> Value:
     """What is in the message is published."""
-    return _published(engine, thing, called)
+    return _published(ctx, thing, called)
 
 
 @method(_NAME, "unlockAndPublish")
-def publish_of_later(engine: Context, thing: Obj, called: Called) -> Value:
+def publish_of_later(ctx: Context, thing: Obj, called: Called) -> Value:
     """What is in the message is published, by what ``init`` made."""
     made = thing.fields.get(_MADE)
-    return _published(engine, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
+    return _published(ctx, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
 
 
-def _published(engine: Context, made: Made, called: Called) -> Value:
+def _published(ctx: Context, made: Made, called: Called) -> Value:
     plain = Called("publish", [], {}, (), (), called.evidence)
-    word = find_method(engine, made, plain)
-    return None if word is None else word(engine, made, plain)
+    word = find_method(ctx, made, plain)
+    return None if word is None else word(ctx, made, plain)

@@ -30,65 +30,65 @@ _CLASS_END = "Config"
 
 
 @outer("dynamic_reconfigure.Server", _PYTHON)
-def reconfigure(engine: Context, _thing: Value, called: Called) -> Value:
+def reconfigure(ctx: Context, _thing: Value, called: Called) -> Value:
     """A server that lets parameters of a node be changed while it runs."""
     python = called.evidence.path.endswith(".py") and not called.templates
     kind: Value = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
-    handle = _space(engine, called) if python else _handle(engine, called)
+    handle = _space(ctx, called) if python else _handle(ctx, called)
     for name, message, role in _ENDS:
-        endpoint(engine, handle, called, role, Text.of(name), message, latched=role is Role.PUBLISHER)
-    _declare(engine, handle, called, _written(engine, kind))
+        endpoint(ctx, handle, called, role, Text.of(name), message, latched=role is Role.PUBLISHER)
+    _declare(ctx, handle, called, _written(ctx, kind))
     if python:
-        engine.callbacks.give(called.argument(1, "callback"))
+        ctx.callbacks.give(called.argument(1, "callback"))
     return Obj("dynamic_reconfigure.Server")
 
 
 @method("dynamic_reconfigure.Server", "setCallback")
-def reconfigured(engine: Context, _thing: Value, called: Called) -> Value:
+def reconfigured(ctx: Context, _thing: Value, called: Called) -> Value:
     """What is called when parameters are changed."""
-    engine.callbacks.give(called.argument(0))
+    ctx.callbacks.give(called.argument(0))
     return None
 
 
-def _handle(engine: Context, called: Called) -> Handle:
+def _handle(ctx: Context, called: Called) -> Handle:
     """Return the namespace of a server in C++, ``~`` where none is given."""
     given = all_of_kind(called.arguments, Handle)
-    return given[0] if given else Handle(engine.emitter.node, Text.of("~"))
+    return given[0] if given else Handle(ctx.emitter.node, Text.of("~"))
 
 
-def _space(engine: Context, called: Called) -> Handle:
+def _space(ctx: Context, called: Called) -> Handle:
     """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
-    engine.emitter.node.generation = "ros1"
+    ctx.emitter.node.generation = "ros1"
     given = called.argument(2, "namespace")
     if given is None or (isinstance(given, Text) and not given.parts):
-        return Handle(engine.emitter.node, Text.of("~"))
+        return Handle(ctx.emitter.node, Text.of("~"))
     name = as_text(given)
     if name.head[:1] not in ("/", "~"):
         name = Text.of("~", name)
-    return Handle(engine.emitter.node, _without_end(name))
+    return Handle(ctx.emitter.node, _without_end(name))
 
 
 def _without_end(name: Text) -> Text:
     return Text.of(*name.parts[:-1], name.tail.rstrip("/") or "/") if name.tail else name
 
 
-def _written(engine: Context, kind: Value) -> str:
+def _written(ctx: Context, kind: Value) -> str:
     """Return the class that a server is of, without aliases; in Python it is a module."""
     match kind:
         case str():
-            name = dotted(engine.state.frame.templates.get(kind, kind))
-            return engine.index.meaning(name, engine.state.frame.path, engine.state.frame.scope)
+            name = dotted(ctx.state.frame.templates.get(kind, kind))
+            return ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope)
         case Named():
             return kind.name
     return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
 
 
-def _declare(engine: Context, handle: Handle, called: Called, kind: str) -> None:
+def _declare(ctx: Context, handle: Handle, called: Called, kind: str) -> None:
     """Record the parameters that the ``.cfg`` file of a class declares; without it, that they are unknown."""
-    node = node_of(engine, handle)
-    conditions = tuple(dict.fromkeys(engine.state.conditions))
-    file, sure = _file_of(engine, kind)
-    place, _ = origin(engine, called, None)
+    node = node_of(ctx, handle)
+    conditions = tuple(dict.fromkeys(ctx.state.conditions))
+    file, sure = _file_of(ctx, kind)
+    place, _ = origin(ctx, called, None)
     known = file is not None and file.whole
     for one in file.declarations if file is not None else ():
         fact = _fact(one, below(handle, one.name), place, conditions, sure)
@@ -113,18 +113,18 @@ def _fact(one: Declaration, name: Text, place: Evidence, conditions: Conditions,
     )  # fmt: skip
 
 
-def _file_of(engine: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
+def _file_of(ctx: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
     """Return what declares the parameters of a class, and how sure that is: by its package, or what is around it."""
     from roslens.source.extract.overlays.ros.reconfigure_file import reconfigure_files
 
     pieces = [piece for piece in kind.split(".") if piece]
     if not pieces or not pieces[-1].endswith(_CLASS_END):
         return None, Sure.CERTAIN
-    found = reconfigure_files(engine.index, pieces[-1].removesuffix(_CLASS_END))
+    found = reconfigure_files(ctx.index, pieces[-1].removesuffix(_CLASS_END))
     if not found:
         return None, Sure.CERTAIN
     outer_pieces = [piece for piece in pieces[:-1] if piece != "cfg"]
-    for package in outer_pieces[-1:] or _around(engine, pieces[-1]):
+    for package in outer_pieces[-1:] or _around(ctx, pieces[-1]):
         named = [one for one in found if one.package == package]
         if named:
             return named[0], Sure.CERTAIN
@@ -133,10 +133,10 @@ def _file_of(engine: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
     return (found[0], Sure.LIKELY) if len(found) == 1 else (None, Sure.CERTAIN)
 
 
-def _around(engine: Context, name: str) -> Iterator[str]:
+def _around(ctx: Context, name: str) -> Iterator[str]:
     """Yield the packages that a class without a namespace may be of: what is around it, used whole, or included."""
-    program = engine.index.programs[engine.state.frame.path]
-    scope = engine.state.frame.scope
+    program = ctx.index.programs[ctx.state.frame.path]
+    scope = ctx.state.frame.scope
     while scope := scope.rpartition(".")[0]:
         yield scope
     yield from program.using

@@ -26,14 +26,14 @@ _OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServic
 
 
 @outer("ros.init", "rospy.init_node")
-def init(engine: Context, _thing: Value, called: Called) -> Value:
+def init(ctx: Context, _thing: Value, called: Called) -> Value:
     """The process becomes a node."""
-    node = engine.emitter.node
+    node = ctx.emitter.node
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
     node.generation = "ros1"
     node.named = True
     if called.name == "ros.init":
-        given_to_ros(engine, called)
+        given_to_ros(ctx, called)
     node.name = as_text(name) if name is not None else Text((Hole(OfNode(NamePart.NAME)),))
     anonymous = called.argument(5, "anonymous")
     flags = called.argument(3)
@@ -43,15 +43,15 @@ def init(engine: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("ros.NodeHandle", "ros.NodeHandlePtr")
-def handle(engine: Context, _thing: Value, called: Called) -> Value:
+def handle(ctx: Context, _thing: Value, called: Called) -> Value:
     """Something names are resolved against: a namespace of the node."""
-    return _handle(engine, called)
+    return _handle(ctx, called)
 
 
-def _handle(engine: Context, called: Called) -> Handle:
-    engine.emitter.node.generation = "ros1"
+def _handle(ctx: Context, called: Called) -> Handle:
+    ctx.emitter.node.generation = "ros1"
     prefix = Text()
-    node: Building = engine.emitter.node
+    node: Building = ctx.emitter.node
     for place, value in enumerate(called.arguments[:2]):
         match value:
             case Handle():
@@ -74,31 +74,31 @@ def _trimmed(name: Text) -> Text:
 
 @method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
 @method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
-def public_handle(engine: Context, _thing: Value, _called: Called) -> Value:
+def public_handle(ctx: Context, _thing: Value, _called: Called) -> Value:
     """The namespace of the node."""
-    return Handle(engine.emitter.node)
+    return Handle(ctx.emitter.node)
 
 
 @method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
 @method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
-def private_handle(engine: Context, _thing: Value, _called: Called) -> Value:
+def private_handle(ctx: Context, _thing: Value, _called: Called) -> Value:
     """The private namespace of the node."""
-    return Handle(engine.emitter.node, Text.of("~"))
+    return Handle(ctx.emitter.node, Text.of("~"))
 
 
 @method("nodelet.Nodelet", "getName")
-def nodelet_name(engine: Context, _thing: Value, _called: Called) -> Value:
+def nodelet_name(ctx: Context, _thing: Value, _called: Called) -> Value:
     """The name of the nodelet."""
-    return Text((Hole(OfNode(NamePart.NAME), default=engine.emitter.node.name.usual),))
+    return Text((Hole(OfNode(NamePart.NAME), default=ctx.emitter.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
-def nodelet(engine: Context, thing: Value, _called: Called) -> Value:
+def nodelet(ctx: Context, thing: Value, _called: Called) -> Value:
     """A nodelet is constructed."""
-    engine.emitter.node.generation = "ros1"
-    engine.emitter.node.kind = "nodelet"
+    ctx.emitter.node.generation = "ros1"
+    ctx.emitter.node.kind = "nodelet"
     if isinstance(thing, Obj):
-        thing.node = engine.emitter.node
+        thing.node = ctx.emitter.node
     return thing
 
 
@@ -108,7 +108,7 @@ def queue_of(value: Value) -> int:
 
 
 @method("handle", "advertise", anywhere=True)
-def advertise(engine: Context, thing: Value, called: Called) -> Value:
+def advertise(ctx: Context, thing: Value, called: Called) -> Value:
     """A publisher."""
     if called.arguments and isinstance(called.arguments[0], Handle):
         # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
@@ -116,32 +116,32 @@ def advertise(engine: Context, thing: Value, called: Called) -> Value:
         called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
     kind = called.templates[0] if called.templates else Unknown("its type")
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
-        return _by_options(engine, thing, called, Role.PUBLISHER, options)
+        return _by_options(ctx, thing, called, Role.PUBLISHER, options)
     latched = called.argument(2) is True or called.argument(4) is True
-    follow_visitors(engine, called, 2)
+    follow_visitors(ctx, called, 2)
     return endpoint(
-        engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=queue_of(called.argument(1)),
+        ctx, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=queue_of(called.argument(1)),
         latched=latched,
     )  # fmt: skip
 
 
 @method("handle", "subscribe", anywhere=True)
-def subscribe(engine: Context, thing: Value, called: Called) -> Value:
+def subscribe(ctx: Context, thing: Value, called: Called) -> Value:
     """A subscription."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
-        return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
+        return _by_options(ctx, thing, called, Role.SUBSCRIPTION, options)
     if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
         return Unknown("result of subscribe()")
-    callback = _callback(engine, called, 2, takes=1)
+    callback = _callback(ctx, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(callback)
     kind: Value = written or Unknown("the type its callback takes")
     return endpoint(
-        engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
+        ctx, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
         callback=callback,
     )  # fmt: skip
 
 
-def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Value:
+def _callback(ctx: Context, called: Called, place: int, takes: int = 0) -> Value:
     """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
 
     A callback of a topic takes one message, that of a service a request and a response.
@@ -149,49 +149,49 @@ def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Va
     callback = called.argument(place)
     thing = called.argument(place + 1)
     if isinstance(callback, Callable) and takes and not callback.arguments:
-        callback = taking_so_many(engine.index, callback, takes)
+        callback = taking_so_many(ctx.index, callback, takes)
     if isinstance(callback, Callable) and callback.function.class_name and isinstance(thing, Obj):
         return Callable(callback.function, callback.path, thing, callback.names, callback.arguments)
     return callback
 
 
 @method("handle", "advertiseService", anywhere=True)
-def advertise_service(engine: Context, thing: Value, called: Called) -> Value:
+def advertise_service(ctx: Context, thing: Value, called: Called) -> Value:
     """A server of a service."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
-        return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
-    callback = _callback(engine, called, 1, takes=2)
+        return _by_options(ctx, thing, called, Role.SERVICE_SERVER, options)
+    callback = _callback(ctx, called, 1, takes=2)
     written = called.templates[0] if called.templates else type_of_callback(callback)
     kind: Value = written or Unknown("the type its callback takes")
-    return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
+    return endpoint(ctx, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
 
 
 @method("handle", "serviceClient", anywhere=True)
-def service_client(engine: Context, thing: Value, called: Called) -> Value:
+def service_client(ctx: Context, thing: Value, called: Called) -> Value:
     """A client of a service."""
     kind = called.templates[0] if called.templates else Unknown("its type")
-    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
+    return endpoint(ctx, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
 @outer("ros.service.call", "ros.service.createClient")
-def call_once(engine: Context, _thing: Value, called: Called) -> Value:
+def call_once(ctx: Context, _thing: Value, called: Called) -> Value:
     """A service is called by its name."""
-    kind = called.templates[0] if called.templates else _declared_type(engine, called)
-    return endpoint(engine, Handle(engine.emitter.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
+    kind = called.templates[0] if called.templates else _declared_type(ctx, called)
+    return endpoint(ctx, Handle(ctx.emitter.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
-def _declared_type(engine: Context, called: Called) -> Value:
+def _declared_type(ctx: Context, called: Called) -> Value:
     """Return the type of the request, or of what holds request and response."""
     value = called.argument(1)
-    del engine
+    del ctx
     return value if isinstance(value, Obj | Named) else Unknown("its type")
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
-def wait_for_message(engine: Context, _thing: Value, called: Called) -> Value:
+def wait_for_message(ctx: Context, _thing: Value, called: Called) -> Value:
     """A topic is subscribed to for one message."""
     kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
-    endpoint(engine, Handle(engine.emitter.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
+    endpoint(ctx, Handle(ctx.emitter.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
     return Unknown("a message")
 
 
@@ -200,7 +200,7 @@ _TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "
 
 
 @method("handle", "param", "getParam", "getParamCached", "param_cached")
-def read(engine: Context, thing: Value, called: Called) -> Value:
+def read(ctx: Context, thing: Value, called: Called) -> Value:
     """A parameter is read, into a variable where one is given."""
     default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
     if called.name == "param" and len(called.arguments) == 2:
@@ -208,141 +208,139 @@ def read(engine: Context, thing: Value, called: Called) -> Value:
     # What is said in the code decides, not the type of the default: `param<bool>("x", x, "false")` reads a bool.
     kind = _TYPES.get(called.templates[0], "") if called.templates else ""
     value = parameter(
-        engine, thing, called, "read", called.argument(0), default=default, given=default is not None, kind=kind
+        ctx, thing, called, "read", called.argument(0), default=default, given=default is not None, kind=kind
     )
     if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
         test = is_set(value)
-        engine.assign(called.written[1], value if default is not None else else_before(value, called.argument(1)))
+        ctx.assign(called.written[1], value if default is not None else else_before(value, called.argument(1)))
         return Unknown("whether the parameter is set", test)
     return value
 
 
 @outer("ros.param.param", "ros.param.get", "ros.param.getCached")
-def read_by_name(engine: Context, _thing: Value, called: Called) -> Value:
+def read_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
     """A parameter is read by its name."""
     named = "param" if called.name.endswith(".param") else "getParam"
     inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
-    return read(engine, Handle(engine.emitter.node), inner)
+    return read(ctx, Handle(ctx.emitter.node), inner)
 
 
 @method("handle", "setParam")
-def write(engine: Context, thing: Value, called: Called) -> Value:
+def write(ctx: Context, thing: Value, called: Called) -> Value:
     """A parameter is written."""
-    write_parameter(engine, thing, called, called.argument(0), called.argument(1))
+    write_parameter(ctx, thing, called, called.argument(0), called.argument(1))
     return None
 
 
 @outer("ros.param.set")
-def write_by_name(engine: Context, _thing: Value, called: Called) -> Value:
+def write_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
     """A parameter is written by its name."""
-    return write(engine, Handle(engine.emitter.node), called)
+    return write(ctx, Handle(ctx.emitter.node), called)
 
 
 @outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
-def spin(engine: Context, _thing: Value, called: Called) -> Value:
+def spin(ctx: Context, _thing: Value, called: Called) -> Value:
     """The node runs until it is shut down; what is written after it is no part of that."""
-    engine.callbacks.running = True
+    ctx.callbacks.running = True
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "searchParam")
-def search(engine: Context, _thing: Value, called: Called) -> Value:
+def search(ctx: Context, _thing: Value, called: Called) -> Value:
     """A parameter is looked for in the namespaces above too."""
     name = as_text(called.argument(0))
     if len(called.written) > 1:
-        engine.assign(called.written[1], Text((Hole(f"the key at which {name} is found", default=name.usual),)))
+        ctx.assign(called.written[1], Text((Hole(f"the key at which {name} is found", default=name.usual),)))
     return Unknown("whether the parameter is found")
 
 
 @method("handle", "hasParam", quiet=True)
-def has(engine: Context, thing: Value, called: Called) -> Value:
+def has(ctx: Context, thing: Value, called: Called) -> Value:
     """Whether a parameter is set."""
-    return _has(engine, thing, called)
+    return _has(ctx, thing, called)
 
 
 @outer("ros.param.has", "rospy.has_param", quiet=True)
-def has_by_name(engine: Context, _thing: Value, called: Called) -> Value:
+def has_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
     """Whether a parameter is set, by its name."""
-    return _has(engine, Handle(engine.emitter.node), called)
+    return _has(ctx, Handle(ctx.emitter.node), called)
 
 
-def _has(engine: Context, thing: Value, called: Called) -> Unknown:
+def _has(ctx: Context, thing: Value, called: Called) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
-    test = (
-        is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(engine, thing) is engine.emitter.node else None
-    )
+    test = is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(ctx, thing) is ctx.emitter.node else None
     return Unknown(f"whether the parameter {name} is set", test)
 
 
 @method("handle", "deleteParam", "ok", "shutdown", quiet=True)
-def ask(_engine: Context, _thing: Value, called: Called) -> Value:
+def ask(_ctx: Context, _thing: Value, called: Called) -> Value:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
-def namespace(engine: Context, thing: Value, called: Called) -> Value:
+def namespace(ctx: Context, thing: Value, called: Called) -> Value:
     """The namespace of a handle, or a name below it."""
     if called.name == "resolveName":
         return below(thing, as_text(called.argument(0)))
     if isinstance(thing, Handle) and thing.prefix.parts:
         return thing.prefix
-    del engine
+    del ctx
     return Text((Hole(OfNode(NamePart.NAMESPACE), default=""),))
 
 
 @outer("ros.this_node.getName", "rospy.get_name")
-def own_name(_engine: Context, _thing: Value, _called: Called) -> Value:
+def own_name(_ctx: Context, _thing: Value, _called: Called) -> Value:
     """The full name of the node."""
     return Text((Hole(OfNode(NamePart.FULL_NAME), default="~"),))
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
-def own_namespace(_engine: Context, _thing: Value, called: Called) -> Value:
+def own_namespace(_ctx: Context, _thing: Value, called: Called) -> Value:
     """The namespace of the node; that of rospy ends with ``/``."""
     space = Hole(OfNode(NamePart.NAMESPACE), default="/")
     return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 
 @outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
-def resolve(_engine: Context, _thing: Value, called: Called) -> Value:
+def resolve(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A name is resolved: it stays what it is."""
     return as_text(called.argument(len(called.arguments) - 1))
 
 
 @method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
-def create_timer(engine: Context, thing: Value, called: Called) -> Value:
+def create_timer(ctx: Context, thing: Value, called: Called) -> Value:
     """A timer."""
-    timer(engine, thing, called, called.argument(0), _callback(engine, called, 1), None)
+    timer(ctx, thing, called, called.argument(0), _callback(ctx, called, 1), None)
     return Obj("ros.Timer")
 
 
-def here(engine: Context) -> Handle:
+def here(ctx: Context) -> Handle:
     """Return the node that is built, which is one of ROS 1."""
-    engine.emitter.node.generation = "ros1"
-    return Handle(engine.emitter.node)
+    ctx.emitter.node.generation = "ros1"
+    return Handle(ctx.emitter.node)
 
 
-def _by_options(engine: Context, thing: Value, called: Called, role: Role, options: Obj) -> Value:
+def _by_options(ctx: Context, thing: Value, called: Called, role: Role, options: Obj) -> Value:
     fields = options.fields
     name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
     return endpoint(
-        engine, thing, called, role, name, fields.get("-type", Unknown("its type")),
+        ctx, thing, called, role, name, fields.get("-type", Unknown("its type")),
         queue=queue_of(fields.get("queue_size")), latched=fields.get("latch") is True, callback=fields.get("-callback"),
     )  # fmt: skip
 
 
 @outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
-def endpoint_options(engine: Context, _thing: Value, called: Called) -> Value:
+def endpoint_options(ctx: Context, _thing: Value, called: Called) -> Value:
     """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
     found = Obj(called.name.removesuffix(".create"))
     if called.name.endswith(".create") or called.arguments:
-        return fill_options(engine, found, called)
+        return fill_options(ctx, found, called)
     return found
 
 
-def fill_options(_engine: Context, thing: Obj, called: Called) -> Value:
+def fill_options(_ctx: Context, thing: Obj, called: Called) -> Value:
     """Let options hold what they are made of, or what ``init`` gives them."""
     service = thing.type.endswith("ServiceOptions")
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))

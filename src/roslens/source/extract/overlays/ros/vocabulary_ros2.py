@@ -27,23 +27,23 @@ _LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode",
 
 
 @outer(*_NODES)
-def node(engine: Context, thing: Value, called: Called) -> Value:
+def node(ctx: Context, thing: Value, called: Called) -> Value:
     """A node is made, or a class that is one is constructed."""
-    return _node(engine, thing, called, "node")
+    return _node(ctx, thing, called, "node")
 
 
 @outer(*_LIFECYCLE)
-def lifecycle_node(engine: Context, thing: Value, called: Called) -> Value:
+def lifecycle_node(ctx: Context, thing: Value, called: Called) -> Value:
     """A managed node."""
-    return _node(engine, thing, called, "lifecycle")
+    return _node(ctx, thing, called, "lifecycle")
 
 
-def _node(engine: Context, thing: Value, called: Called, kind: str) -> Value:
-    building = engine.emitter.node
+def _node(ctx: Context, thing: Value, called: Called, kind: str) -> Value:
+    building = ctx.emitter.node
     if building.named and (not isinstance(thing, Obj) or thing.node is None):
-        building = engine.emitter.further(called.evidence, engine.state.conditions)
+        building = ctx.emitter.further(called.evidence, ctx.state.conditions)
     building.named = True
-    building.conditions = tuple(dict.fromkeys(engine.state.conditions))
+    building.conditions = tuple(dict.fromkeys(ctx.state.conditions))
     building.generation = "ros2"
     building.kind = kind if building.kind == "node" else building.kind
     name = called.argument(0, "node_name", "name")
@@ -56,7 +56,7 @@ def _node(engine: Context, thing: Value, called: Called, kind: str) -> Value:
             building.namespace = unknown(namespace.reason)
     given = given_options(called)
     if given is not None:
-        take_options(engine, building, given, called)
+        take_options(ctx, building, given, called)
     else:
         doubt_options(building, called)
     if isinstance(thing, Obj):
@@ -84,7 +84,7 @@ def _is_type(value: Value) -> bool:
 
 
 @method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
-def publisher(engine: Context, thing: Value, called: Called) -> Value:
+def publisher(ctx: Context, thing: Value, called: Called) -> Value:
     """A publisher."""
     if not called.templates and _python(called):
         name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
@@ -94,13 +94,11 @@ def publisher(engine: Context, thing: Value, called: Called) -> Value:
             called.templates[0] if called.templates else Unknown("its type"),
             called.argument(1),
         )
-    return endpoint(
-        engine, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos), overrides=overrides_of(called)
-    )
+    return endpoint(ctx, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos), overrides=overrides_of(called))
 
 
 @method("node", "create_subscription", anywhere=True)
-def subscription(engine: Context, thing: Value, called: Called) -> Value:
+def subscription(ctx: Context, thing: Value, called: Called) -> Value:
     """A subscription."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
@@ -111,13 +109,13 @@ def subscription(engine: Context, thing: Value, called: Called) -> Value:
             qos, callback = callback, qos
         kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
     return endpoint(
-        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
+        ctx, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
         group=_group(called, 3, 4), overrides=overrides_of(called),
     )  # fmt: skip
 
 
 @method("node", "create_service", anywhere=True)
-def service(engine: Context, thing: Value, called: Called) -> Value:
+def service(ctx: Context, thing: Value, called: Called) -> Value:
     """A server of a service."""
     if not called.templates and _python(called):
         name, kind, callback = (
@@ -128,23 +126,23 @@ def service(engine: Context, thing: Value, called: Called) -> Value:
     else:
         name, callback = called.argument(0), called.argument(1)
         kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
-    return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, kind, callback=callback, group=_group(called, 3))
+    return endpoint(ctx, thing, called, Role.SERVICE_SERVER, name, kind, callback=callback, group=_group(called, 3))
 
 
 @method("node", "create_client", anywhere=True)
-def client(engine: Context, thing: Value, called: Called) -> Value:
+def client(ctx: Context, thing: Value, called: Called) -> Value:
     """A client of a service."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "srv_name"), called.argument(0, "srv_type")
     else:
         name, kind = called.argument(0), called.templates[0] if called.templates else Unknown("its type")
-    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, name, kind, group=_group(called, 2))
+    return endpoint(ctx, thing, called, Role.SERVICE_CLIENT, name, kind, group=_group(called, 2))
 
 
 @outer("rclcpp.create_publisher", "rclcpp.create_subscription", "rclcpp.create_service", "rclcpp.create_client",
        "rclcpp.create_timer", "rclcpp.create_wall_timer", "image_transport.create_publisher",
        "image_transport.create_subscription")  # fmt: skip
-def free_function(engine: Context, _thing: Value, called: Called) -> Value:
+def free_function(ctx: Context, _thing: Value, called: Called) -> Value:
     """A function that makes an endpoint of the node it is given first."""
     name = called.name.rpartition(".")[2]
     templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
@@ -165,22 +163,22 @@ def free_function(engine: Context, _thing: Value, called: Called) -> Value:
     words = {"create_publisher": publisher, "create_subscription": subscription, "create_service": service,
              "create_client": client}  # fmt: skip
     word = words.get(name, wall_timer)
-    return word(engine, called.argument(0), inner)
+    return word(ctx, called.argument(0), inner)
 
 
 @outer("rclcpp_action.create_server", "rclpy.action.ActionServer", "rclpy.action.server.ActionServer")
-def action_server(engine: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
     """A server of an action."""
-    return _action(engine, called, Role.ACTION_SERVER)
+    return _action(ctx, called, Role.ACTION_SERVER)
 
 
 @outer("rclcpp_action.create_client", "rclpy.action.ActionClient", "rclpy.action.client.ActionClient")
-def action_client(engine: Context, _thing: Value, called: Called) -> Value:
+def action_client(ctx: Context, _thing: Value, called: Called) -> Value:
     """A client of an action."""
-    return _action(engine, called, Role.ACTION_CLIENT)
+    return _action(ctx, called, Role.ACTION_CLIENT)
 
 
-def _action(engine: Context, called: Called, role: Role) -> Value:
+def _action(ctx: Context, called: Called, role: Role) -> Value:
     name: Value
     kind: Value
     if called.templates:
@@ -190,59 +188,59 @@ def _action(engine: Context, called: Called, role: Role) -> Value:
         name, kind = called.argument(2, "action_name"), called.argument(1, "action_type")
     callbacks = all_of_kind((*called.arguments, *called.keywords.values()), Callable)
     for one in callbacks[1:]:
-        engine.callbacks.give(one)
+        ctx.callbacks.give(one)
     return endpoint(
-        engine, called.argument(0, "node"), called, role, name, kind, callback=callbacks[0] if callbacks else None,
+        ctx, called.argument(0, "node"), called, role, name, kind, callback=callbacks[0] if callbacks else None,
         group=_group(called, 5, 6),
     )  # fmt: skip
 
 
 @method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
-def wall_timer(engine: Context, thing: Value, called: Called) -> Value:
+def wall_timer(ctx: Context, thing: Value, called: Called) -> Value:
     """A timer."""
     given = called.arguments
     callback = first_of_kind((*given, *called.keywords.values()), Callable)
     period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
-    timer(engine, thing, called, period, callback, _group(called, 2))
+    timer(ctx, thing, called, period, callback, _group(called, 2))
     return Obj("rclcpp.TimerBase")
 
 
 @method("node", "create_callback_group", anywhere=True)
-def callback_group(engine: Context, _thing: Value, called: Called) -> Value:
+def callback_group(ctx: Context, _thing: Value, called: Called) -> Value:
     """A callback group, named after where it is made."""
-    del engine
+    del ctx
     kind = called.argument(0)
     word = kind.name.rpartition(".")[2] if isinstance(kind, Named) else "group"
     return Group(f"{word}:{called.evidence.line}")
 
 
 @outer("rclpy.callback_groups.ReentrantCallbackGroup", "rclpy.callback_groups.MutuallyExclusiveCallbackGroup")
-def python_group(_engine: Context, _thing: Value, called: Called) -> Value:
+def python_group(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A callback group of rclpy."""
     return Group(f"{called.name.rpartition('.')[2].removesuffix('CallbackGroup')}:{called.evidence.line}")
 
 
 @method("node", "create_sub_node")
-def sub_node(engine: Context, thing: Value, called: Called) -> Value:
+def sub_node(ctx: Context, thing: Value, called: Called) -> Value:
     """A node below another one: its names begin with the namespace."""
     before = thing.prefix if isinstance(thing, Handle) else Text()
     name = as_text(called.argument(0))
-    return Handle(node_of(engine, thing), Text.of(before, "/", name) if before.parts else name)
+    return Handle(node_of(ctx, thing), Text.of(before, "/", name) if before.parts else name)
 
 
 @method("node", "get_node_base_interface", "get_node_topics_interface", "get_node_services_interface",
         "get_node_parameters_interface", "get_node_clock_interface", "get_node_logging_interface",
         "get_node_waitables_interface", "get_node_graph_interface", "get_node_timers_interface", "shared_from_this",
         "weak_from_this", "lock", "get")  # fmt: skip
-def interface(engine: Context, thing: Value, _called: Called) -> Value:
+def interface(ctx: Context, thing: Value, _called: Called) -> Value:
     """A part of a node stands for the node."""
-    return thing if isinstance(thing, Obj | Handle) else Handle(engine.emitter.node)
+    return thing if isinstance(thing, Obj | Handle) else Handle(ctx.emitter.node)
 
 
 @method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")
-def own_name(engine: Context, thing: Value, called: Called) -> Value:
+def own_name(ctx: Context, thing: Value, called: Called) -> Value:
     """The name of the node, which may be given to it from outside."""
-    node_ = node_of(engine, thing)
+    node_ = node_of(ctx, thing)
     if "namespace" in called.name:
         return Text((Hole(node_.of_name(NamePart.NAMESPACE), default=""),))
     if "fully" in called.name:
@@ -251,15 +249,15 @@ def own_name(engine: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
-def resolved(engine: Context, thing: Value, called: Called) -> Value:
+def resolved(ctx: Context, thing: Value, called: Called) -> Value:
     """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
-    node_ = node_of(engine, thing)
+    node_ = node_of(ctx, thing)
     name = as_text(called.argument(0, "topic", "service"))
     return _expanded(name, node_.of_name(NamePart.NAMESPACE), node_.of_name(NamePart.FULL_NAME))
 
 
 @outer("rclcpp.expand_topic_or_service_name")
-def expanded(_engine: Context, _thing: Value, called: Called) -> Value:
+def expanded(_ctx: Context, _thing: Value, called: Called) -> Value:
     """A name is expanded below the namespace that is given."""
     space = as_text(called.argument(2))
     first = space.parts[0] if len(space.parts) == 1 else ""

@@ -23,76 +23,76 @@ _DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
 _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
-def handle_of(engine: Context, called: Called) -> Value:
+def handle_of(ctx: Context, called: Called) -> Value:
     """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
     given = (*called.arguments, *called.keywords.values())
     for value in given:
         if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
             return value
-    if engine.emitter.node.generation == "ros2" and given and is_guessed(given[0]):
+    if ctx.emitter.node.generation == "ros2" and given and is_guessed(given[0]):
         return given[0]
-    return Handle(engine.emitter.node)
+    return Handle(ctx.emitter.node)
 
 
-def follow_visitors(engine: Context, called: Called, first: int) -> None:
+def follow_visitors(ctx: Context, called: Called, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
-        engine.callbacks.give(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
+        ctx.callbacks.give(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
-def listener(engine: Context, _thing: Value, called: Called) -> Value:
+def listener(ctx: Context, _thing: Value, called: Called) -> Value:
     """A listener to transforms."""
-    node = _listening(engine, called)
+    node = _listening(ctx, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
     topic, static_topic = (
         called.keywords.get(name, Text.of(f"/{name[:-6]}")) for name in ("tf_topic", "tf_static_topic")
     )
-    endpoint(engine, node, called, Role.SUBSCRIPTION, topic, _TF, qos=_DYNAMIC)
-    endpoint(engine, node, called, Role.SUBSCRIPTION, static_topic, _TF, qos=QosValue(static))
+    endpoint(ctx, node, called, Role.SUBSCRIPTION, topic, _TF, qos=_DYNAMIC)
+    endpoint(ctx, node, called, Role.SUBSCRIPTION, static_topic, _TF, qos=QosValue(static))
     return Obj(called.name)
 
 
-def _listening(engine: Context, called: Called) -> Value:
+def _listening(ctx: Context, called: Called) -> Value:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
-    if given or engine.emitter.node.generation != "ros2" or called.evidence.path.endswith(".py"):
-        return Handle(node_of(engine, handle_of(engine, called)))
+    if given or ctx.emitter.node.generation != "ros2" or called.evidence.path.endswith(".py"):
+        return Handle(node_of(ctx, handle_of(ctx, called)))
     perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
     if perhaps:
         return perhaps[0]
     name = Text.of("transform_listener_impl_", Hole(RandomEnd()))
     words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
-    return Handle(engine.emitter.further(called.evidence, engine.state.conditions, name, words))
+    return Handle(ctx.emitter.further(called.evidence, ctx.state.conditions, name, words))
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
-def broadcaster(engine: Context, _thing: Value, called: Called) -> Value:
+def broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
     """A broadcaster of transforms."""
-    node = handle_of(engine, called)
-    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
+    node = handle_of(ctx, called)
+    endpoint(ctx, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
     return Obj(called.name)
 
 
 @outer("tf2_ros.StaticTransformBroadcaster",
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
-def static_broadcaster(engine: Context, _thing: Value, called: Called) -> Value:
+def static_broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
     """A broadcaster of transforms that stay."""
-    node = handle_of(engine, called)
-    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
+    node = handle_of(ctx, called)
+    endpoint(ctx, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
     return Obj(called.name)
 
 
 @outer("message_filters.Subscriber")
-def filtered(engine: Context, _thing: Value, called: Called) -> Value:
+def filtered(ctx: Context, _thing: Value, called: Called) -> Value:
     """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
     if called.arguments or called.keywords:
-        _filtered(engine, found, called)
+        _filtered(ctx, found, called)
     return found
 
 
-def _filtered(engine: Context, found: Obj, called: Called) -> None:
+def _filtered(ctx: Context, found: Obj, called: Called) -> None:
     templates = items_of(found.fields.get("templates"))
     texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
     python = called.evidence.path.endswith(".py")
@@ -108,52 +108,52 @@ def _filtered(engine: Context, found: Obj, called: Called) -> None:
         kind = templates[0] if templates else Unknown("its type")
     quality = first_of_kind((*called.arguments, *called.keywords.values()), QosValue)
     queue = next((one for one in called.arguments if is_whole(one)), -1)
-    endpoint(engine, handle_of(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
+    endpoint(ctx, handle_of(ctx, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
 
 
 @method("message_filters.Subscriber", "subscribe")
-def filtered_later(engine: Context, thing: Obj, called: Called) -> Value:
+def filtered_later(ctx: Context, thing: Obj, called: Called) -> Value:
     """A filtered subscription is made."""
-    _filtered(engine, thing, called)
+    _filtered(ctx, thing, called)
     return None
 
 
 @outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
        "actionlib.action_server.ActionServer")  # fmt: skip
-def action_server(engine: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
     """A server of an action of actionlib."""
-    return _action(engine, called, Role.ACTION_SERVER)
+    return _action(ctx, called, Role.ACTION_SERVER)
 
 
 @outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
        "actionlib.action_client.ActionClient")  # fmt: skip
-def action_client(engine: Context, _thing: Value, called: Called) -> Value:
+def action_client(ctx: Context, _thing: Value, called: Called) -> Value:
     """A client of an action of actionlib."""
-    return _action(engine, called, Role.ACTION_CLIENT)
+    return _action(ctx, called, Role.ACTION_CLIENT)
 
 
-def _action(engine: Context, called: Called, role: Role) -> Value:
-    engine.emitter.node.generation = "ros1"
+def _action(ctx: Context, called: Called, role: Role) -> Value:
+    ctx.emitter.node.generation = "ros1"
     texts = all_of_kind(called.arguments, Text)
     name = texts[0] if texts else called.argument(0, "name", "ns")
     kind: Value = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
     callback = first_of_kind((*called.arguments, *called.keywords.values()), Callable)
-    return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
+    return endpoint(ctx, handle_of(ctx, called), called, role, name, kind, callback=callback)
 
 
 @outer("diagnostic_updater.Updater")
-def updater(engine: Context, _thing: Value, called: Called) -> Value:
+def updater(ctx: Context, _thing: Value, called: Called) -> Value:
     """A publisher of diagnostics."""
-    node = handle_of(engine, called)
+    node = handle_of(ctx, called)
     kind = "diagnostic_msgs::msg::DiagnosticArray"
     quality = QosValue(Qos("reliable", "volatile", "keep_last", 1))
-    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)
+    endpoint(ctx, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)
     return Obj("diagnostic_updater.Updater")
 
 
 @method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
         "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
-def use(_engine: Context, thing: Made, called: Called) -> Value:
+def use(_ctx: Context, thing: Made, called: Called) -> Value:
     """A message is published, or a service or action called."""
     fact = thing.node.endpoints[thing.place]
     place = msgspec.structs.replace(called.evidence, how="written")
@@ -163,7 +163,7 @@ def use(_engine: Context, thing: Made, called: Called) -> Value:
 
 
 @method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
-def topic_of(_engine: Context, thing: Made, _called: Called) -> Value:
+def topic_of(_ctx: Context, thing: Made, _called: Called) -> Value:
     """The name of an endpoint."""
     return thing.node.endpoints[thing.place].name
 

@@ -18,26 +18,26 @@ _FRAMES, _TYPE = "tf2_frames", "tf2_msgs::srv::FrameGraph"
 
 
 @outer("tf2_ros.Buffer", "tf2_ros.buffer.Buffer")
-def buffer(engine: Context, thing: Value, called: Called) -> Value:
+def buffer(ctx: Context, thing: Value, called: Called) -> Value:
     """A buffer of transforms.
 
     In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:
     by default in Python, and not in C++ (tf2_ros, buffer.py, buffer.h, buffer.cpp).
     """
     found = thing if isinstance(thing, Obj) else Obj("tf2_ros.Buffer")
-    if engine.emitter.node.generation == "ros2":
+    if ctx.emitter.node.generation == "ros2":
         node = next((one for one in _given(called) if _is_node(one)), None)
         if node is not None:
-            endpoint(engine, node, called, Role.SERVICE_SERVER, Text.of(_FRAMES), _TYPE)
+            endpoint(ctx, node, called, Role.SERVICE_SERVER, Text.of(_FRAMES), _TYPE)
         return found
     debug = called.argument(1, "debug", default=called.evidence.path.endswith(".py"))
-    holds, name = engine.truth(debug), Text.of("~", _FRAMES)
-    if holds is False or any(one.name == name for one in engine.emitter.node.endpoints):
+    holds, name = ctx.truth(debug), Text.of("~", _FRAMES)
+    if holds is False or any(one.name == name for one in ctx.emitter.node.endpoints):
         return found
     note = [] if holds else [Written("its buffer of transforms is made with debug")]
-    engine.state.conditions += note
-    endpoint(engine, Handle(engine.emitter.node), called, Role.SERVICE_SERVER, name, _TYPE)
-    del engine.state.conditions[len(engine.state.conditions) - len(note) :]
+    ctx.state.conditions += note
+    endpoint(ctx, Handle(ctx.emitter.node), called, Role.SERVICE_SERVER, name, _TYPE)
+    del ctx.state.conditions[len(ctx.state.conditions) - len(note) :]
     return found
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source import parsed_file
-from roslens.source.extract.ir.kept_program import program_keys, unpack
+from roslens.source.extract.ir.program_codec import program_keys, unpack
 from roslens.source.keys import content_hash
 from roslens.source.measure.analyse_package import measure_task
 from roslens.source.measure.package_task import PackageTask

@@ -320,7 +320,7 @@ def _task(run: Run, found: FoundPackage, cache: Cache) -> PackageTask:
 
 
 def _program_keys(run: Run, files: tuple[SourceFile, ...]) -> dict[str, str]:
-    from roslens.source.extract.ir.kept_program import program_keys
+    from roslens.source.extract.ir.program_codec import program_keys
 
     return program_keys(files, run.settings.macros)
 

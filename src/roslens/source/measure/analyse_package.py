@@ -219,7 +219,7 @@ def _analyses(
 
 
 def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
-    from roslens.source.extract.ir.kept_program import pack
+    from roslens.source.extract.ir.program_codec import pack
 
     # What cannot be lowered is tried again, and told, by who asks for the graph.
     with suppress(Exception), time_budget(SOURCE_FILE_S):

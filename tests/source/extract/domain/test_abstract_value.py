@@ -1,4 +1,4 @@
-from roslens.source.extract.domain.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.abstract_value import Named, NodeBuilder, Obj, Unknown, as_text
 from roslens.source.extract.symbolic.text import Text
 
 
@@ -13,13 +13,13 @@ def test_values_as_text():
 
 
 def test_facts_of_what_is_built():
-    building = Building("A", "a.cpp", 3, "ros2")
+    building = NodeBuilder("A", "a.cpp", 3, "ros2")
     building.uses += ["B", "B"]
     facts = building.facts()
     assert (facts.unit, facts.path, facts.line, facts.generation, facts.uses) == ("A", "a.cpp", 3, "ros2", ("B",))
 
 
 def test_lists_of_one_are_not_those_of_another():
-    one, other = Building("A", "a", 1, "ros2"), Building("B", "b", 1, "ros2")
+    one, other = NodeBuilder("A", "a", 1, "ros2"), NodeBuilder("B", "b", 1, "ros2")
     one.uses.append("x")
     assert other.uses == []

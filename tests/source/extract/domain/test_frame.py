@@ -1,4 +1,4 @@
-from roslens.source.extract.domain.abstract_value import Building, Made, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Made, NodeBuilder, Obj, Unknown
 from roslens.source.extract.domain.frame import Frame, join
 from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Text, Written, unknown
@@ -33,7 +33,7 @@ def test_numbers_and_what_is_unknown():
 
 
 def test_what_was_made_under_a_condition_is_not_there_for_sure():
-    made = Made(Building("A", "a", 1, "ros2"), 0)
+    made = Made(NodeBuilder("A", "a", 1, "ros2"), 0)
     assert joined(None, made).certain is False
     assert made.certain
 

@@ -1,15 +1,15 @@
-from roslens.source.extract.domain.abstract_value import Building, Handle, Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Handle, NodeBuilder, Obj, Unknown
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.interpreter import Interpreter
-from roslens.source.extract.interpreter.vocabulary import Called, below, find_outer, known_names
+from roslens.source.extract.interpreter.vocabulary import CallSite, below, find_outer, known_names
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.symbolic.text import Text
 
-NODE = Building("A", "a.cpp", 1, "ros1")
+NODE = NodeBuilder("A", "a.cpp", 1, "ros1")
 
 
 def called(arguments, keywords):
-    return Called("f", arguments, keywords, (), (), Evidence("a.cpp", 1))
+    return CallSite("f", arguments, keywords, (), (), Evidence("a.cpp", 1))
 
 
 def test_arguments_by_name_or_place():

@@ -6,7 +6,7 @@ from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.launch_program import LaunchProgram
 from roslens.source.extract.launch_python.launch_values import Either, Made, plain
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 
 HEAD = """
 from outside import ask
@@ -65,7 +65,7 @@ def test_a_loop_ends_at_break_and_goes_on_at_continue():
 
 
 def test_a_loop_without_end_spends_what_there_is():
-    with pytest.raises(SpentError):
+    with pytest.raises(BudgetExceededError):
         returned(["while True:", "    pass", "return 1"])
 
 

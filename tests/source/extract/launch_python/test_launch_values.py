@@ -6,7 +6,7 @@ from roslens.source.extract.domain.abstract_value import Named, Unknown
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.launch_values import Either, as_value, lifted, plain
 from roslens.source.extract.symbolic.text import Text, Written, unknown
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 
 NAME = Deferred("configuration", ("name",))
 
@@ -40,5 +40,5 @@ def test_a_value_as_a_text_with_substitutions(value, expected):
 def test_what_is_too_large_is_refused():
     value = []
     value.append(value)
-    with pytest.raises((SpentError, RecursionError)):
+    with pytest.raises((BudgetExceededError, RecursionError)):
         plain(value)

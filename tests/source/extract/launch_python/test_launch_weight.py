@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.source.extract.launch_python.launch_weight import MOST_WEIGHT, bounded
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 
 
 def test_what_people_write_is_kept():
@@ -15,18 +15,18 @@ def test_what_grows_without_bound_is_refused(step):
     value = "x"
     for _ in range(100):
         value = step(value)
-    with pytest.raises(SpentError):
+    with pytest.raises(BudgetExceededError):
         bounded(value)
 
 
 def test_long_texts_weigh_more():
     assert bounded("x" * MOST_WEIGHT)
-    with pytest.raises(SpentError):
+    with pytest.raises(BudgetExceededError):
         bounded("x" * MOST_WEIGHT * 101)
 
 
 def test_what_is_a_part_of_itself_is_refused():
     value = []
     value.append(value)
-    with pytest.raises(SpentError):
+    with pytest.raises(BudgetExceededError):
         bounded(value)

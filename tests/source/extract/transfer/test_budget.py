@@ -1,12 +1,12 @@
 import pytest
 
-from roslens.source.extract.transfer.budget import MOST_OF_PLUGIN, Budget, SpentError
+from roslens.source.extract.transfer.budget import MOST_OF_PLUGIN, Budget, BudgetExceededError
 
 
 def test_so_many_steps_may_be_made_and_more_for_each_plug_in():
     budget = Budget(1)
     budget.spend()
-    with pytest.raises(SpentError):
+    with pytest.raises(BudgetExceededError):
         budget.spend()
     budget.extend()
     budget.spend()

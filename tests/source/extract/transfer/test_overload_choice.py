@@ -1,15 +1,15 @@
 import pytest
 
-from roslens.source.extract.domain.abstract_value import Building, Handle, Obj
+from roslens.source.extract.domain.abstract_value import Handle, NodeBuilder, Obj
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.ir.program import Function, Literal, Parameter
 from roslens.source.extract.symbolic.text import Text
-from roslens.source.extract.symbols.workspace_index import Defined
+from roslens.source.extract.symbols.symbol_table import Defined
 from roslens.source.extract.transfer.overload_choice import overload, taking
 
 INDEX = indexed({})
 INDEX = indexed({})
-HANDLE = Handle(Building("main", "a.cpp", 1, "ros1"))
+HANDLE = Handle(NodeBuilder("main", "a.cpp", 1, "ros1"))
 
 
 def function(*types, defaults=0, body=()):

@@ -1,10 +1,10 @@
-from roslens.source.extract.domain.abstract_value import Building
+from roslens.source.extract.domain.abstract_value import NodeBuilder
 from roslens.source.extract.facts.chosen import Chosen, node_key
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 from roslens.source.extract.transfer.plugin_choice import chosen_value
 
-HOST = Building("Host", "a.cpp", 3, "ros2", name=Text.of("host"))
-INNER = Building("Host", "b.hpp", 9, "ros2", name=Text.of("inner"), number=1)
+HOST = NodeBuilder("Host", "a.cpp", 3, "ros2", name=Text.of("host"))
+INNER = NodeBuilder("Host", "b.hpp", 9, "ros2", name=Text.of("inner"), number=1)
 CHOSEN = Chosen((("", "list", "[a, b]"), ("", "one", "x"), ("b.hpp:9:inner", "list", None)))
 
 

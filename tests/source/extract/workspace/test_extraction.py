@@ -342,7 +342,7 @@ def test_the_order_of_files_does_not_matter(tmp_path_factory: pytest.TempPathFac
 _KILLED = """
 import sys
 from pathlib import Path
-from roslens.source.extract.ir import kept_program
+from roslens.source.extract.ir import program_codec
 from roslens.source.extract.workspace import workspace_programs
 from roslens.source.extract.workspace.extraction import extract
 from roslens.source.settings import SourceSettings
@@ -355,7 +355,7 @@ class Watch:
         if item.endswith((".cpp", ".py", ".hpp")): os.kill(os.getpid(), signal.SIGKILL)
 
 workspace_programs._BATCH_BYTES = 1
-kept_program.analyser_version = lambda: sys.argv[3]
+program_codec.analyser_version = lambda: sys.argv[3]
 with Cache.open(Path(sys.argv[2])) as cache:
     extract([sys.argv[1]], SourceSettings(), cache=cache, now_s=4e9, jobs=1, progress=Watch())
 """

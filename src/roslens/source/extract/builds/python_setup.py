@@ -13,8 +13,8 @@ import msgspec
 
 from roslens.source.extract.builds.setup_program import SetupProgram, items_of
 from roslens.source.extract.domain.abstract_value import Key, Unknown, Value
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import known_text
-from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.lowering.python.located_program import Written
@@ -134,7 +134,7 @@ class _Script:
             return
         for key, one in value.items():
             for text in self._text(key):
-                yield text, one.value if isinstance(one, Perhaps) else one
+                yield text, one.value if isinstance(one, Guarded) else one
 
     def _programs(self, value: Value) -> Iterator[EntryPoint]:
         for one in items_of(value):

@@ -12,10 +12,10 @@ from posixpath import join
 import msgspec
 
 from roslens.source.extract.builds.cmake_files import matching
-from roslens.source.extract.domain.abstract_value import Building, Key, Names, Table, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Key, Names, NodeBuilder, Table, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import known_text
-from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.files import joined
 from roslens.source.extract.facts.node_facts import Evidence
@@ -26,7 +26,7 @@ from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.ir.program import Call, Expression, Mapping, Opaque, Sequence
 from roslens.source.extract.lowering.python.located_program import Places, Written, located_program
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.spread_lists import spread_out
 
@@ -154,7 +154,7 @@ class _Calls(Calls):
         """The files of the package that fit a pattern."""
         pattern = known_text(arguments[0]) if arguments else None
         if pattern is None:
-            return Unknown(f"the files of {self.ctx.index.lookups.text(expression)}")
+            return Unknown(f"the files of {self.ctx.index.memo.text(expression)}")
         prefix = f"{self._script.folder}/" if self._script.folder else ""
         wanted = joined(self._script.folder, pattern.replace("**/", ""))
         found = sorted(matching(wanted, self._script.listing, frozenset(), deep="**" in pattern))
@@ -168,7 +168,7 @@ class _Calls(Calls):
         """Parts of a path joined."""
         parts = [known for one in arguments if (known := known_text(one)) is not None]
         if len(parts) < len(arguments) or not parts:
-            return Unknown(self.ctx.index.lookups.text(expression))
+            return Unknown(self.ctx.index.memo.text(expression))
         return Text.of(join(*parts))
 
 
@@ -195,14 +195,14 @@ class SetupProgram:
         names: Names = {"__name__": Text.of("__main__"), "__file__": Text.of("setup.py")}
         interpreter = Interpreter(
             indexed({path: program}),
-            Building("<module>", path, 1, "", parameters=[], endpoints=[], unresolved=[]),
+            NodeBuilder("<module>", path, 1, "", parameters=[], endpoints=[], unresolved=[]),
             parts=Parts(partial(_Expressions, found=found), partial(_Calls, found=found)),
             state=State(Frame(path, "", names=names), Evidence(path, 1)),
         )
         self.gave_up: tuple[int, str] | None = program.incomplete[0] if program.incomplete else None
         try:
             interpreter.block(program.body)
-        except SpentError:
+        except BudgetExceededError:
             self.gave_up = (1, "it takes too many steps")
         except _ODD as error:
             self.gave_up = (1, f"it cannot be followed: {type(error).__name__}")
@@ -215,7 +215,7 @@ class SetupProgram:
 def items_of(value: Value) -> list[Value]:
     """Return the items of a list, whatever they depend on; of another value it alone."""
     items = value if isinstance(value, list) else [] if value is None else [value]
-    return [one.value if isinstance(one, Perhaps) else one for one in items]
+    return [one.value if isinstance(one, Guarded) else one for one in items]
 
 
 _PLACED = (Text, Unknown, list, dict)

@@ -37,7 +37,7 @@ from roslens.source.extract.symbolic.reason import (
     node_of_reason,
 )
 from roslens.source.extract.symbolic.text import Condition, Conditions, Hole, IsTrue, Text
-from roslens.source.extract.symbols.workspace_index import Defined
+from roslens.source.extract.symbols.symbol_table import Defined
 
 
 class Unknown(msgspec.Struct, frozen=True):
@@ -47,7 +47,7 @@ class Unknown(msgspec.Struct, frozen=True):
     test: Condition | None = None
 
 
-class Building(msgspec.Struct, eq=False):
+class NodeBuilder(msgspec.Struct, eq=False):
     """The facts of a node while they are collected.
 
     ``number`` counts the nodes that one evaluation makes; 0 is the first one.
@@ -127,7 +127,7 @@ class Obj(msgspec.Struct, eq=False):
     type: str
     defined: Defined | None = None
     fields: Names = {}
-    node: Building | None = None
+    node: NodeBuilder | None = None
     templates: dict[str, str] = {}
     base_templates: dict[str, dict[str, str]] = {}
     ways: tuple[tuple[Conditions, Obj], ...] = ()
@@ -140,14 +140,14 @@ class Obj(msgspec.Struct, eq=False):
 class Handle(msgspec.Struct, frozen=True, eq=False):
     """Something names are resolved against: a NodeHandle of ROS 1, a node interface or sub-node of ROS 2."""
 
-    node: Building
+    node: NodeBuilder
     prefix: Text = Text()
 
 
 class Made(msgspec.Struct, frozen=True, eq=False):
     """An endpoint that was made: its node and its place in the node's list, and whether it was made for sure."""
 
-    node: Building
+    node: NodeBuilder
     place: int
     certain: bool = True
 

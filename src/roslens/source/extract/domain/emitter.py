@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from roslens.source.extract.domain.abstract_value import Building, Obj
+from roslens.source.extract.domain.abstract_value import NodeBuilder, Obj
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.symbolic.text import Condition, Text
 
@@ -24,23 +24,23 @@ class Emitter:
 
     __slots__ = ("first", "made", "node", "others", "plugged")
 
-    def __init__(self, node: Building) -> None:
+    def __init__(self, node: NodeBuilder) -> None:
         """Build a node."""
         self.node = self.first = node
-        self.others: list[Building] = []
+        self.others: list[NodeBuilder] = []
         self.made: list[Obj] = []
-        self.plugged: list[tuple[Obj, Building]] = []
+        self.plugged: list[tuple[Obj, NodeBuilder]] = []
 
     @property
-    def nodes(self) -> tuple[Building, ...]:
+    def nodes(self) -> tuple[NodeBuilder, ...]:
         """All that are made."""
         return (self.first, *self.others)
 
     def further(
         self, evidence: Evidence, conditions: Sequence[Condition], name: Text = _NO_NAME, arguments: Sequence[Text] = ()
-    ) -> Building:
+    ) -> NodeBuilder:
         """Return a further node of ROS 2 that is made under conditions."""
-        node = Building(self.node.unit, evidence.path or self.node.path, evidence.line, "ros2", name=name)
+        node = NodeBuilder(self.node.unit, evidence.path or self.node.path, evidence.line, "ros2", name=name)
         node.arguments, node.conditions = list(arguments), tuple(dict.fromkeys(conditions))
         self.others.append(node)
         node.number, node.named = len(self.others), True

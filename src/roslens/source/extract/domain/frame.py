@@ -9,14 +9,13 @@ from types import MappingProxyType
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Made, Named, Names, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.disjuncts import one_object
+from roslens.source.extract.domain.guarded import guarded
 from roslens.source.extract.domain.kinds import all_of_kind, has_kind
-from roslens.source.extract.domain.object_ways import one_object
-from roslens.source.extract.domain.perhaps import perhaps
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.ir.program import Expression, Function
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, any_of, negated
-from roslens.source.extract.symbolic.many_choices import of_many
 from roslens.source.extract.symbolic.reason import NamePart, OfController, OfHandle, OfNode, Reason
 from roslens.source.extract.symbolic.text import (
     And,
@@ -29,6 +28,7 @@ from roslens.source.extract.symbolic.text import (
     Text,
     unknown,
 )
+from roslens.source.extract.symbolic.widening import of_many
 
 Held = tuple[Names, Names]
 """What names and members of the object hold."""
@@ -44,7 +44,7 @@ _NONE: dict[str, tuple[object, ...]] = {}
 """Kept variables of most functions; it is never changed."""
 
 
-class WayOut(msgspec.Struct, frozen=True):
+class LoopExit(msgspec.Struct, frozen=True):
     """A place at which a loop or a turn of it is left.
 
     Attributes:
@@ -60,7 +60,7 @@ class WayOut(msgspec.Struct, frozen=True):
     again: bool
 
 
-class Ways:
+class PendingExits:
     """The ways out of one loop.
 
     Attributes:
@@ -71,7 +71,7 @@ class Ways:
     def __init__(self, depth: int) -> None:
         """Begin a loop with so many conditions around it."""
         self.turn = depth
-        self.out: list[WayOut] = []
+        self.out: list[LoopExit] = []
 
 
 class Frame:
@@ -107,7 +107,7 @@ class Frame:
         self.templates: dict[str, str] = {}
         self.returned = False
         self.stopped = False
-        self.ways: Ways | None = None
+        self.ways: PendingExits | None = None
         self.broken: bool | None = None
         self.result: Value = None
         self.depth = 0
@@ -280,7 +280,7 @@ def _one_list(value: list[Value], other: list[Value], condition: Condition, test
     if more[: len(less)] == less:
         filled = more is value
         opposite = None if test is None else negated(test)
-        rest = perhaps(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
+        rest = guarded(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
         return [*less, *rest]
     if not has_kind((*less, *more), Text):
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
-from roslens.source.extract.domain.perhaps import is_counted
+from roslens.source.extract.domain.guarded import is_counted
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.symbolic.text import Text, said, unknown
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Foreign, Table, Unknown, Value, as_text
+from roslens.source.extract.domain.guarded import Guarded, is_counted
 from roslens.source.extract.domain.kinds import is_whole, known_text
-from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.symbolic.reason import NamePart, OfNode, node_of_reason
@@ -166,7 +166,7 @@ def _are_known(key: Value, of: Table) -> bool:
 def _of_dict(of: Table, name: str, arguments: list[Value]) -> Value:
     if name == "items":
         return [
-            msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Perhaps) else [key, value]
+            msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Guarded) else [key, value]
             for key, value in of.items()
         ]
     if name in ("get", "at") and arguments and hashable(arguments[0]) not in of and not _are_known(arguments[0], of):

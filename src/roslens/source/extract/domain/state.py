@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from roslens.source.extract.domain.abstract_value import Names, Value
-from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.store import Store
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.program import Call, Expression
 from roslens.source.extract.symbolic.text import Condition
@@ -17,7 +17,7 @@ class State:
         frame: of the function that is evaluated.
         conditions: the path condition: those around what is evaluated, outermost first.
         asked: what decides conditions, by their place, with the condition that stood there.
-        changes: what is changed in objects while ways of open conditions are followed.
+        store: what is changed in objects while ways of open conditions are followed.
         globals: variables of C++ outside of functions that were set, by their whole names.
         constants: values outside of functions that were asked for, by file and name.
         once: values of variables that functions keep between calls, by their place.
@@ -30,7 +30,6 @@ class State:
     __slots__ = (
         "_frames",
         "asked",
-        "changes",
         "conditions",
         "constants",
         "frame",
@@ -39,10 +38,11 @@ class State:
         "once",
         "preparing",
         "site",
+        "store",
         "written",
     )
 
-    def __init__(self, frame: Frame, site: Evidence, changes: Changes | None = None) -> None:
+    def __init__(self, frame: Frame, site: Evidence, store: Store | None = None) -> None:
         """Begin in a frame, as which those of all calls are made."""
         self._frames = type(frame)
         self.frame = frame
@@ -50,7 +50,7 @@ class State:
         self.written: tuple[Expression, ...] = ()
         self.conditions: list[Condition] = []
         self.asked: dict[int, tuple[Condition, Condition | None]] = {}
-        self.changes = changes or Changes()
+        self.store = store or Store()
         self.globals: Names = {}
         self.constants: dict[tuple[str, str], Value] = {}
         self.once: dict[tuple[object, ...], Value] = {}

@@ -12,7 +12,7 @@ from roslens.source.extract.ir.program import Function, Parameter
 from roslens.source.extract.symbolic.reason import OfController
 from roslens.source.extract.symbolic.text import unknown
 from roslens.source.extract.symbols.node_bases import NODE_BASES
-from roslens.source.extract.symbols.workspace_index import type_name
+from roslens.source.extract.symbols.symbol_table import type_name
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context

@@ -11,10 +11,10 @@ from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_f
 from roslens.source.extract.domain.plain_methods import plain_method
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.bound_functions import bound
-from roslens.source.extract.interpreter.vocabulary import Called, find_method, find_outer, guessed_method, is_method
+from roslens.source.extract.interpreter.vocabulary import CallSite, find_method, find_outer, guessed_method, is_method
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.symbols.workspace_index import dotted, type_arguments, type_name
+from roslens.source.extract.symbols.symbol_table import dotted, type_arguments, type_name
 from roslens.source.extract.transfer.changed_values import CHANGING, changed_by
 from roslens.source.extract.transfer.each_way import each_way
 from roslens.source.extract.transfer.overload_choice import overload
@@ -124,10 +124,10 @@ class Calls:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
         ctx = self.ctx
         thing = ctx.state.frame.self
-        frame, lookups = ctx.state.frame, ctx.index.lookups
+        frame, memo = ctx.state.frame, ctx.index.memo
         of = thing.defined if isinstance(thing, Obj) else None
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
-        meant = lookups.outside.get(key)
+        meant = memo.outside.get(key)
         if meant is None:
             found = ctx.named.function(name, key[-1], arguments) or ctx.expressions.defined(name)
             if isinstance(found, Callable) and "." in name:
@@ -139,7 +139,7 @@ class Calls:
                 return self._apply(found, expression, arguments, keywords, templates)
             meant = ctx.index.meaning(*place), ctx.index.alias(*place)
             if found is None and not ctx.index.functions_of(*place):
-                lookups.outside[key] = meant
+                memo.outside[key] = meant
         meaning, alias = meant
         if "<" in alias and not templates:
             plain, inside = type_name(alias)
@@ -188,7 +188,7 @@ class Calls:
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
         ctx = self.ctx
-        called = Called(name, arguments, keywords, templates, (), ctx.state.site)
+        called = CallSite(name, arguments, keywords, templates, (), ctx.state.site)
         known = find_outer(ctx, name)
         return known(ctx, None, called) if known is not None else Obj(name)
 
@@ -197,7 +197,7 @@ class Calls:
         ctx = self.ctx
         known = find_outer(ctx, name)
         if known is not None:
-            known(ctx, thing, Called(name, arguments, keywords, (), (), ctx.state.site))
+            known(ctx, thing, CallSite(name, arguments, keywords, (), (), ctx.state.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:
         ctx = self.ctx
@@ -257,8 +257,8 @@ class Calls:
         change = changed_by(ctx, function.of, of, name, arguments, keywords) if name in CHANGING else None
         if change is not None:
             return change[0]
-        if name in _ADDING and ctx.state.changes.open and isinstance(of, list):
-            ctx.state.changes.items(of)
+        if name in _ADDING and ctx.state.store.open and isinstance(of, list):
+            ctx.state.store.items(of)
         found = plain_method(of, name, arguments)
         if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)
@@ -288,7 +288,7 @@ class Calls:
                 return guessed
         return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, templates)
 
-    def _guessed(self, of: Value, called: Called) -> Value:
+    def _guessed(self, of: Value, called: CallSite) -> Value:
         """Return what a method makes that is known by its name alone; None where it is not."""
         ctx = self.ctx
         word = guessed_method(ctx, of, called)
@@ -329,7 +329,7 @@ class Calls:
             found = ctx.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
                 return ctx.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
-        called = Called(name, arguments, keywords, (), (), ctx.state.site)
+        called = CallSite(name, arguments, keywords, (), (), ctx.state.site)
         known = find_method(ctx, thing, called)
         return known(ctx, thing, called) if known is not None else Unknown(f"{name} of a base")
 
@@ -361,7 +361,7 @@ class Calls:
                 return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
             case Unknown():
                 return of
-        return Unknown(f"result of {ctx.index.lookups.text(expression.function)}()")
+        return Unknown(f"result of {ctx.index.memo.text(expression.function)}()")
 
     def _arguments(self, expression: Call) -> tuple[list[Value], Names]:
         value = self.ctx.value
@@ -374,10 +374,10 @@ class Calls:
 
     def _call_of(
         self, expression: Call, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
-    ) -> Called:
+    ) -> CallSite:
         ctx = self.ctx
         place = Evidence(ctx.state.frame.path, expression.line, expression.column)
-        return Called(name, arguments, keywords, templates, expression.arguments, place)
+        return CallSite(name, arguments, keywords, templates, expression.arguments, place)
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""

@@ -18,8 +18,8 @@ from roslens.source.extract.domain.abstract_value import (
     test_of,
 )
 from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.guarded import Guarded, is_counted
 from roslens.source.extract.domain.list_slices import is_slice, part_of
-from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.plain_methods import SAME
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
@@ -43,14 +43,14 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.transfer.captured import names_around
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
+from roslens.source.extract.transfer.closures import names_around
 from roslens.source.extract.transfer.module_values import module_value
 from roslens.source.extract.transfer.overload_choice import known_function
 from roslens.source.extract.transfer.plugin_held import item_held
 
 if TYPE_CHECKING:
-    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.symbols.symbol_table import Defined
     from roslens.source.extract.transfer.context import Context
 
 
@@ -129,7 +129,7 @@ class Expressions:
         ctx = self.ctx
         frame = ctx.state.frame
         of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
-        known, key = ctx.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
+        known, key = ctx.index.memo.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
         found = known.get(key)
         if found is None:
             found = _defined(ctx, of, name)
@@ -215,8 +215,8 @@ class Expressions:
         key = self.value(expression.key)
         match of:
             case dict():
-                found = of.get(hashable(key), Unknown(f"an item of {ctx.index.lookups.text(expression.of)}"))
-                return found.value if type(found) is Perhaps else found
+                found = of.get(hashable(key), Unknown(f"an item of {ctx.index.memo.text(expression.of)}"))
+                return found.value if type(found) is Guarded else found
             case list() if isinstance(key, int) and -len(of) <= key < len(of):
                 known = of.has(key) if isinstance(of, Words) else is_counted(of)
                 return of[key] if known else opened(self.ctx, expression)
@@ -316,7 +316,7 @@ class Expressions:
                 return None if value.known is None else bool(value.known)
             case Unknown():
                 return None
-            case list() if value and all(type(one) is Perhaps for one in value):
+            case list() if value and all(type(one) is Guarded for one in value):
                 return None
         if value is None or isinstance(value, _DECIDED):
             return bool(value)

@@ -14,9 +14,9 @@ from roslens.source.extract.interpreter.statements import initialise
 from roslens.source.extract.ir.makes_endpoints import MAKE
 from roslens.source.extract.ir.program import Expression, Function, Parameter
 from roslens.source.extract.symbolic.text import Text, said, unknown
-from roslens.source.extract.transfer.captured import Around, names_now, set_around
+from roslens.source.extract.transfer.closures import Around, names_now, set_around
 from roslens.source.extract.transfer.decorated import decorated
-from roslens.source.extract.transfer.refined_values import lose, lose_unseen
+from roslens.source.extract.transfer.refined_values import havoc, havoc_unseen
 from roslens.source.extract.transfer.shared_values import changed_by_call, newest
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class Functions:
             return Unknown(f"result of {what.name}()")
         ctx.callbacks.reached.add(key)
         if not what.body and not what.initialisers and ctx.index.programs[function.path].dialect.declared_apart:
-            lose_unseen(ctx, function, written)
+            havoc_unseen(ctx, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
         if what.decorators and (made := decorated(ctx, function)) is not function:
             return self.call(made, arguments, keywords, written) if isinstance(made, Callable) else made
@@ -86,14 +86,14 @@ class Functions:
         else:
             result, names, state.site, state.gave = done.result, done.names, done.site, None
             if isinstance(function.self, Obj):
-                if state.changes.open:
+                if state.store.open:
                     for name, value in done.fields.items():
-                        state.changes.put(function.self.fields, name, value)
+                        state.store.put(function.self.fields, name, value)
                 function.self.fields.update(done.fields)
         for parameter, expression in zip(what.parameters, written, strict=False):
             if parameter.type.endswith(_SHARING) and "const" not in parameter.type.split() and parameter.name:
                 self._given_back(parameter, expression, newest(ctx, names.get(parameter.name)))
-        if state.changes.refined:
+        if state.store.refined:
             changed_by_call(ctx)
         return result
 
@@ -134,7 +134,7 @@ class Functions:
             for statement in what.initialisers:
                 initialise(ctx, statement)
             if what.sets:
-                lose(thing, what, frame.names)
+                havoc(thing, what, frame.names)
             ctx.block(what.body)
         finally:
             state.frame = outer

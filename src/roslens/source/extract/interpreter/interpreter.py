@@ -11,7 +11,7 @@ from collections.abc import Callable as Function1
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Names, Value
+from roslens.source.extract.domain.abstract_value import Callable, Names, NodeBuilder, Value
 from roslens.source.extract.domain.call_stack import CallStack
 from roslens.source.extract.domain.callbacks import Callbacks
 from roslens.source.extract.domain.emitter import Emitter
@@ -26,7 +26,7 @@ from roslens.source.extract.interpreter.objects import Objects
 from roslens.source.extract.interpreter.statements import assign, block
 from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.program import Expression, Statement
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 from roslens.source.extract.transfer.budget import Budget
 from roslens.source.extract.transfer.context import Context, Given
 from roslens.source.extract.transfer.named_functions import NamedFunctions
@@ -58,8 +58,8 @@ class Interpreter:
 
     def __init__(
         self,
-        index: Index,
-        node: Building,
+        index: SymbolTable,
+        node: NodeBuilder,
         given: Given = NOTHING_GIVEN,
         *,
         parts: Parts = USUAL,

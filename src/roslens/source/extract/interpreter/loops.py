@@ -7,9 +7,9 @@ import re
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value, test_of
-from roslens.source.extract.domain.frame import WayOut, Ways
+from roslens.source.extract.domain.frame import LoopExit, PendingExits
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import is_number
-from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.domain.unknown_lists import Each, each_of
 from roslens.source.extract.interpreter.vocabulary_streams import words_read
 from roslens.source.extract.ir.program import (
@@ -24,14 +24,14 @@ from roslens.source.extract.ir.program import (
     Operation,
     Statement,
 )
-from roslens.source.extract.ir.read_first import is_read_first
+from roslens.source.extract.ir.upward_exposed import is_read_first
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, negated
 from roslens.source.extract.symbolic.reason import EachOf
 from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.filled_lists import count_of_filled
+from roslens.source.extract.transfer.loop_carried import forget_set_by_methods
 from roslens.source.extract.transfer.plugin_held import plugged_in
-from roslens.source.extract.transfer.set_by_methods import forget_set_by_methods
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -47,7 +47,7 @@ def left(ctx: Context, statement: Leave) -> None:
     frame = ctx.state.frame
     if frame.ways is None:
         return
-    frame.ways.out.append(WayOut(tuple(ctx.state.conditions), frame.ways.turn, frame.snapshot(), statement.again))
+    frame.ways.out.append(LoopExit(tuple(ctx.state.conditions), frame.ways.turn, frame.snapshot(), statement.again))
     frame.stopped = True
 
 
@@ -82,7 +82,7 @@ def _hold_not(ctx: Context, conditions: Conditions) -> None:
 def looped(ctx: Context, statement: Loop) -> None:
     """Follow a loop."""
     frame, depth = ctx.state.frame, len(ctx.state.conditions)
-    around, frame.ways = frame.ways, Ways(depth)
+    around, frame.ways = frame.ways, PendingExits(depth)
     broken = None
     try:
         broken = _followed(ctx, statement)
@@ -134,7 +134,7 @@ def _repeated(ctx: Context, statement: Loop) -> None:
             _once_for_all(ctx, statement, over)
         if not holds:
             return
-    raise SpentError
+    raise BudgetExceededError
 
 
 def _each_in_turn(ctx: Context, statement: Loop, target: Expression, items: list[Value]) -> bool | None:
@@ -142,7 +142,7 @@ def _each_in_turn(ctx: Context, statement: Loop, target: Expression, items: list
     frame, depth = ctx.state.frame, len(ctx.state.conditions)
     ways = frame.ways
     for item in items[: ctx.budget.turns]:
-        if type(item) is Perhaps:
+        if type(item) is Guarded:
             _perhaps_with(ctx, statement, item)
             continue
         ctx.assign(target, item)
@@ -151,7 +151,7 @@ def _each_in_turn(ctx: Context, statement: Loop, target: Expression, items: list
     breaks = [len(way.conditions) > depth for way in ways.out if not way.again] if ways is not None else [True]
     if breaks:
         return None if all(breaks) else True
-    return None if len(items) > ctx.budget.turns or any(type(one) is Perhaps for one in items) else False
+    return None if len(items) > ctx.budget.turns or any(type(one) is Guarded for one in items) else False
 
 
 def _once_for_all(ctx: Context, statement: Loop, over: Value) -> None:
@@ -172,7 +172,7 @@ def _once_for_all(ctx: Context, statement: Loop, over: Value) -> None:
 
 def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
-    changes, frame = ctx.state.changes, ctx.state.frame
+    changes, frame = ctx.state.store, ctx.state.frame
     since = changes.count
     changes.open += 1
     _forget_counters(ctx, statement)
@@ -181,9 +181,9 @@ def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> 
         ctx.assign(statement.target, _each(ctx, over, statement))
     _perhaps_turned(ctx, statement, over)
     if changes.count > since and not once:
-        way = changes.taken_back(since, frame.members)
+        way = changes.roll_back(since, frame.members)
         why = (_written(ctx, statement), ALWAYS)
-        changes.came_to(way, changes.count, frame.members, (False, False), why, None)
+        changes.merge(way, changes.count, frame.members, (False, False), why, None)
     changes.open -= 1
     if not changes.open and changes.count:
         changes.ended()
@@ -205,7 +205,7 @@ def _perhaps_turned(ctx: Context, statement: Loop, over: Value) -> None:
     del ctx.state.conditions[here]
 
 
-def _perhaps_with(ctx: Context, statement: Loop, item: Perhaps) -> None:
+def _perhaps_with(ctx: Context, statement: Loop, item: Guarded) -> None:
     """Follow the turn of an item that the list may have."""
     frame, here, before = ctx.state.frame, len(ctx.state.conditions), ctx.state.frame.snapshot()
     ctx.state.under(item.condition, item.test)
@@ -239,7 +239,7 @@ def _keep_filled(names: Names, after: Names) -> None:
 
 
 def _written(ctx: Context, statement: Loop) -> Written:
-    text = ctx.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
+    text = ctx.index.memo.text(statement.over).strip("`") if statement.over is not None else "a loop"
     return Written(text if statement.target is None else f"there is any of {text}")
 
 
@@ -343,7 +343,7 @@ def _each(ctx: Context, over: Value, statement: Loop) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
     if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
         return each_of(over)
-    return Unknown(EachOf(ctx.index.lookups.text(statement.over)) if statement.over is not None else "an item")
+    return Unknown(EachOf(ctx.index.memo.text(statement.over)) if statement.over is not None else "an item")
 
 
 _STOPS = frozenset({"<", "<=", ">", ">=", "!="})

@@ -10,11 +10,11 @@ from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.interpreter.vocabulary import Called, find_class, find_outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, find_class, find_outer
 from roslens.source.extract.ir.program import Assign, Field, Function, Member
 from roslens.source.extract.symbolic.reason import NotSet
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.symbols.workspace_index import Defined, type_arguments, type_name
+from roslens.source.extract.symbols.symbol_table import Defined, type_arguments, type_name
 from roslens.source.extract.transfer.base_templates import bind_bases
 from roslens.source.extract.transfer.class_attributes import of_object
 from roslens.source.extract.transfer.default_bases import bases_by_default
@@ -58,16 +58,16 @@ class Objects:
         known = find_class(ctx, defined.what.qualified_name, defined.path)
         if known is not None:
             name, word = known
-            return word(ctx, None, Called(name, arguments, keywords, templates, (), ctx.state.site))
+            return word(ctx, None, CallSite(name, arguments, keywords, templates, (), ctx.state.site))
         thing = Obj(defined.what.qualified_name, defined, {})
         names = getattr(defined.what, "templates", ())
         thing.templates.update(zip(names, templates, strict=False))
-        site, written, since = ctx.state.site, ctx.state.written, ctx.state.changes.count
+        site, written, since = ctx.state.site, ctx.state.written, ctx.state.store.count
         self.prepare(thing)
         ctx.state.site, ctx.state.written = site, written
         self.construct_as(thing, defined, arguments, keywords)
-        if ctx.state.changes.count > since:
-            ctx.state.changes.made(thing.fields, since)
+        if ctx.state.store.count > since:
+            ctx.state.store.made(thing.fields, since)
         if thing.node is not None:
             ctx.emitter.made.append(thing)
         return thing
@@ -105,7 +105,7 @@ class Objects:
     def _members(self, defined: Defined) -> tuple[tuple[Field, Value], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
         ctx = self.ctx
-        known = ctx.index.lookups.members
+        known = ctx.index.memo.members
         found = known.get(id(defined.what))
         if found is None:
             initialised = {

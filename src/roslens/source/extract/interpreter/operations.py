@@ -12,7 +12,7 @@ from roslens.source.extract.domain.word_list import AtLeast
 from roslens.source.extract.ir.program import Expression, Operation
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import And, AreEqual, Condition, Or, Text, unknown
-from roslens.source.extract.transfer.operand_ways import after_others, does_something, way_of
+from roslens.source.extract.transfer.short_circuit import after_others, does_something, way_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -37,7 +37,7 @@ _NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
 
 def chosen(ctx: Context, expression: Operation, decides: Value) -> Value:
     """Return one of two values, or what is known of both: ``decides`` is what the condition comes to."""
-    condition = ctx.index.lookups.condition(expression.operands[0])
+    condition = ctx.index.memo.condition(expression.operands[0])
     then, otherwise = expression.operands[1:]
     one = way_of(ctx, then, condition, decides) if does_something(ctx, then) else ctx.value(then)
     if does_something(ctx, otherwise):
@@ -91,14 +91,14 @@ def decided(ctx: Context, expression: Operation) -> Value:
 
 def opened(ctx: Context, expression: Expression, test: Condition | None = None) -> Unknown:
     """Return that an expression is open, with what decides it where that is known."""
-    return Unknown(ctx.index.lookups.text(expression), test)
+    return Unknown(ctx.index.memo.text(expression), test)
 
 
 def _or_else(ctx: Context, value: Text, operands: tuple[Expression, ...]) -> Value:
     """Return a text, or where it is empty what comes after ``or``."""
     rest = ctx.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
     other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
-    return either(value, other, ctx.index.lookups.condition(operands[0]), test_of(value))
+    return either(value, other, ctx.index.memo.condition(operands[0]), test_of(value))
 
 
 def computed(ctx: Context, operator: str, values: list[Value], expression: Operation) -> Value:

@@ -20,10 +20,10 @@ from roslens.source.extract.domain.abstract_value import (
 )
 from roslens.source.extract.domain.earlier_values import forget_defaults
 from roslens.source.extract.domain.frame import join
+from roslens.source.extract.domain.guarded import Guarded, is_counted
 from roslens.source.extract.domain.kinds import items_of
 from roslens.source.extract.domain.made_texts import with_sign
 from roslens.source.extract.domain.owned_pointer import owns_first
-from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.quality import changed, quality_of
 from roslens.source.extract.domain.summaries import same
 from roslens.source.extract.domain.table_key import hashable
@@ -50,13 +50,13 @@ from roslens.source.extract.ir.set_again import forget_set_again
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import Condition, NoException, Text, said, unknown
 from roslens.source.extract.symbols.declared_field import declared_field
-from roslens.source.extract.symbols.workspace_index import type_arguments, type_name
+from roslens.source.extract.symbols.symbol_table import type_arguments, type_name
+from roslens.source.extract.transfer.aliases import assign_referred, refer
 from roslens.source.extract.transfer.changed_values import is_open, put_item
 from roslens.source.extract.transfer.class_attributes import set_attribute
-from roslens.source.extract.transfer.kept_values import keep, no_place, once, put_where_it_stands, returned
-from roslens.source.extract.transfer.other_names import assign_referred, refer
 from roslens.source.extract.transfer.plugin_held import hold
 from roslens.source.extract.transfer.refined_values import refine
+from roslens.source.extract.transfer.static_storage import keep, no_place, once, put_where_it_stands, returned
 from roslens.source.extract.transfer.xml_rpc_values import XML_RPC, put_part
 
 if TYPE_CHECKING:
@@ -183,14 +183,14 @@ def assign(ctx: Context, target: Expression, value: Value) -> None:
                 and isinstance(thing, Obj)
                 and _is_field(ctx, thing, target.name)
             ):
-                ctx.state.changes.put(thing.fields, target.name, value)
+                ctx.state.store.put(thing.fields, target.name, value)
             else:
                 _assign_name(ctx, target.name, value)
         case Member():
             of = ctx.value(target.of)
             match of:
                 case Obj():
-                    ctx.state.changes.put(of.fields, target.name, value)
+                    ctx.state.store.put(of.fields, target.name, value)
                 case Class():
                     set_attribute(ctx, of, target.name, value)
                 case QosValue() | Named() if (quality := quality_of(of)) is not None:
@@ -219,7 +219,7 @@ def _assign_item(ctx: Context, target: Item, value: Value) -> None:
         case Remappings():
             of[hashable(key)] = value
         case dict() if (condition := is_open(ctx)) and hashable(key) not in of:
-            of[hashable(key)] = Perhaps(value, condition, ctx.state.frame.tests.get(condition))
+            of[hashable(key)] = Guarded(value, condition, ctx.state.frame.tests.get(condition))
         case dict() | list():
             put_item(ctx, of, key, value)
         case Text() if isinstance(target.of, Name | Member):
@@ -293,9 +293,9 @@ def _branched(ctx: Context, statement: Branch) -> None:
         follow = block if ctx.state.frame.ways is None else block_of_loop
         follow(ctx, statement.then if holds else statement.otherwise)
         return
-    written, frame = ctx.index.lookups.condition(statement.condition), ctx.state.frame
+    written, frame = ctx.index.memo.condition(statement.condition), ctx.state.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
-    otherwise, changes = negated(written), ctx.state.changes
+    otherwise, changes = negated(written), ctx.state.store
     since = changes.count
     changes.open += 1
     frame.know(written, otherwise, test_of(decides))
@@ -307,7 +307,7 @@ def _branched(ctx: Context, statement: Branch) -> None:
     after = before if frame.is_as(before) else frame.snapshot()
     frame.restore(before)
     second = changes.count
-    way = changes.taken_back(since, frame.members) if second > since else {}
+    way = changes.roll_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
     if statement.otherwise and type(written) is NoException and after is not before:
         _handled(ctx, statement, (before, after), (written, otherwise))
@@ -316,7 +316,7 @@ def _branched(ctx: Context, statement: Branch) -> None:
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
     if way or changes.count > second:
         test = frame.tests.get(written)
-        changes.came_to(way, second, frame.members, (gone, other_gone), (written, otherwise), test)
+        changes.merge(way, second, frame.members, (gone, other_gone), (written, otherwise), test)
     changes.open -= 1
     if not changes.open and changes.count:
         changes.ended()

@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import (
-    Building,
     Handle,
     Made,
     Named,
     Names,
+    NodeBuilder,
     Obj,
     QosValue,
     Unknown,
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-class Called(msgspec.Struct, frozen=True):
+class CallSite(msgspec.Struct, frozen=True):
     """A call of something outside of the workspace.
 
     Attributes:
@@ -61,16 +61,16 @@ class Called(msgspec.Struct, frozen=True):
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
 
 
-def written_as(ctx: Context, called: Called, place: int) -> str:
+def written_as(ctx: Context, called: CallSite, place: int) -> str:
     """Return an argument by position as source has it; empty where that is not known.
 
     Where an object is made, its arguments are those of the call that makes it.
     """
     written = called.written or ctx.state.written
-    return ctx.index.lookups.text(written[place]) if written and len(written) == len(called.arguments) else ""
+    return ctx.index.memo.text(written[place]) if written and len(written) == len(called.arguments) else ""
 
 
-Word = Function1[["Context", Any, Called], Value]
+Word = Function1[["Context", Any, CallSite], Value]
 """What a call does; the second is the object that it is made on, of the kind under which the word is registered."""
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
@@ -170,7 +170,7 @@ def _said(ctx: Context, word: Word | None) -> Word | None:
     return word
 
 
-def find_method(ctx: Context, receiver: Value, called: Called) -> Word | None:
+def find_method(ctx: Context, receiver: Value, called: CallSite) -> Word | None:
     """Return what a method of an object does; None where it is not known."""
     _load()
     name = called.name
@@ -183,7 +183,7 @@ def find_method(ctx: Context, receiver: Value, called: Called) -> Word | None:
     return None
 
 
-def guessed_method(ctx: Context, receiver: Value, called: Called) -> Word | None:
+def guessed_method(ctx: Context, receiver: Value, called: CallSite) -> Word | None:
     """Return what a method does that an object may have of a base or a declaration outside of the workspace.
 
     None where nothing is known of it, or the object has no such base.
@@ -204,7 +204,7 @@ def kinds_of(ctx: Context, receiver: Value) -> tuple[str, ...]:
         case Obj():
             defined = receiver.defined
             key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
-            known = ctx.index.lookups.kinds
+            known = ctx.index.memo.kinds
             found = known.get(key)
             if found is None:
                 kinds = [receiver.type, *(ctx.index.outer_bases(defined) if defined is not None else ())]
@@ -221,7 +221,7 @@ def kinds_of(ctx: Context, receiver: Value) -> tuple[str, ...]:
     return ("made",) if isinstance(receiver, Made) else ()
 
 
-def node_of(ctx: Context, value: Value) -> Building:
+def node_of(ctx: Context, value: Value) -> NodeBuilder:
     """Return the node that a value stands for: the one that is built where it is unknown."""
     match value:
         case Handle():

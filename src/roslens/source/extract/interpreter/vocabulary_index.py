@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.interpreter.vocabulary import known_names
 from roslens.source.extract.ir.program import Program
 from roslens.source.extract.symbols.included_files import Needs, Packages
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 
 if TYPE_CHECKING:
     from roslens.source.extract.facts.node_facts import Target
@@ -19,9 +19,9 @@ def indexed(
     packages: Packages | None = None,
     needs: Needs | None = None,
     targets: Iterable[Target] = (),
-) -> Index:
+) -> SymbolTable:
     """Return an index of the programs of a workspace.
 
-    See :class:`~roslens.source.extract.symbols.workspace_index.Index`.
+    See :class:`~roslens.source.extract.symbols.symbol_table.Index`.
     """
-    return Index(programs, packages, needs, targets, known=known_names())
+    return SymbolTable(programs, packages, needs, targets, known=known_names())

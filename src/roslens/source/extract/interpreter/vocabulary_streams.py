@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, Value, as_text
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.ir.program import Expression, Operation
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 from roslens.source.extract.transfer.plugin_choice import deciding_node
@@ -18,13 +18,13 @@ HELD = "-text"
 
 
 @outer(*STREAMS)
-def stream(_ctx: Context, _thing: Value, called: Called) -> Value:
+def stream(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A stream with a text or without."""
     return Obj("std.stringstream", None, {HELD: as_text(called.argument(0)) if called.arguments else Text()})
 
 
 @method("std.stringstream", "str")
-def text_of(_ctx: Context, thing: Obj, called: Called) -> Value:
+def text_of(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """The text of a stream is asked for, or given."""
     if called.arguments:
         thing.fields[HELD] = as_text(called.argument(0))
@@ -33,7 +33,7 @@ def text_of(_ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method("std.stringstream", "clear")
-def cleared(_ctx: Context, _thing: Value, _called: Called) -> Value:
+def cleared(_ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """The state of a stream is cleared: its text stays."""
     return None
 

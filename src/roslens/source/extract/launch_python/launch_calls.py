@@ -64,7 +64,7 @@ class LaunchCalls(Calls):
             return lifted(self._resolved(as_value(of)))
         match of:
             case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
-                self.ctx.state.changes.items(of.positional)
+                self.ctx.state.store.items(of.positional)
                 of.positional.append([kept(self.ctx, one) for one in arguments])
                 return None
             case list() if name in _ADDING:
@@ -77,7 +77,7 @@ class LaunchCalls(Calls):
                 arguments = [*arguments, None]
             case _ if isinstance(of, _TEXTS):
                 given = {one: plain(value) for one, value in keywords.items()}
-                written = self.ctx.index.lookups.text(expression.function)
+                written = self.ctx.index.memo.text(expression.function)
                 return lifted(call_method(plain(of), name, [plain(one) for one in arguments], given, written))
         return super().plain_method(expression, function, of, arguments, keywords)
 

@@ -83,7 +83,7 @@ class LaunchExpressions(Expressions):
     def _piece(self, expression: Expression) -> Text:
         value = self.visit.performed(self.value(expression))
         if isinstance(value, Deferred):
-            value = Unknown(f"a substitution in an f-string: {self.ctx.index.lookups.text(expression)}")
+            value = Unknown(f"a substitution in an f-string: {self.ctx.index.memo.text(expression)}")
         found = as_value(value)
         if isinstance(found, Deferred):
             found = resolve(found, Scope(_NO_FILES, {}, {}, self.visit.path))
@@ -108,7 +108,7 @@ class LaunchExpressions(Expressions):
     def either(self, expression: Operation, decides: Value) -> Value:  # noqa: ARG002 - nothing is asked of it
         """Return one of two values, or both with what decides."""
         then, otherwise = expression.operands[1:]
-        condition = self.ctx.index.lookups.condition(expression.operands[0])
+        condition = self.ctx.index.memo.condition(expression.operands[0])
         return either(self.value(then), self.value(otherwise), condition)
 
     def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Names, Value
+from roslens.source.extract.domain.abstract_value import Callable, Names, NodeBuilder, Value
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
@@ -19,7 +19,7 @@ from roslens.source.extract.launch_python.deferred import Scope
 from roslens.source.extract.launch_python.launch_calls import LaunchCalls
 from roslens.source.extract.launch_python.launch_expressions import LaunchExpressions
 from roslens.source.extract.launch_python.launch_sources import AsWritten, programs_of
-from roslens.source.extract.launch_python.launch_ways import LaunchChanges, LaunchFrame
+from roslens.source.extract.launch_python.launch_ways import LaunchFrame, LaunchStore
 from roslens.source.extract.launch_python.visit import Visit
 from roslens.source.extract.transfer.budget import Budget
 
@@ -36,14 +36,14 @@ class LaunchProgram:
         programs, places = programs_of(path, content, files)
         # What a launch file imports it sees, whichever package has it.
         index = indexed(programs, dict.fromkeys(programs, "launch"))
-        index.lookups = AsWritten(places)
+        index.memo = AsWritten(places)
         self._path = path
         self._visit = visit = Visit(path, files)
         self._interpreter = Interpreter(
             index,
-            Building("<launch>", path, 1, "ros2", parameters=[], endpoints=[], unresolved=[]),
+            NodeBuilder("<launch>", path, 1, "ros2", parameters=[], endpoints=[], unresolved=[]),
             parts=Parts(partial(LaunchExpressions, visit=visit), partial(LaunchCalls, visit=visit)),
-            state=State(LaunchFrame(path, ""), Evidence(path, 1), LaunchChanges()),
+            state=State(LaunchFrame(path, ""), Evidence(path, 1), LaunchStore()),
             budget=Budget(MOST_STEPS, MOST_FRAMES, MOST_TURNS, MOST_TURNS),
         )
 

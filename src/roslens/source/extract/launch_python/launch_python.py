@@ -13,7 +13,7 @@ import msgspec
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
 from roslens.source.extract.domain.abstract_value import Callable, Named, Unknown
-from roslens.source.extract.domain.perhaps import Perhaps
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, Value
@@ -34,7 +34,7 @@ from roslens.source.extract.parameters.ros2_values import type_of_list
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import And, Conditions, Text
 from roslens.source.extract.symbolic.text import Condition as Formula
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 
 _ENTRY = "generate_launch_description"
 _TYPES = {"str": "string", "int": "int", "float": "double", "bool": "bool"}
@@ -65,7 +65,7 @@ def python_actions(path: str, content: bytes, files: Files | None = None) -> tup
         if returned is None:
             returned = Unknown(f"{_ENTRY} returns nothing")
         return tuple(_Conversion(program).all(returned, Evidence(path, entry.function.line)))
-    except (SpentError, RecursionError):
+    except (BudgetExceededError, RecursionError):
         return (Action("unknown", Evidence(path, 1), {"text": _ENTRY}, note="it takes too many steps"),)
 
 
@@ -86,7 +86,7 @@ class _Conversion:
         elif isinstance(found, Either):
             yield from self._under((found.condition,), found.one, around)
             yield from self._under((negated(found.condition),), found.other, around)
-        elif isinstance(found, Perhaps):
+        elif isinstance(found, Guarded):
             yield from self._under(_parts(found.condition), found.value, around)
         elif isinstance(found, Unknown | Named):
             what = found.reason if isinstance(found, Unknown) else f"the name {found.name}"
@@ -241,7 +241,7 @@ class _Conversion:
                 keywords = {one: lifted(value) for one, value in named.items()}
                 returned = self._program.run(function, arguments, keywords, scope)
                 return tuple(self.all(returned, made.evidence))
-            except (SpentError, RecursionError):
+            except (BudgetExceededError, RecursionError):
                 return (Action("unknown", made.evidence, {"text": "OpaqueFunction"}, note="it takes too many steps"),)
 
         return Action("call", made.evidence, make=make)

@@ -14,7 +14,7 @@ from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.ir.program import Expression, Program
 from roslens.source.extract.lowering.python.located_program import Places, located_program
 from roslens.source.extract.symbolic.text import Condition, Written
-from roslens.source.extract.symbols.lookups import Lookups
+from roslens.source.extract.symbols.memo import Memo
 
 MOST_MODULES = 20
 _KNOWN = frozenset(
@@ -77,7 +77,7 @@ def _folders(first: str, path: str, files: Files) -> list[str]:
     return found if package is None else [*found, package]
 
 
-class AsWritten(Lookups):
+class AsWritten(Memo):
     """What an index said, with expressions as a launch file has them: who reads of a condition looks for it there."""
 
     def __init__(self, places: Places) -> None:

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Foreign, Named, Obj, Unknown, Value
-from roslens.source.extract.domain.perhaps import Perhaps
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.deferred import Value as Written
@@ -92,7 +92,7 @@ def plain(value: Value, weight: Weight | None = None) -> Plain:
             return [_item(one, weight) for one in value]
         case dict():
             return {_key(key): plain(one, weight) for key, one in value.items()}
-        case Perhaps():
+        case Guarded():
             return plain(value.value, weight)
         case Class():
             return _of_class(value)
@@ -103,7 +103,7 @@ def plain(value: Value, weight: Weight | None = None) -> Plain:
 
 def _item(value: Value, weight: Weight) -> Plain:
     """Return an item of a list; of what is made, whether the list has it is kept."""
-    if isinstance(value, Perhaps) and isinstance(value.value, Made | Either):
+    if isinstance(value, Guarded) and isinstance(value.value, Made | Either):
         weight.add(value)
         return value
     return plain(value, weight)
@@ -152,7 +152,7 @@ def _of_others(found: Plain) -> Written:
             return unknown_value(str(found.reason))
         case Either():
             return unknown_value(f"one of two values, by {found.condition}")
-        case Perhaps():
+        case Guarded():
             return as_value(found.value)
         case Made():
             if found.name in PARAMETER_FILES:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
-from roslens.source.extract.domain.changed_in_ways import Changes
 from roslens.source.extract.domain.frame import Frame, Held
 from roslens.source.extract.domain.frame import join as join_names
-from roslens.source.extract.domain.perhaps import Perhaps, perhaps
+from roslens.source.extract.domain.guarded import Guarded, guarded
+from roslens.source.extract.domain.store import Store
 from roslens.source.extract.launch_python.launch_values import Either, Made
 from roslens.source.extract.symbolic.condition import all_of, negated
 from roslens.source.extract.symbolic.text import Condition, Text
@@ -15,7 +15,7 @@ from roslens.source.extract.transfer.context import Context
 _SIMPLE = (Text, Unknown, bool, int, float, type(None))
 
 
-class LaunchChanges(Changes):
+class LaunchStore(Store):
     """What ways change in lists and tables of a launch file."""
 
     def joined(self, one: list[Value], other: list[Value], condition: Condition, test: Condition | None) -> Value:
@@ -63,9 +63,9 @@ def joined(one: list[Value], other: list[Value], condition: Condition) -> list[V
     same = 0
     while same < min(len(one), len(other)) and one[same] is other[same]:
         same += 1
-    if not all(isinstance(item, Made | Perhaps) for item in (*one[same:], *other[same:])):
+    if not all(isinstance(item, Made | Guarded) for item in (*one[same:], *other[same:])):
         return None
-    then, otherwise = perhaps(one[same:], condition, None), perhaps(other[same:], negated(condition), None)
+    then, otherwise = guarded(one[same:], condition, None), guarded(other[same:], negated(condition), None)
     return [*one[:same], *then, *otherwise]
 
 
@@ -74,4 +74,4 @@ def kept(ctx: Context, value: Value) -> Value:
     if not isinstance(value, Made):
         return value
     around = tuple(one for one in dict.fromkeys(ctx.state.conditions) if one not in value.conditions)
-    return Perhaps(value, all_of(around)) if around else value
+    return Guarded(value, all_of(around)) if around else value

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.symbolic.text import Text
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.transfer.budget import BudgetExceededError
 
 MOST_WEIGHT = 50_000
 """Values inside each other, counted wherever they stand; no launch file that people write has a tenth."""
@@ -30,7 +30,7 @@ class Weight:
         """
         self._counted += 1 + (len(value) // _SIGNS if isinstance(value, str) else 0)
         if self._counted > MOST_WEIGHT:
-            raise SpentError
+            raise BudgetExceededError
 
 
 def bounded(value: _Value) -> _Value:

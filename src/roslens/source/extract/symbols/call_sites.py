@@ -15,7 +15,7 @@ from roslens.source.extract.ir.makes_endpoints import calls_that_make
 from roslens.source.extract.ir.program import Call, Function, Member, Name
 from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 
 NEVER_FOLLOWED = "this call looks as if it made an endpoint, but nothing that was followed comes to it"
 NOT_KNOWN = "this call looks as if it made an endpoint, but following the code around it came to none"
@@ -24,7 +24,7 @@ NAMED_ALIKE = "this calls a function of the workspace that is named as what make
 _LONGEST = 160
 
 
-def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterator[Unresolved]:
+def without_endpoint(index: SymbolTable, facts: Iterable[NodeFacts], reached: Reached) -> Iterator[Unresolved]:
     """Yield the calls of which no unit made an endpoint, in order of their files.
 
     Args:
@@ -43,7 +43,7 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
 
 
 def functions_with_more(
-    index: Index, facts: Iterable[NodeFacts], reached: Reached
+    index: SymbolTable, facts: Iterable[NodeFacts], reached: Reached
 ) -> Iterator[tuple[str, Function, set[int]]]:
     """Yield functions that were followed and the lines of calls in them that nothing came to: on ways not taken."""
     found: dict[tuple[str, int], tuple[Function, set[int]]] = {}
@@ -54,7 +54,9 @@ def functions_with_more(
         yield path, function, lines
 
 
-def _left(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterator[tuple[str, Function | None, Call]]:
+def _left(
+    index: SymbolTable, facts: Iterable[NodeFacts], reached: Reached
+) -> Iterator[tuple[str, Function | None, Call]]:
     made = {place for one in facts for place in places_of(one)} | {
         site for site, makes in reached.passed_on.items() if makes
     }
@@ -62,7 +64,7 @@ def _left(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterato
         program = index.programs[path]
         parts: list[tuple[Function | None, Iterable[Call]]] = [(None, calls_that_make(program.body))]
         parts += [
-            (one, index.lookups.calls_that_make(one)) for one in program.functions if not one.name.startswith("TEST")
+            (one, index.memo.calls_that_make(one)) for one in program.functions if not one.name.startswith("TEST")
         ]
         told: set[int] = set()
         for function, calls in parts:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 
 from roslens.source.extract.ir.program import Program
-from roslens.source.extract.symbols.workspace_index import type_name
+from roslens.source.extract.symbols.symbol_table import type_name
 
 _ENDS = re.compile(
     r"(\.|_)?(ConstPtr|SharedPtr|UniquePtr|ConstSharedPtr|ConstUniquePtr|Ptr|ConstWeakPtr|WeakPtr|Request|Response|"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslens.source.extract.ir.program import Program
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 
 NODE_BASES = {
     "rclcpp.Node": ("ros2", "node"),
@@ -21,7 +21,7 @@ _ROS2 = re.compile(r"(rclcpp|rclpy|ament_|tf2_ros/.*\.hpp$|.*/(msg|srv|action)/.
 _ROS1 = re.compile(r"(ros/.*\.h$|roscpp|rospy|nodelet/|tf/|[a-z]\w*/[A-Z]\w*\.h$)")
 
 
-def generation_of(index: Index, path: str) -> str:
+def generation_of(index: SymbolTable, path: str) -> str:
     """Return the generation of ROS that a file belongs to, as its headers or modules say, else most of its package.
 
     An index that is of one version says so for all its files.

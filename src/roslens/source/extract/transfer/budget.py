@@ -12,7 +12,7 @@ MOST_TURNS = 64
 """Of a loop over a list."""
 
 
-class SpentError(Exception):
+class BudgetExceededError(Exception):
     """The bounds of evaluation are spent."""
 
 
@@ -45,7 +45,7 @@ class Budget:
         """
         self.steps += 1
         if self.steps > self.most:
-            raise SpentError
+            raise BudgetExceededError
 
     def extend(self) -> None:
         """Let a plug-in that is followed take steps of its own."""

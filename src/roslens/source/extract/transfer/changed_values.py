@@ -60,12 +60,12 @@ def is_open(ctx: Context) -> Condition | None:
 def put_item(ctx: Context, of: Table | list[Value], key: Value, value: Value) -> None:
     """Put an item into a table or list."""
     if isinstance(of, dict):
-        ctx.state.changes.put(of, hashable(key), value)
+        ctx.state.store.put(of, hashable(key), value)
     elif is_whole(key) and -len(of) <= key < len(of):
-        ctx.state.changes.items(of)
+        ctx.state.store.items(of)
         of[key] = value
     else:
-        ctx.state.changes.items(of)
+        ctx.state.store.items(of)
         _forget(of, "an item of a list that was changed")
 
 
@@ -136,11 +136,11 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
 
 def _list(ctx: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
-        ctx.state.changes.items(of)
+        ctx.state.store.items(of)
         of += arguments[0]
         return (None,)
     first = arguments[0] if arguments else None
-    ctx.state.changes.items(of, less=name not in _GROWING)
+    ctx.state.store.items(of, less=name not in _GROWING)
     if not is_open(ctx):
         if name == "insert" and len(arguments) == 2 and type(first) is int:
             of.insert(first, arguments[1])
@@ -194,9 +194,9 @@ def _table(
         return (None,)
     if name == "setdefault" and arguments:
         if hashable(first) not in of:
-            ctx.state.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
+            ctx.state.store.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
         return (of[hashable(first)],)
-    ctx.state.changes.items(of, less=True)
+    ctx.state.store.items(of, less=True)
     if not is_open(ctx):
         if name == "clear":
             of.clear()

@@ -16,7 +16,7 @@ from roslens.source.extract.symbolic.text import Text, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.ir.program import Function, Program, Statement
-    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.symbols.symbol_table import Defined
     from roslens.source.extract.transfer.context import Context
 
 Place = tuple[str, str]
@@ -29,7 +29,7 @@ def set_attribute(ctx: Context, of: Class, name: str, value: Value) -> None:
         before = ctx.expressions.member_of(of, name)
         ctx.summaries.forget_all()
         _for_objects(ctx, of.defined, name, before, value)
-        ctx.state.changes.put(ctx.state.constants, place, value)
+        ctx.state.store.put(ctx.state.constants, place, value)
 
 
 def class_of_scope(ctx: Context) -> Value:
@@ -66,7 +66,7 @@ def _for_objects(ctx: Context, defined: Defined, name: str, before: Value, value
     for one in held:
         of_class = isinstance(one, Obj) and one.defined is not None and defined in ctx.index.chain(one.defined)
         if of_class and one.fields.get(name) == before:
-            ctx.state.changes.put(one.fields, name, value)
+            ctx.state.store.put(one.fields, name, value)
 
 
 def _place(ctx: Context, defined: Defined, name: str) -> Place | None:
@@ -79,13 +79,13 @@ def _place(ctx: Context, defined: Defined, name: str) -> Place | None:
 
 def _all_set(ctx: Context) -> set[Place]:
     """Return the attributes that some function sets on a class, by the last name of that and their own."""
-    lookups = ctx.index.lookups
-    if lookups.set_on_classes is None:
-        lookups.set_on_classes = set()
+    memo = ctx.index.memo
+    if memo.set_on_classes is None:
+        memo.set_on_classes = set()
         for program in ctx.index.programs.values():
             if program.dialect.modules_run:
-                lookups.set_on_classes |= _set_in(program)
-    return lookups.set_on_classes
+                memo.set_on_classes |= _set_in(program)
+    return memo.set_on_classes
 
 
 def _set_in(program: Program) -> set[Place]:

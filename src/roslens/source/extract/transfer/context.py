@@ -23,7 +23,7 @@ from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.program import Call, Expression, Statement
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.budget import Budget
 from roslens.source.extract.transfer.named_functions import NamedFunctions
 
@@ -120,7 +120,7 @@ class Context(Protocol):
         value: returns the value of an expression.
     """
 
-    index: Index
+    index: SymbolTable
     given: Given
     state: State
     stack: CallStack

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.source.extract.ir.program import Call, Class, Evaluate, Function, Name
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.overload_choice import taking
 
 
-def bases_by_default(index: Index, defined: Defined, constructor: Function) -> Iterator[Defined]:
+def bases_by_default(index: SymbolTable, defined: Defined, constructor: Function) -> Iterator[Defined]:
     """Yield the bases of a class in the workspace that no initialiser of a constructor names, in order.
 
     None where it delegates to another constructor, or a base has none that takes no arguments: it is named otherwise.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value
 
 if TYPE_CHECKING:
-    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.symbols.symbol_table import Defined
     from roslens.source.extract.transfer.context import Context
 
 _WITHOUT = frozenset({"object", "NamedTuple", "Protocol", "ABC", "Generic"})

@@ -48,21 +48,21 @@ def module_value(ctx: Context, path: str, name: str, first: Expression) -> tuple
         name: of the variable.
         first: what it is set to first; another one of this name is an attribute of a class.
     """
-    lookups = ctx.index.lookups
-    known = lookups.of_modules.get(path)
+    memo = ctx.index.memo
+    known = memo.of_modules.get(path)
     if known is None:
-        known = lookups.of_modules[path] = changes_of(ctx.index.programs[path])
+        known = memo.of_modules[path] = changes_of(ctx.index.programs[path])
     statements = known.get(name, ())
     if not any(isinstance(one, Assign) and one.value is first for one in statements):
         return None
-    outer, changes = ctx.state.frame, ctx.state.changes
-    ctx.state.frame, ctx.state.changes = ctx.state.frame_of(path, ""), type(changes)()
-    ctx.state.frame.depth, ctx.state.changes.refined = len(ctx.state.conditions), changes.refined
+    outer, changes = ctx.state.frame, ctx.state.store
+    ctx.state.frame, ctx.state.store = ctx.state.frame_of(path, ""), type(changes)()
+    ctx.state.frame.depth, ctx.state.store.refined = len(ctx.state.conditions), changes.refined
     try:
         ctx.block(statements)
         return (ctx.state.frame.names[name],) if name in ctx.state.frame.names else None
     finally:
-        ctx.state.frame, ctx.state.changes = outer, changes
+        ctx.state.frame, ctx.state.store = outer, changes
 
 
 def _changed(statement: Statement) -> list[str]:

@@ -11,8 +11,8 @@ from roslens.source.extract.domain.emitter import Emitter
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.ir.makes_endpoints import makes_endpoints
 from roslens.source.extract.ir.program import Function
-from roslens.source.extract.symbols.lookups import Found
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.memo import Found
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.overload_choice import overload, taking
 
 _FEW = 3
@@ -23,7 +23,7 @@ KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 class Caller(Protocol):
     """What evaluates, as far as it decides what a name means; see :class:`Context` for its attributes."""
 
-    index: Index
+    index: SymbolTable
     emitter: Emitter
     state: State
     stack: CallStack
@@ -46,7 +46,7 @@ class NamedFunctions:
         defined = thing.defined
         if defined is None:
             return None
-        known, key = self._ctx.index.lookups.method, (id(defined.what), name)
+        known, key = self._ctx.index.memo.method, (id(defined.what), name)
         found = known[key] if key in known else known.setdefault(key, self.method_of(defined, name))
         return None if found is None else Callable(found[0], found[1], thing)
 
@@ -64,9 +64,9 @@ class NamedFunctions:
         defined = thing.defined
         if defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
-        known, key = self._ctx.index.lookups.overloads, (id(defined.what), name, count)
+        known, key = self._ctx.index.memo.overloads, (id(defined.what), name, count)
         found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
-        if arguments and found is not None and key not in self._ctx.index.lookups.alone:
+        if arguments and found is not None and key not in self._ctx.index.memo.alone:
             found = self._overload_of(defined, name, count, arguments)
         return None if found is None else Callable(found[0], found[1], thing)
 
@@ -80,7 +80,7 @@ class NamedFunctions:
                 continue
             if taking(self._ctx.index, [chosen], count) or not self._ctx.index.programs[chosen.path].dialect.overloads:
                 if len(found) < 2:
-                    self._ctx.index.lookups.alone.add((id(defined.what), name, count))
+                    self._ctx.index.memo.alone.add((id(defined.what), name, count))
                 return chosen.what, chosen.path
             # A class that has ``using Base::name`` has those of its base too.
             hidden = hidden or (chosen.what, chosen.path)
@@ -88,7 +88,7 @@ class NamedFunctions:
 
     def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
-        frame, known = self._ctx.state.frame, self._ctx.index.lookups.functions
+        frame, known = self._ctx.state.frame, self._ctx.index.memo.functions
         key = (name, frame.path, frame.scope, count)
         if key in known:
             found = known[key]

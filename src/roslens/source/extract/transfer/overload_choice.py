@@ -8,7 +8,7 @@ from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, 
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.linkage import Near
-from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable, type_name
 
 _TEXTS = frozenset({"string", "char", "QString", "string_view"})
 _NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
@@ -19,8 +19,8 @@ _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 
 
 def overload(
-    index: Index, found: list[Defined], count: int, arguments: Sequence[Value] = (), running: tuple[str, int] = ("", 0),
-    at: tuple[str, str] = ("", ""),
+    index: SymbolTable, found: list[Defined], count: int, arguments: Sequence[Value] = (),
+    running: tuple[str, int] = ("", 0), at: tuple[str, str] = ("", ""),
 ) -> Defined | None:  # fmt: skip
     """Return the function that takes so many arguments, else the one with the most to say.
 
@@ -58,7 +58,7 @@ def _line(one: Defined) -> int:
     return one.what.line
 
 
-def _near(index: Index, found: list[Defined], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
+def _near(index: SymbolTable, found: list[Defined], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
     """Return how the file that calls knows functions, those that it does not know left out."""
     path, unit = at
     program = index.programs.get(path)
@@ -73,7 +73,7 @@ def _near(index: Index, found: list[Defined], at: tuple[str, str]) -> dict[tuple
     return near
 
 
-def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
+def taking(index: SymbolTable, found: list[Defined], count: int) -> list[Defined]:
     """Return the functions that take so many arguments."""
     functions = [(one, one.what) for one in found]
     return [
@@ -83,7 +83,7 @@ def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
     ]
 
 
-def known_function(index: Index, found: list[Defined], at: tuple[str, str]) -> Defined | None:
+def known_function(index: SymbolTable, found: list[Defined], at: tuple[str, str]) -> Defined | None:
     """Return the function of a name that a file knows best, see :func:`overload`; None where several are as near."""
     near = _near(index, found, at)
     known = [one for one in found if (one.path, _line(one)) in near]
@@ -94,7 +94,7 @@ def known_function(index: Index, found: list[Defined], at: tuple[str, str]) -> D
     return best[0] if nearest < Near.LINKED or len({one.path for one in best}) == 1 else None
 
 
-def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
+def taking_so_many(index: SymbolTable, callback: Callable, count: int) -> Callable:
     """Return a callback, or one of its name that takes so many arguments where it does not."""
     function = callback.function
     if len(function.parameters) == count or function.name == "lambda":
@@ -107,7 +107,7 @@ def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
     return Callable(chosen, found[0].path, callback.self, callback.names, callback.arguments)
 
 
-def _least(index: Index, function: Function, path: str) -> int:
+def _least(index: SymbolTable, function: Function, path: str) -> int:
     """Return how many arguments a function needs, of which its declaration may have defaults."""
     declared = index.declaration(function, path) or function
     pairs = zip(function.parameters, declared.parameters, strict=True)

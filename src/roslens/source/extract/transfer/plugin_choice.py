@@ -12,11 +12,11 @@ from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.symbolic.text_lists import listed
 
 if TYPE_CHECKING:
-    from roslens.source.extract.domain.abstract_value import Building
+    from roslens.source.extract.domain.abstract_value import NodeBuilder
     from roslens.source.extract.transfer.context import Context
 
 
-def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None) -> Value:
+def chosen_value(chosen: Chosen, node: NodeBuilder, name: str, default: Text | None) -> Value:
     """Return the value of a parameter that decides: a list of texts, or a text; None where nothing tells it.
 
     What a default says keeps its doubt: it is a hole with that default.
@@ -37,7 +37,7 @@ def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None
     return Text((Hole(reason, default=usual),))
 
 
-def deciding_node(ctx: Context, text: Text) -> Building:
+def deciding_node(ctx: Context, text: Text) -> NodeBuilder:
     """Return the node whose parameters decide a text, else the one whose code is evaluated."""
     for hole in text.holes:
         for reason in (hole.reason, *(one.reason for named in hole.named for one in named.holes)):

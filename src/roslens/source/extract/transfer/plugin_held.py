@@ -34,7 +34,7 @@ def hold(ctx: Context, thing: Obj, key: Value, value: Value) -> None:
     uncertain = len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed
     if (uncertain or place is _EACH) and held.get(place, value) != value:
         value = Unknown("an item of a list")
-    ctx.state.changes.put(held, place, value)
+    ctx.state.store.put(held, place, value)
 
 
 def item_held(thing: Obj, key: Value) -> Value:

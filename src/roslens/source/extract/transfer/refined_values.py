@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, QosValue, Unknown, Value
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.transfer.kept_values import put_where_it_stands
 from roslens.source.extract.transfer.shared_values import changed_for_all
+from roslens.source.extract.transfer.static_storage import put_where_it_stands
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -37,7 +37,7 @@ def refine(ctx: Context, holder: Expression, before: Value, after: Value) -> Val
     return after
 
 
-def lose(thing: Value, function: Function, names: Names | None = None) -> None:
+def havoc(thing: Value, function: Function, names: Names | None = None) -> None:
     """Forget what a function sets where it was not lowered: members of its object, and numbers that it is given.
 
     Args:
@@ -59,12 +59,12 @@ def lose(thing: Value, function: Function, names: Names | None = None) -> None:
                 thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
 
 
-def lose_unseen(ctx: Context, called: Callable, written: tuple[Expression, ...]) -> None:
+def havoc_unseen(ctx: Context, called: Callable, written: tuple[Expression, ...]) -> None:
     """Forget what a function without a body sets: members of its object, and the numbers that it is given."""
     function = called.function
     if not function.sets:
         return
-    lose(called.self, function)
+    havoc(called.self, function)
     for parameter, expression in zip(function.parameters, written, strict=False):
         told = parameter.name in function.sets and isinstance(expression, Name | Member)
         if told and isinstance(ctx.value(expression), bool | int | float):

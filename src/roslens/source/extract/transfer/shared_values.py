@@ -17,7 +17,7 @@ def changed_for_all(ctx: Context, holder: Name | Member, before: Value, after: Q
     shared = ctx.dialect.names_share_objects
     if isinstance(before, QosValue) and before is not after and (shared or _is_reference(ctx, holder)):
         ctx.summaries.forget_all()
-        ctx.state.changes.refine(before, after)
+        ctx.state.store.refine(before, after)
         if shared:
             _in_constants(ctx, before, after)
             changed_by_call(ctx)
@@ -25,8 +25,8 @@ def changed_for_all(ctx: Context, holder: Name | Member, before: Value, after: Q
 
 def newest(ctx: Context, value: Value) -> Value:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
-    while isinstance(value, QosValue) and id(value) in ctx.state.changes.refined:
-        value = ctx.state.changes.refined[id(value)][1]
+    while isinstance(value, QosValue) and id(value) in ctx.state.store.refined:
+        value = ctx.state.store.refined[id(value)][1]
     return value
 
 
@@ -37,8 +37,8 @@ def changed_by_call(ctx: Context) -> None:
     thing = ctx.state.frame.self
     for held in (ctx.state.frame.names, thing.fields if isinstance(thing, Obj) else {}):
         for name, value in held.items():
-            if isinstance(value, QosValue) and id(value) in ctx.state.changes.refined:
-                ctx.state.changes.put(held, name, newest(ctx, value))
+            if isinstance(value, QosValue) and id(value) in ctx.state.store.refined:
+                ctx.state.store.put(held, name, newest(ctx, value))
 
 
 def _in_constants(ctx: Context, before: QosValue, after: QosValue) -> None:

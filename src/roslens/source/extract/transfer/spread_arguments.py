@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Names, Unknown, Value
+from roslens.source.extract.domain.guarded import is_counted
 from roslens.source.extract.domain.kinds import known_text
-from roslens.source.extract.domain.perhaps import is_counted
 from roslens.source.extract.ir.program import Call, Opaque
 from roslens.source.extract.symbolic.text import Text
 

@@ -19,5 +19,5 @@ def spread_out(ctx: Context, expression: Sequence) -> list[Value]:
             found.append(ctx.value(one))
             continue
         items = ctx.items(ctx.value(one.operands[0]))
-        found += [Unknown(f"each of {ctx.index.lookups.text(one.operands[0])}")] if items is None else items
+        found += [Unknown(f"each of {ctx.index.memo.text(one.operands[0])}")] if items is None else items
     return found

@@ -13,10 +13,10 @@ import msgspec
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, NodeFacts
 from roslens.source.extract.ir.program import Call, Function
 from roslens.source.extract.symbolic.reason import is_of_many
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 
 
-def classes_made(index: Index, path: str, nodes: Sequence[Defined]) -> Iterator[str]:
+def classes_made(index: SymbolTable, path: str, nodes: Sequence[Defined]) -> Iterator[str]:
     """Yield the keys of the classes of nodes that the main function of a file makes, in order, each once.
 
     Args:

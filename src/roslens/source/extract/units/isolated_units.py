@@ -16,7 +16,7 @@ from roslens.source.extract.facts.node_facts import NodeFacts, Target
 from roslens.source.extract.symbols.call_sites import without_endpoint
 from roslens.source.extract.symbols.node_bases import generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.units.node_units import (
     facts_of_class,
     facts_of_function,
@@ -41,7 +41,7 @@ class Units(NamedTuple):
     failures: tuple[Failure, ...]
 
 
-def units_of(index: Index, targets: Iterable[Target]) -> Units:
+def units_of(index: SymbolTable, targets: Iterable[Target]) -> Units:
     """Return the facts of all units in order of their files, each once, and what is missing in them.
 
     Args:
@@ -78,7 +78,7 @@ def _spared() -> Iterator[None]:
         gc.unfreeze()
 
 
-def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:
+def _entries(index: SymbolTable, targets: Iterable[Target]) -> set[tuple[str, str]]:
     """Return file and function of the entry points of Python packages."""
     found = set()
     for target in targets:
@@ -92,7 +92,7 @@ def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:
 
 
 def _one_by_one(
-    index: Index, failures: list[Failure], reached: Reached, entries: set[tuple[str, str]]
+    index: SymbolTable, failures: list[Failure], reached: Reached, entries: set[tuple[str, str]]
 ) -> Iterator[NodeFacts]:
     reached.clear()
     reached.passed_on.clear()

@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Callable, Named, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Named, NodeBuilder, Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.word_list import words_given
 from roslens.source.extract.facts.chosen import Chosen
@@ -30,8 +30,8 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
+from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.context import Given
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
@@ -58,7 +58,7 @@ _REGISTRATIONS = {
 }
 
 
-def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
+def node_classes(index: SymbolTable) -> Iterator[tuple[Defined, str, str]]:
     """Yield the classes that are nodes, with generation and kind: those that a node is a base of."""
     for path in sorted(index.programs):
         for one in index.programs[path].classes:
@@ -69,7 +69,7 @@ def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
                     break
 
 
-def registered(index: Index) -> dict[str, Evidence]:
+def registered(index: SymbolTable) -> dict[str, Evidence]:
     """Return the classes that are registered as components, nodelets or plug-ins, and where."""
     found: dict[str, Evidence] = {}
     for path, program in index.programs.items():
@@ -85,7 +85,7 @@ def registered(index: Index) -> dict[str, Evidence]:
 
 
 def facts_of_class(
-    index: Index, defined: Defined, generation: str, kind: str, reached: Reached | None = None, *,
+    index: SymbolTable, defined: Defined, generation: str, kind: str, reached: Reached | None = None, *,
     chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
 ) -> list[NodeFacts]:  # fmt: skip
     """Return the facts of a class that is a node, and of further nodes that it makes.
@@ -109,7 +109,9 @@ def facts_of_class(
     return finished(ctx, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind))
 
 
-def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
+def facts_of_plugin(
+    index: SymbolTable, defined: Defined, generation: str, reached: Reached | None = None
+) -> list[NodeFacts]:
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
@@ -133,7 +135,7 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
 
 
 def facts_of_function(
-    index: Index, path: str, function: Function, reached: Reached | None = None, *, prepared: bool = True
+    index: SymbolTable, path: str, function: Function, reached: Reached | None = None, *, prepared: bool = True
 ) -> list[NodeFacts]:
     """Return the facts of a function that nothing is known to call, with arguments and object that are unknown.
 
@@ -156,7 +158,7 @@ def facts_of_function(
 
 
 def facts_of_main(
-    index: Index, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None, *,
+    index: SymbolTable, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None, *,
     chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
 ) -> list[NodeFacts]:  # fmt: skip
     """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes.
@@ -189,7 +191,7 @@ def facts_of_main(
 
 
 def facts_of_module(
-    index: Index,
+    index: SymbolTable,
     path: str,
     function: str = "",
     reached: Reached | None = None,
@@ -345,7 +347,7 @@ def finished(
 def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
     try:
         run()
-    except (SpentError, RecursionError):
+    except (BudgetExceededError, RecursionError):
         node = ctx.emitter.node
         place = Evidence(node.path, node.line)
         node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
@@ -358,7 +360,7 @@ def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
     return [one.facts() for one in (ctx.emitter.node, *ctx.emitter.others)]
 
 
-def _doubt_conditions(node: Building) -> None:
+def _doubt_conditions(node: NodeBuilder) -> None:
     """Doubt what is made under conditions: what was not followed may make it under others."""
     facts: Any
     for facts in (node.endpoints, node.parameters):
@@ -368,9 +370,9 @@ def _doubt_conditions(node: Building) -> None:
                 facts[place] = msgspec.structs.replace(fact, evidence=evidence)
 
 
-def building_of(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
+def building_of(unit: str, path: str, line: int, generation: str, kind: str) -> NodeBuilder:
     """Return a node of which nothing was collected yet."""
-    building = Building(unit, path, line, generation, kind)
+    building = NodeBuilder(unit, path, line, generation, kind)
     building.endpoints, building.parameters, building.timers = [], [], []
     building.arguments, building.settings = [], []
     building.uses, building.unresolved = [], []

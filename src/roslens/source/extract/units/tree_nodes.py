@@ -8,12 +8,12 @@ from roslens.source.extract.facts.node_facts import NodeFacts
 from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.ir.program import Assign, Call, Evaluate, Function, Member
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable, type_name
 from roslens.source.extract.units.node_units import TREE_REGISTRATIONS, building_of, finished, run_methods
 
 
 def facts_of_registration(
-    index: Index, path: str, function: Function, reached: Reached | None = None
+    index: SymbolTable, path: str, function: Function, reached: Reached | None = None
 ) -> list[NodeFacts]:
     """Return the facts of the classes that a function registers as nodes of behaviour trees."""
     found: list[NodeFacts] = []
@@ -29,7 +29,7 @@ def facts_of_registration(
 
 
 def _facts_of_tree_node(
-    index: Index, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
+    index: SymbolTable, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
 ) -> list[NodeFacts]:
     path, function, call = registered_by
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")

@@ -9,7 +9,7 @@ from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbols.call_sites import functions_with_more
 from roslens.source.extract.symbols.node_bases import generation_of
 from roslens.source.extract.symbols.reached_functions import Reached
-from roslens.source.extract.symbols.workspace_index import Defined, Index
+from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.units.node_units import (
     facts_of_class,
     facts_of_function,
@@ -26,7 +26,7 @@ _TESTS = ("TEST", "SCENARIO", "TEMPLATE_TEST")
 
 
 def facts_of_workspace(
-    index: Index, reached: Reached | None = None, entries: Iterable[tuple[str, str]] = ()
+    index: SymbolTable, reached: Reached | None = None, entries: Iterable[tuple[str, str]] = ()
 ) -> list[NodeFacts]:
     """Return the facts of all units of a workspace, in order of their files.
 
@@ -62,7 +62,7 @@ def facts_of_workspace(
     return sorted(found, key=lambda one: (one.path, one.line, one.unit))
 
 
-def _facts_of_file(index: Index, path: str, reached: Reached) -> Iterator[NodeFacts]:
+def _facts_of_file(index: SymbolTable, path: str, reached: Reached) -> Iterator[NodeFacts]:
     program = index.programs[path]
     if program.language == "python":
         yield from facts_of_module(index, path, reached=reached)
@@ -74,7 +74,7 @@ def _facts_of_file(index: Index, path: str, reached: Reached) -> Iterator[NodeFa
             yield from facts_of_registration(index, path, function, reached)
 
 
-def unreached(index: Index, reached: Reached) -> Iterator[Defined]:
+def unreached(index: SymbolTable, reached: Reached) -> Iterator[Defined]:
     """Yield the classes with a method that makes endpoints and was not evaluated: those that are no base first.
 
     ``reached`` may grow meanwhile; a class whose methods were evaluated as a base of another one is left out then.
@@ -88,7 +88,7 @@ def unreached(index: Index, reached: Reached) -> Iterator[Defined]:
                 yield one
 
 
-def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bool]) -> bool:
+def _makes(index: SymbolTable, defined: Defined, reached: Reached, known: dict[int, bool]) -> bool:
     """Whether a method that was not evaluated makes an endpoint; ``known`` tells it by identity."""
     for one in index.chain(defined):
         for method in index.methods_of(one):
@@ -97,28 +97,24 @@ def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bo
                 continue
             makes = known.get(id(what))
             if makes is None:
-                makes = known[id(what)] = bool(index.lookups.calls_that_make(what))
+                makes = known[id(what)] = bool(index.memo.calls_that_make(what))
             if makes:
                 return True
     return False
 
 
-def never_called(index: Index, reached: Reached) -> Iterator[tuple[str, Function]]:
+def never_called(index: SymbolTable, reached: Reached) -> Iterator[tuple[str, Function]]:
     """Yield the functions that make endpoints and that nothing was seen to call: callbacks, parts of other programs.
 
     ``reached`` may grow meanwhile; functions around others come first, as they may call them.
     """
     for path in sorted(index.programs):
         for one in sorted(index.programs[path].functions, key=lambda one: (one.name == "lambda", one.line)):
-            if (
-                not one.name.startswith("TEST")
-                and (path, one.line) not in reached
-                and index.lookups.calls_that_make(one)
-            ):
+            if not one.name.startswith("TEST") and (path, one.line) not in reached and index.memo.calls_that_make(one):
                 yield path, one
 
 
-def not_come_to(index: Index, found: Sequence[NodeFacts], reached: Reached) -> Iterator[NodeFacts]:
+def not_come_to(index: SymbolTable, found: Sequence[NodeFacts], reached: Reached) -> Iterator[NodeFacts]:
     """Yield what functions make on ways that no unit took, by evaluating them alone: only what is missing of endpoints.
 
     What is known of the members of their object kept evaluation from these ways, so it is forgotten.

@@ -18,7 +18,7 @@ from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.symbolic.text import Text
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 from roslens.source.extract.workspace.workspace_interfaces import KnownInterface, nearest
 from roslens.source.extract.workspace.workspace_nodes import (
     WorkspaceMissed,
@@ -268,7 +268,7 @@ class WorkspaceFacts:
         known = self._interfaces.get((generation, interface))
         return nearest(known, path).checksum.text if known else ""
 
-    def _index_for(self, path: str) -> Index:
+    def _index_for(self, path: str) -> SymbolTable:
         return self._parts.index(self._version or self._parts.file_versions.get(path, ""))
 
     def _once(self, what: tuple[str, ...], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:

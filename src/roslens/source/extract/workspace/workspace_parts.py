@@ -19,10 +19,10 @@ from roslens.source.extract.builds.targets import Build, build_of
 from roslens.source.extract.facts.files import FolderFiles, joined
 from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.interpreter.vocabulary_index import indexed
-from roslens.source.extract.ir.kept_program import becomes_nodes, plain, squeezed
+from roslens.source.extract.ir.program_codec import becomes_nodes, plain, squeezed
 from roslens.source.extract.ir.ros_switch import VERSIONS
 from roslens.source.extract.parameters.parameter_library import ParameterLibrary, parameter_library
-from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.symbols.symbol_table import SymbolTable
 from roslens.source.extract.workspace.build_versions import joined_builds
 from roslens.source.extract.workspace.file_versions import file_versions
 from roslens.source.extract.workspace.package_versions import build_type_for, versions_of
@@ -121,7 +121,7 @@ class WorkspaceParts:
         self._all = workspace.packages
         self._macros = settings.macros
         self._jobs = jobs
-        self._indexes: dict[str, Index] = {}
+        self._indexes: dict[str, SymbolTable] = {}
         for one in workspace.packages:
             if one.package.id != OUTSIDE_PACKAGES:
                 self.found.setdefault(one.package.name, one)
@@ -226,7 +226,7 @@ class WorkspaceParts:
         """Return the versions of ROS that are looked at by themselves: both, or an empty text where there is one."""
         return VERSIONS if self.file_versions else ("",)
 
-    def index(self, version: str = "") -> Index:
+    def index(self, version: str = "") -> SymbolTable:
         """Return what the programs of the workspace define; of one that has code for both, those for a version."""
         version = version if self.file_versions else ""
         if version not in self._indexes:

@@ -13,8 +13,8 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, SourceFile
 from roslens.source.engines.executor import executor_for
-from roslens.source.extract.ir.kept_program import becomes_nodes, pack, program_keys, unpack
 from roslens.source.extract.ir.program import Program
+from roslens.source.extract.ir.program_codec import becomes_nodes, pack, program_keys, unpack
 from roslens.source.keys import content_hash
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import parse_file

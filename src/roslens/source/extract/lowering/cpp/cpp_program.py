@@ -1,7 +1,7 @@
 """A C++ file as a small program: from the tree of the one parse, without another.
 
 Of functions that name no interface of ROS only calls stay that may lead to one, see
-:mod:`~roslens.source.extract.lowering.cpp.cpp_relevance`; without any they have no body.
+:mod:`~roslens.source.extract.lowering.cpp.cpp_slicing`; without any they have no body.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.lowering.cpp.cpp_breaks import without_breaks
 from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_lowered import DEEPEST, Lowered, name_of, opaque
-from roslens.source.extract.lowering.cpp.cpp_relevance import Level, Relevance, is_filling, is_logging
+from roslens.source.extract.lowering.cpp.cpp_slicing import Level, Relevance, is_filling, is_logging
 from roslens.source.extract.lowering.cpp.cpp_statement_forms import ends_case, owned, says_nothing
 from roslens.source.extract.lowering.cpp.cpp_types import declared_name
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements, Variables, target_of

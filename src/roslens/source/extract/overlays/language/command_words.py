@@ -11,7 +11,7 @@ from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.domain.word_list import ROS_ARGS, Words, without_ros2
 from roslens.source.extract.facts.launched import Launched
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Call, Member, Name, Program
 from roslens.source.extract.symbolic.text import Hole, Text
 
@@ -75,7 +75,7 @@ def without_ros(words: Sequence[Value]) -> Words:
     return Words(one for one in words if not (isinstance(one, Text) and _ASSIGNS in one.pattern))
 
 
-def given_to_ros(ctx: Context, called: Called) -> None:
+def given_to_ros(ctx: Context, called: CallSite) -> None:
     """Take what is for ROS from the words that ``ros::init(argc, argv, …)`` is given, as it does."""
     words = called.argument(1)
     if isinstance(words, Words) and called.written:
@@ -84,7 +84,7 @@ def given_to_ros(ctx: Context, called: Called) -> None:
 
 
 @outer("ros.removeROSArgs")
-def remove_ros_args(ctx: Context, _thing: Value, called: Called) -> Value:
+def remove_ros_args(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS are put into a list."""
     words = called.argument(1)
     if isinstance(words, Words) and len(called.written) > 2:
@@ -93,7 +93,7 @@ def remove_ros_args(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rospy.myargv", quiet=True)
-def my_words(ctx: Context, _thing: Value, called: Called) -> Value:
+def my_words(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS."""
     words = called.argument(0, "argv", default=ctx.given.words)
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
@@ -101,7 +101,7 @@ def my_words(ctx: Context, _thing: Value, called: Called) -> Value:
 
 @outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
        "rclcpp.init_and_remove_ros_arguments", quiet=True)  # fmt: skip
-def of_program(ctx: Context, _thing: Value, called: Called) -> Value:
+def of_program(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
     words = ctx.given.words if words is None else words
@@ -109,7 +109,7 @@ def of_program(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rcutils_cli_option_exist", quiet=True)
-def option_given(_ctx: Context, _thing: Value, called: Called) -> Value:
+def option_given(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Whether a word is among those of the command line."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -117,7 +117,7 @@ def option_given(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rcutils_cli_get_option", quiet=True)
-def option_value(_ctx: Context, _thing: Value, called: Called) -> Value:
+def option_value(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The word after an option; nothing where it is not given."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -140,14 +140,14 @@ def _place(words: Value, option: Value) -> int | None:
 
 
 @outer("len", quiet=True)
-def count(_ctx: Context, _thing: Value, called: Called) -> Value:
+def count(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """How many words there are; other lists may have become longer in a way that was not followed."""
     words = called.argument(0)
     return words.length if isinstance(words, Words) else Unknown("result of len()")
 
 
 @outer("strcmp", "std.strcmp", quiet=True)
-def compared(_ctx: Context, _thing: Value, called: Called) -> Value:
+def compared(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Two texts are compared: 0 where they are the same."""
     one, other = (known_text(value) for value in (*called.arguments, None, None)[:2])
     return Unknown("result of strcmp()") if one is None or other is None else (one > other) - (one < other)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Foreign, Named, Names, Obj, Unknown, Value
 from roslens.source.extract.domain.kinds import all_of_kind, items_of, known_text
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Conditions, Hole, Text, Written
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class LostError(Exception):
 
 
 @outer(_PARSER)
-def parser(ctx: Context, thing: Value, called: Called) -> Value:
+def parser(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parser of command lines; what parents of it know is not followed."""
     found = thing if isinstance(thing, Obj) else Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
@@ -64,20 +64,20 @@ def parser(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method(_PARSER, "add_argument_group", "add_mutually_exclusive_group")
-def group(_ctx: Context, thing: Value, _called: Called) -> Value:
+def group(_ctx: Context, thing: Value, _called: CallSite) -> Value:
     """A group of arguments is part of its parser."""
     return thing
 
 
 @method(_PARSER, "add_subparsers")
-def commands(_ctx: Context, thing: Obj, _called: Called) -> Value:
+def commands(_ctx: Context, thing: Obj, _called: CallSite) -> Value:
     """Commands have parsers of their own, which are not followed."""
     thing.fields[_LOST] = True
     return Unknown("parsers of commands")
 
 
 @method(_PARSER, "set_defaults", anywhere=True)
-def defaults(ctx: Context, thing: Value, called: Called) -> Value:
+def defaults(ctx: Context, thing: Value, called: CallSite) -> Value:
     """Values where nothing is given; a function among them is what a command of the command line does."""
     if isinstance(thing, Obj):
         held = thing.fields.setdefault(_DEFAULTS, {})
@@ -89,7 +89,7 @@ def defaults(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method(_PARSER, "add_argument")
-def option(ctx: Context, thing: Obj, called: Called) -> Value:
+def option(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """An argument is made known to the parser."""
     names = [known_text(one) for one in called.arguments]
     known = [one for one in names if one]
@@ -122,7 +122,7 @@ def _kind(value: Value) -> str:
 
 
 @method(_PARSER, "parse_args", "parse_known_args")
-def parsed(ctx: Context, thing: Obj, called: Called) -> Value:
+def parsed(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """The words are taken apart."""
     words = called.argument(0, "args")
     if words is None and ctx.given.words is not None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.domain.kinds import is_number
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ _NANO = 1e-9
        "std.chrono.nanoseconds", "std.chrono.duration", "rclcpp.Duration", "rclcpp.Duration.from_seconds",
        "rclcpp.Duration.from_nanoseconds", "ros.Duration", "ros.WallDuration", "rospy.Duration", "rclcpp.Rate",
        "ros.Rate", "rclcpp.WallRate", "std.chrono_literals.ms", "std.chrono_literals.s", quiet=True)  # fmt: skip
-def duration(_ctx: Context, _thing: Value, called: Called) -> Value:
+def duration(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A stretch of time in seconds; of seconds and nanoseconds where two are given."""
     value, more = called.argument(0), called.argument(1, default=0)
     whole = called.name.endswith("Duration")
@@ -32,7 +32,7 @@ def duration(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rclpy.duration.Duration", "rclpy.Duration", quiet=True)
-def of_rclpy(_ctx: Context, _thing: Value, called: Called) -> Value:
+def of_rclpy(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A stretch of time of rclpy, of what its keywords say together."""
     seconds, rest = called.keywords.get("seconds", 0), called.keywords.get("nanoseconds", 0)
     if called.arguments or not is_number(seconds) or not is_number(rest):

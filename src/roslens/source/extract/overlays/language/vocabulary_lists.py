@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
+from roslens.source.extract.domain.guarded import Guarded, is_counted
 from roslens.source.extract.domain.kinds import are_of_kind, is_whole, known_text
 from roslens.source.extract.domain.parameter_types import ITEM, VECTOR, array_of_cpp
-from roslens.source.extract.domain.perhaps import Perhaps, is_counted
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.domain.unknown_lists import Each, each_of
 from roslens.source.extract.domain.word_list import Words
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ _MOST = 16
 
 
 @outer("enumerate", quiet=True)
-def numbered(ctx: Context, _thing: Value, called: Called) -> Value:
+def numbered(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Items with their numbers."""
     over, first = called.argument(0), called.argument(1, "start", default=0)
     items = ctx.items(over)
@@ -40,14 +40,14 @@ def perhaps_numbered(items: list[Value]) -> list[Value]:
     """Return items of which some may be missing with numbers that nobody knows."""
     return [
         msgspec.structs.replace(one, value=[Unknown("a number"), one.value])
-        if isinstance(one, Perhaps)
+        if isinstance(one, Guarded)
         else [Unknown("a number"), one]
         for one in items
     ]
 
 
 @outer("zip", quiet=True)
-def side_by_side(ctx: Context, _thing: Value, called: Called) -> Value:
+def side_by_side(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Items of several lists, side by side."""
     lists = [ctx.items(one) for one in called.arguments]
     known = [one for one in lists if one is not None]
@@ -58,7 +58,7 @@ def side_by_side(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)
-def collected(ctx: Context, _thing: Value, called: Called) -> Value:
+def collected(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A list of the items of another one."""
     if not called.arguments and not called.keywords:
         return []
@@ -82,7 +82,7 @@ def collected(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("range", quiet=True)
-def counted(_ctx: Context, _thing: Value, called: Called) -> Value:
+def counted(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Numbers in a row."""
     given = [one for one in called.arguments if is_whole(one)]
     if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
@@ -92,7 +92,7 @@ def counted(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(VECTOR, "vector", quiet=True)
-def vector(_ctx: Context, _thing: Value, called: Called) -> Value:
+def vector(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)

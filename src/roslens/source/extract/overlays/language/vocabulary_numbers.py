@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -15,18 +15,18 @@ _MOST_SIGNS = 30
 
 
 @outer("int", "std.stoi", "std.stol", "std.stoul", "atoi", "std.atoi", quiet=True)
-def whole(_ctx: Context, _thing: Value, called: Called) -> Value:
+def whole(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text or number is made a whole number."""
     return _number(called, int)
 
 
 @outer("float", "std.stod", "std.stof", "atof", "std.atof", quiet=True)
-def real(_ctx: Context, _thing: Value, called: Called) -> Value:
+def real(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text or number is made a real number."""
     return _number(called, float)
 
 
-def _number(called: Called, kind: type[int] | type[float]) -> Value:
+def _number(called: CallSite, kind: type[int] | type[float]) -> Value:
     if not called.arguments and called.name in ("int", "float"):
         return kind()
     value = called.argument(0)

@@ -9,7 +9,7 @@ import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.quality import quality_of
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Member
 from roslens.source.extract.symbolic.text import Text, unknown
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @outer("copy.copy", "copy.deepcopy", quiet=True)
-def copied(_ctx: Context, _thing: Value, called: Called) -> Value:
+def copied(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A value that is another one than what it is a copy of."""
     value = called.argument(0)
     if type(value) is list:
@@ -36,7 +36,7 @@ _PLAIN = (Text, bool, int, float, QosValue)
 
 
 @outer("setattr", quiet=True)
-def member_set(ctx: Context, _thing: Value, called: Called) -> None:
+def member_set(ctx: Context, _thing: Value, called: CallSite) -> None:
     """A member that is set by its name."""
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
@@ -52,11 +52,11 @@ def _forget_members(ctx: Context, thing: Obj, name: Value) -> None:
         of_values = isinstance(value, list) and all(isinstance(one, _PLAIN) for one in value)
         if (of_values or isinstance(value, _PLAIN)) and fnmatchcase(member, pattern):
             reason = f"{member}, which setattr() may set"
-            ctx.state.changes.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
+            ctx.state.store.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
 
 
 @outer("type", quiet=True)
-def kind_of(_ctx: Context, _thing: Value, called: Called) -> Value:
+def kind_of(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The class of an object."""
     value = called.argument(0)
     if isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1:

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -16,13 +16,13 @@ _BUILT_IN = frozenset({"bool", "char", "double", "float", "int", "long", "short"
 
 
 @outer("std.true_type", "std.false_type", quiet=True)
-def tag(_ctx: Context, _thing: Value, called: Called) -> Value:
+def tag(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A tag says what it is called."""
     return called.name == "std.true_type"
 
 
 @outer("std.is_same", "boost.is_same", quiet=True)
-def same(_ctx: Context, _thing: Value, called: Called) -> Value:
+def same(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Whether two types are one, as far as both are known by their whole names."""
     if len(called.templates) != 2:
         return Unknown("whether types are the same")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import Value, as_text
 from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.domain.plain_methods import formatted
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation
 from roslens.source.extract.symbolic.text import Text, said, unknown
 
@@ -38,7 +38,7 @@ _OTHERS = ("replace_last", "erase_last", "replace_nth", "erase_nth", "trim_if", 
 
 
 @outer(*_names(*_CHANGES, *_OTHERS))
-def changed(ctx: Context, _thing: Value, called: Called) -> Value:
+def changed(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text is changed where it is."""
     of = called.argument(0)
     if isinstance(of, Text) and called.written:
@@ -47,7 +47,7 @@ def changed(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(*_names(*_COPIES), quiet=True)
-def copied(_ctx: Context, _thing: Value, called: Called) -> Value:
+def copied(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A changed copy of a text is made."""
     return _result(called, _COPIES[_last(called.name)])
 
@@ -56,7 +56,7 @@ def _last(name: str) -> str:
     return name.rpartition(".")[2]
 
 
-def _result(called: Called, change: Callable[..., str] | None) -> Text:
+def _result(called: CallSite, change: Callable[..., str] | None) -> Text:
     texts = [known_text(one) for one in called.arguments]
     of = as_text(called.argument(0))
     if change is not None and texts and None not in texts:
@@ -70,7 +70,7 @@ def _result(called: Called, change: Callable[..., str] | None) -> Text:
 
 @outer("std.transform", "std.reverse", "std.sort", "std.remove", "std.remove_if", "std.unique", "std.fill",
        "std.replace_if", "std.rotate", "std.random_shuffle", "std.shuffle")  # fmt: skip
-def rearranged(ctx: Context, _thing: Value, called: Called) -> Value:
+def rearranged(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What lies between two iterators is changed: ``std::transform(s.begin(), s.end(), s.begin(), ::tolower)``."""
     place = 2 if called.name == "std.transform" else 0
     written = called.written[place] if len(called.written) > place else None
@@ -93,7 +93,7 @@ def _sign_by_sign(written: Expression) -> Callable[[str], str] | None:
 
 
 @outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf", quiet=True)
-def printed(ctx: Context, _thing: Value, called: Called) -> Value:
+def printed(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text is written into a buffer: ``snprintf(name, sizeof(name), "camera%d", number)``."""
     first = 2 if "snprintf" in called.name else 1
     pattern = called.argument(first)
@@ -106,7 +106,7 @@ def printed(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("strcpy", "std.strcpy", "strncpy", "std.strncpy", "strcat", "std.strcat", "strncat", "std.strncat")
-def copied_into(ctx: Context, _thing: Value, called: Called) -> Value:
+def copied_into(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text is copied into a buffer, or behind what is in it."""
     if len(called.written) > 1:
         adds, some = "cat" in called.name, "strn" in called.name

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Hole, Text
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @method("BT.ConditionNode", "getInput")
 @method("BT.DecoratorNode", "getInput")
 @method("BT.TreeNode", "getInput", anywhere=True)
-def port(ctx: Context, _thing: Value, called: Called) -> Value:
+def port(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A port of a node of a behaviour tree is read: what the tree says."""
     name = as_text(called.argument(0))
     value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(ctx, name)),))
@@ -47,7 +47,7 @@ def _port_default(ctx: Context, name: Text) -> str | None:
 
 
 @outer("BT.InputPort", "BT.BidirectionalPort")
-def declared_port(ctx: Context, _thing: Value, called: Called) -> Value:
+def declared_port(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A port is declared, with a default where it has three arguments."""
     thing = ctx.state.frame.self
     default = called.argument(1)
@@ -58,7 +58,7 @@ def declared_port(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
-def tree(ctx: Context, _thing: Value, called: Called) -> Value:
+def tree(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"

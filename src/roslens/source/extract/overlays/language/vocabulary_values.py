@@ -9,7 +9,7 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Value
 from roslens.source.extract.domain.parameter_types import type_of_cpp
 from roslens.source.extract.domain.plain_methods import plain_method
-from roslens.source.extract.interpreter.vocabulary import Called, method
+from roslens.source.extract.interpreter.vocabulary import CallSite, method
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ _AS = {
 
 
 @method("text", *_AS, "get_value", "get", quiet=True)
-def taken(ctx: Context, thing: Text, called: Called) -> Value:
+def taken(ctx: Context, thing: Text, called: CallSite) -> Value:
     """The value of a parameter is taken for one of a type."""
     kind = _AS.get(called.name) or (type_of_cpp(called.templates[0]) if called.templates else "")
     if kind:

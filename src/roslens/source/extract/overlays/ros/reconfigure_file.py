@@ -13,17 +13,26 @@ from weakref import WeakKeyDictionary
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Building, Foreign, Named, Names, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import (
+    Foreign,
+    Named,
+    Names,
+    NodeBuilder,
+    Obj,
+    Unknown,
+    Value,
+    as_text,
+)
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.kinds import all_of_kind, is_number, is_whole, items_of
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.expressions import Expressions
 from roslens.source.extract.interpreter.interpreter import Interpreter, Parts
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Conditions, Text, unknown
-from roslens.source.extract.symbols.workspace_index import Index
-from roslens.source.extract.transfer.budget import SpentError
+from roslens.source.extract.symbols.symbol_table import SymbolTable
+from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.context import Context
 
 _GENERATOR, _GROUP = "dynamic_reconfigure.ParameterGenerator", "dynamic_reconfigure.Group"
@@ -86,10 +95,10 @@ class _Script(Expressions):
         return math.pi if name in ("math.pi", "pi") else super().outside(name)
 
 
-_read: WeakKeyDictionary[Index, dict[str, tuple[ReconfigureFile, ...]]] = WeakKeyDictionary()
+_read: WeakKeyDictionary[SymbolTable, dict[str, tuple[ReconfigureFile, ...]]] = WeakKeyDictionary()
 
 
-def reconfigure_files(index: Index, name: str) -> tuple[ReconfigureFile, ...]:
+def reconfigure_files(index: SymbolTable, name: str) -> tuple[ReconfigureFile, ...]:
     """Return what the ``.cfg`` files of a workspace declare for classes ``nameConfig``, each named like its class.
 
     Args:
@@ -104,7 +113,7 @@ def reconfigure_files(index: Index, name: str) -> tuple[ReconfigureFile, ...]:
     return tuple(one for one in known[name] if one.name in (name, ""))
 
 
-def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...]:
+def read_reconfigure_file(index: SymbolTable, path: str) -> tuple[ReconfigureFile, ...]:
     """Return what a ``.cfg`` file declares, for each class that it generates."""
     program = index.programs[path]
     if program.language != "python":
@@ -112,40 +121,40 @@ def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...
     generated: list[ReconfigureFile] = []
     reading = Interpreter(
         index,
-        Building("<module>", path, 1, "ros1", parameters=[], endpoints=[], unresolved=[]),
+        NodeBuilder("<module>", path, 1, "ros1", parameters=[], endpoints=[], unresolved=[]),
         parts=Parts(partial(_Script, generated=generated)),
         state=State(Frame(path, "", names={"__name__": Text.of("__main__")}), Evidence(path, 1)),
     )
     whole = not program.incomplete
     try:
         reading.block(program.body)
-    except (SpentError, *_ODD):
+    except (BudgetExceededError, *_ODD):
         whole = False
     return tuple(msgspec.structs.replace(one, whole=whole) for one in generated)
 
 
 @outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
-def generator(_ctx: Context, _thing: Value, _called: Called) -> Value:
+def generator(_ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """A generator is made."""
     return Obj(_GENERATOR, None, {_ADDED: []})
 
 
 @method(_GENERATOR, "add_group")
 @method(_GROUP, "add_group")
-def group(_ctx: Context, thing: Obj, _called: Called) -> Value:
+def group(_ctx: Context, thing: Obj, _called: CallSite) -> Value:
     """A group is made; it is for people who look at the parameters, their names stay without it."""
     return Obj(_GROUP, None, {_ADDED: thing.fields[_ADDED]})
 
 
 @method(_GENERATOR, "const", "enum")
-def constant(_ctx: Context, _thing: Obj, called: Called) -> Value:
+def constant(_ctx: Context, _thing: Obj, called: CallSite) -> Value:
     """A constant, or values that are chosen from: they limit nothing."""
     return Unknown(f"result of {called.name}()")
 
 
 @method(_GENERATOR, "add")
 @method(_GROUP, "add")
-def add(ctx: Context, thing: Obj, called: Called) -> Value:
+def add(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """A parameter is declared."""
     kind = _type(called.argument(1, "paramtype"))
     ends = [_end(called.argument(place, name), kind) for place, name in ((5, "min"), (6, "max"))]
@@ -165,7 +174,7 @@ def add(ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(_GENERATOR, "generate")
-def generate(ctx: Context, thing: Obj, called: Called) -> Value:
+def generate(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """A class is generated of what was declared until now."""
     if isinstance(ctx.expressions, _Script):
         texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]

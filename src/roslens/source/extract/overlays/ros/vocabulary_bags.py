@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, Value
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
 @outer("rosbag.Bag", quiet=True)
-def bag(_: Context, __: Value, called: Called) -> Obj:
+def bag(_: Context, __: Value, called: CallSite) -> Obj:
     """A file of messages: where ROS itself is in the workspace, its insides would be followed by whoever has one."""
     return Obj(called.name)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
 from roslens.source.extract.domain.kinds import all_of_kind
-from roslens.source.extract.interpreter.vocabulary import Called, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ _SERVICES = (
 
 
 @outer("controller_manager.ControllerManager")
-def manager(ctx: Context, _thing: Value, called: Called) -> Value:
+def manager(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A manager of controllers, in the namespace of the handle that it is given."""
     if ctx.emitter.node.generation == "ros1":
         given = all_of_kind(called.arguments, Handle)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, TypeGuard
 from roslens.source.extract.domain.abstract_value import Names, Obj, Value
 from roslens.source.extract.domain.kinds import is_number, known_text
 from roslens.source.extract.facts.node_facts import Terms
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.overlays.ros.record import Described
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
+from roslens.source.extract.overlays.ros.emit import Described
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ _SET = "set__"
 
 
 @outer(_DESCRIPTOR, quiet=True)
-def descriptor(_ctx: Context, _thing: Value, called: Called) -> Value:
+def descriptor(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A descriptor: with an empty range of each kind, which C++ makes by ``resize(1)``."""
     if called.arguments and is_descriptor(called.arguments[0]):
         return called.arguments[0]
@@ -33,7 +33,7 @@ def descriptor(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(*_RANGES.values(), quiet=True)
-def bounds(_ctx: Context, _thing: Value, called: Called) -> Value:
+def bounds(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The range of a number."""
     if called.arguments and isinstance(called.arguments[0], Obj):
         return called.arguments[0]
@@ -45,7 +45,7 @@ def bounds(_ctx: Context, _thing: Value, called: Called) -> Value:
         "read_only", "dynamic_typing", *_RANGES)))  # fmt: skip
 @method("IntegerRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
 @method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
-def set_field(_ctx: Context, thing: Value, called: Called) -> Value:
+def set_field(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A field is set: ``descriptor.set__read_only(true)``."""
     if isinstance(thing, Obj):
         thing.fields[called.name.removeprefix(_SET)] = called.argument(0)

@@ -9,8 +9,8 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown, Value
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind
-from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_ros2 import free_function
 from roslens.source.extract.overlays.ros.vocabulary_shared import follow_visitors, handle_of
 from roslens.source.extract.symbolic.text import Hole, Text
@@ -23,7 +23,7 @@ _CAMERA = "sensor_msgs::msg::CameraInfo"
 
 
 @outer("image_transport.ImageTransport")
-def images(ctx: Context, _thing: Value, called: Called) -> Value:
+def images(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What images are published and subscribed to with."""
     return Obj("image_transport.ImageTransport", None, {"handle": handle_of(ctx, called)})
 
@@ -33,7 +33,7 @@ def _handle(thing: Value, ctx: Context) -> Value:
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")
-def image_publisher(ctx: Context, thing: Value, called: Called) -> Value:
+def image_publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher of images, and with a camera of what is known of it."""
     handle, queue = _handle(thing, ctx), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -45,7 +45,7 @@ def image_publisher(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
-def image_subscription(ctx: Context, thing: Value, called: Called) -> Value:
+def image_subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription to images, and with a camera to what is known of it."""
     handle, queue = _handle(thing, ctx), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -57,7 +57,7 @@ def image_subscription(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
-def camera(ctx: Context, _thing: Value, called: Called) -> Value:
+def camera(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = first_of_kind(called.arguments, Callable)
@@ -68,7 +68,7 @@ def camera(ctx: Context, _thing: Value, called: Called) -> Value:
 
 @outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
        "image_transport.Subscriber")  # fmt: skip
-def made_at_once(ctx: Context, _thing: Value, called: Called) -> Value:
+def made_at_once(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
     if len(called.arguments) < 2:
         return Unknown(called.name)
@@ -80,7 +80,7 @@ def made_at_once(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("camera_info_manager.CameraInfoManager")
-def camera_manager(ctx: Context, _thing: Value, called: Called) -> Value:
+def camera_manager(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What keeps what is known of a camera: it is set by a service.
 
     Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
@@ -97,13 +97,13 @@ def camera_manager(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("image_transport.getCameraInfoTopic")
-def camera_topic(_ctx: Context, _thing: Value, called: Called) -> Value:
+def camera_topic(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The topic of what is known of a camera, beside that of its images."""
     return _camera(called.argument(0))
 
 
 @outer("image_transport.SubscriberFilter")
-def filtered_images(ctx: Context, _thing: Value, called: Called) -> Value:
+def filtered_images(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("image_transport.SubscriberFilter")
     if called.arguments:
@@ -112,7 +112,7 @@ def filtered_images(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("image_transport.SubscriberFilter", "subscribe")
-def filtered_images_later(ctx: Context, _thing: Value, called: Called) -> Value:
+def filtered_images_later(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
     first = called.argument(0)
     given = _handle(first, ctx) if isinstance(first, Obj) and first.node is None else first

@@ -14,8 +14,8 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.unknown_lists import each_of
 from roslens.source.extract.facts.node_facts import Sure
-from roslens.source.extract.interpreter.vocabulary import LISTENER, Called, method, node_of, outer, written_as
-from roslens.source.extract.overlays.ros.record import Described, parameter
+from roslens.source.extract.interpreter.vocabulary import LISTENER, CallSite, method, node_of, outer, written_as
+from roslens.source.extract.overlays.ros.emit import Described, parameter
 from roslens.source.extract.parameters.parameter_library import MAP, Declaration, ParameterLibrary
 from roslens.source.extract.symbolic.text import Text
 
@@ -26,7 +26,7 @@ _PARAMS, _ENTRIES = "ParameterStruct", "ParameterEntries"
 
 
 @outer(LISTENER)
-def listener(ctx: Context, _thing: Value, called: Called) -> Value:
+def listener(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A listener is made: it declares the parameters of its file, below a prefix where one is given."""
     made = Obj(called.name, None, {})
     if not called.arguments:
@@ -43,14 +43,14 @@ def listener(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method(LISTENER, "get_params", "get_stack_params")
-def params(_ctx: Context, thing: Value, _called: Called) -> Value:
+def params(_ctx: Context, thing: Value, _called: CallSite) -> Value:
     """All parameters are read."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     return known if known is not None else Unknown("parameters of a listener")
 
 
 @method(LISTENER, "try_get_params", "try_update_params", "try_get_stack_params")
-def params_into(ctx: Context, thing: Value, called: Called) -> Value:
+def params_into(ctx: Context, thing: Value, called: CallSite) -> Value:
     """All parameters are read into a variable."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     if known is not None and called.written:
@@ -59,7 +59,7 @@ def params_into(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method(_ENTRIES, "at", "get_entry")
-def entry(_ctx: Context, thing: Value, _called: Called) -> Value:
+def entry(_ctx: Context, thing: Value, _called: CallSite) -> Value:
     """One of the entries of a map, which stands for each."""
     return thing.fields["entry"] if isinstance(thing, Obj) else Unknown("an entry")
 
@@ -67,7 +67,7 @@ def entry(_ctx: Context, thing: Value, _called: Called) -> Value:
 class _Declaring:
     """Declares the parameters of a library for one listener."""
 
-    def __init__(self, ctx: Context, called: Called, library: ParameterLibrary) -> None:
+    def __init__(self, ctx: Context, called: CallSite, library: ParameterLibrary) -> None:
         self._ctx, self._called, self._library = ctx, called, library
         self._prefix = _prefix(ctx, called)
         self._known: dict[str, Text] = {}
@@ -126,7 +126,7 @@ def _inside(at: Obj, piece: str) -> Obj:
     return found if isinstance(found, Obj) else Obj(_PARAMS, None, {})
 
 
-def _prefix(ctx: Context, called: Called) -> Text:
+def _prefix(ctx: Context, called: CallSite) -> Text:
     """Return what is put before the names: the last argument, where it is no logger."""
     given = called.keywords.get("prefix", called.arguments[-1] if len(called.arguments) > 1 else None)
     if given is None or (len(called.arguments) == 2 and _is_logger(ctx, given, called)):
@@ -136,7 +136,7 @@ def _prefix(ctx: Context, called: Called) -> Text:
     return prefix if isinstance(last, str) and last.endswith(".") else Text.of(prefix, ".") if prefix.parts else prefix
 
 
-def _is_logger(ctx: Context, value: Value, called: Called) -> bool:
+def _is_logger(ctx: Context, value: Value, called: CallSite) -> bool:
     """Return whether a value is a logger: an object of such a class, or what source names so."""
     match value:
         case Obj():
@@ -146,7 +146,7 @@ def _is_logger(ctx: Context, value: Value, called: Called) -> bool:
     return False
 
 
-def _library(ctx: Context, called: Called) -> ParameterLibrary | None:
+def _library(ctx: Context, called: CallSite) -> ParameterLibrary | None:
     """Return what the class of a listener is made of: by its namespace; of several of one package or included."""
     frame, index = ctx.state.frame, ctx.index
     python = called.evidence.path.endswith(".py")

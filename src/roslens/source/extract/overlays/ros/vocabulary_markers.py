@@ -8,8 +8,8 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Handle, Obj, QosValue, Value
 from roslens.source.extract.domain.kinds import all_of_kind
-from roslens.source.extract.interpreter.vocabulary import Called, node_of, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, node_of, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
 from roslens.source.extract.symbolic.text import Text
 
@@ -28,7 +28,7 @@ _ENDS = (
     "interactive_markers.InteractiveMarkerServer",
     "interactive_markers.interactive_marker_server.InteractiveMarkerServer",
 )
-def server(ctx: Context, _thing: Value, called: Called) -> Value:
+def server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of interactive markers; in ROS 2 all that exist are asked for by a service."""
     found = Obj("interactive_markers.InteractiveMarkerServer")
     name = next((one for one in called.arguments if isinstance(one, Text)), called.keywords.get("topic_ns"))
@@ -45,7 +45,7 @@ def server(ctx: Context, _thing: Value, called: Called) -> Value:
     return found
 
 
-def _server_of_ros2(ctx: Context, handle: Value, called: Called, name: Text) -> None:
+def _server_of_ros2(ctx: Context, handle: Value, called: CallSite, name: Text) -> None:
     given = all_of_kind(called.arguments, QosValue)
     update = given[0] if given else _keeping(_QUEUE)
     feedback = given[1] if len(given) > 1 else _keeping(_QUEUE if called.evidence.path.endswith(".py") else 1)

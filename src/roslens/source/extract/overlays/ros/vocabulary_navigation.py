@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Unknown, Value
-from roslens.source.extract.interpreter.vocabulary import Called, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
 @outer("nav2_util.ServiceClient", "nav2_ros_common.ServiceClient")
-def service_client(ctx: Context, _thing: Value, called: Called) -> Value:
+def service_client(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A client of a service."""
     return endpoint(
         ctx, called.argument(1, "provided_node"), called, Role.SERVICE_CLIENT, called.argument(0, "service_name"),
@@ -27,7 +27,7 @@ def service_client(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("nav2_util.SimpleActionServer", "nav2_ros_common.SimpleActionServer")
-def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of an action, whose goals a function of the node executes."""
     execute = called.argument(2, "execute_callback")
     return endpoint(
@@ -36,5 +36,5 @@ def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
     )  # fmt: skip
 
 
-def _interface(called: Called) -> Value:
+def _interface(called: CallSite) -> Value:
     return called.templates[0] if called.templates else Unknown("its type")

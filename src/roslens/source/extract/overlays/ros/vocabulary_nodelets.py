@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj, Remappings, Unknown, Value, as_text
 from roslens.source.extract.facts.node_facts import LoadFact
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 if TYPE_CHECKING:
@@ -23,21 +23,21 @@ _STRINGS = ("std::string", "std::string")
 
 
 @outer("ros.M_string", "nodelet.M_string", quiet=True)
-def remappings(_ctx: Context, _thing: Value, called: Called) -> Value:
+def remappings(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A map of remappings, empty as long as nobody puts names in it."""
     given = called.argument(0)
     return Unknown("remappings that somebody gives") if given is not None else Remappings()
 
 
 @outer("std.map", quiet=True)
-def mapping(_ctx: Context, _thing: Value, called: Called) -> Value:
+def mapping(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A map: one of texts may be one of remappings."""
     plain = tuple(one.strip() for one in called.templates) == _STRINGS and not called.arguments
     return Remappings() if plain else Obj("std.map")
 
 
 @outer("nodelet.Loader")
-def loader(ctx: Context, _thing: Value, called: Called) -> Value:
+def loader(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A loader of nodelets, with services of a manager where it is told so."""
     ctx.emitter.node.generation = "ros1"
     given = called.argument(0, default=True)
@@ -52,7 +52,7 @@ def loader(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("nodelet.Loader", "load")
-def load(ctx: Context, _thing: Value, called: Called) -> Value:
+def load(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A nodelet is loaded into this process."""
     given = called.argument(2)
     match given:

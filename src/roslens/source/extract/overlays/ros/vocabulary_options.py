@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Building, Named, Names, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import Named, Names, NodeBuilder, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import all_of_kind, items_of
 from roslens.source.extract.domain.outside_options import OPTIONS, OUTSIDE
-from roslens.source.extract.domain.perhaps import Perhaps
 from roslens.source.extract.facts.node_facts import Inherits
-from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
 from roslens.source.extract.symbolic.text import Hole, Text
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ _SAME = (
 
 
 @outer(OPTIONS)
-def options(_ctx: Context, thing: Value, called: Called) -> Value:
+def options(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """Options of a node: those of a copy, or none."""
     given = called.argument(0)
     found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
@@ -44,7 +44,7 @@ def _copy(given: Obj) -> Obj:
 
 
 @method(OPTIONS, "arguments")
-def arguments(_ctx: Context, thing: Obj, called: Called) -> Value:
+def arguments(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """The command line of the node is asked for, or given."""
     if not called.arguments:
         held = thing.fields.get("-arguments", [])
@@ -52,13 +52,13 @@ def arguments(_ctx: Context, thing: Obj, called: Called) -> Value:
     given = called.argument(0)
     # What is added where it is not there yet is among the arguments in any case.
     thing.fields["-arguments"] = (
-        [one.value if isinstance(one, Perhaps) else one for one in given] if isinstance(given, list) else given
+        [one.value if isinstance(one, Guarded) else one for one in given] if isinstance(given, list) else given
     )
     return thing
 
 
 @method(OPTIONS, "use_global_arguments")
-def use_global(_ctx: Context, thing: Obj, called: Called) -> Value:
+def use_global(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """Whether the command line of the process is for the node too."""
     if not called.arguments:
         return thing.fields.get("-global", True)
@@ -67,7 +67,7 @@ def use_global(_ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, "parameter_overrides", "append_parameter_override")
-def overrides(_ctx: Context, thing: Obj, called: Called) -> Value:
+def overrides(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """Values of parameters are given to the node."""
     if not called.arguments:
         return thing.fields.get("-overrides", [])
@@ -81,7 +81,7 @@ def overrides(_ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, _DECLARES)
-def declares(_ctx: Context, thing: Obj, called: Called) -> Value:
+def declares(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """Whether the node declares each parameter that is set for it."""
     if not called.arguments:
         return thing.fields.get("-declares", False)
@@ -90,19 +90,19 @@ def declares(_ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(OPTIONS, *_SAME)
-def same(_ctx: Context, thing: Value, called: Called) -> Value:
+def same(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """What says nothing of names."""
     return thing if called.arguments else Unknown(f"{called.name} of the options")
 
 
 @method("node", "get_node_options")
-def options_of(ctx: Context, thing: Value, _called: Called) -> Value:
+def options_of(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """The options of a node are asked for."""
     held = node_of(ctx, thing).options
     return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
 
 
-def given_options(called: Called) -> Obj | None:
+def given_options(called: CallSite) -> Obj | None:
     """Return the options that a node is made with; None where it is made without."""
     for one in (*called.arguments, *called.keywords.values()):
         if isinstance(one, Obj) and one.type == OPTIONS:
@@ -116,7 +116,7 @@ def given_options(called: Called) -> Obj | None:
     return Obj(OPTIONS, None, held)
 
 
-def take_options(ctx: Context, building: Building, given: Obj, called: Called) -> None:
+def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSite) -> None:
     """Let hold for a node what its options say."""
     building.options = given
     words = given.fields.get("-arguments", [])
@@ -144,20 +144,20 @@ def take_options(ctx: Context, building: Building, given: Obj, called: Called) -
     del ctx
 
 
-def doubt_options(building: Building, called: Called) -> None:
+def doubt_options(building: NodeBuilder, called: CallSite) -> None:
     """Note where one of the arguments may be options, or a namespace, that nobody knows."""
     unknown_ones = all_of_kind(called.arguments[1:3], Unknown)
     if unknown_ones:
         _doubt(building, called, f"its options are {as_text(unknown_ones[-1])}")
 
 
-def _doubt(building: Building, called: Called, reason: str) -> None:
+def _doubt(building: NodeBuilder, called: CallSite, reason: str) -> None:
     building.doubt = building.doubt or reason
     building.unresolved.append((called.evidence, f"{reason}: its name and those of its topics may be others"))
 
 
 @outer("std.replace")
-def replaced(ctx: Context, _thing: Value, called: Called) -> Value:
+def replaced(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
     of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
     before, after = called.argument(2), called.argument(3)

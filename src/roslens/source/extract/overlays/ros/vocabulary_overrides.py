@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.facts.node_facts import Overrides
-from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ _FIELD = "qos_overriding_options"
 
 @outer("rclcpp.PublisherOptions", "rclcpp.SubscriptionOptions", "rclcpp.PublisherOptionsWithAllocator",
        "rclcpp.SubscriptionOptionsWithAllocator", quiet=True)  # fmt: skip
-def of_endpoint(_ctx: Context, thing: Value, called: Called) -> Value:
+def of_endpoint(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """Options of an endpoint: those of a copy, or none yet."""
     given = called.argument(0)
     held = dict(given.fields) if isinstance(given, Obj) and given.type == called.name else {}
@@ -36,7 +36,7 @@ def of_endpoint(_ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @outer(_CPP, _PYTHON, quiet=True)
-def chosen(ctx: Context, _thing: Value, called: Called) -> Overrides:
+def chosen(ctx: Context, _thing: Value, called: CallSite) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
     match kinds:
@@ -54,12 +54,12 @@ def chosen(ctx: Context, _thing: Value, called: Called) -> Overrides:
 
 
 @outer(f"{_CPP}.with_default_policies", f"{_PYTHON}.with_default_policies", quiet=True)
-def usual(ctx: Context, _thing: Value, called: Called) -> Overrides:
+def usual(ctx: Context, _thing: Value, called: CallSite) -> Overrides:
     """History, depth and reliability may be set by parameters."""
     return _overrides(ctx, called, None, called.arguments)
 
 
-def _overrides(ctx: Context, called: Called, kinds: Value, rest: list[Value]) -> Overrides:
+def _overrides(ctx: Context, called: CallSite, kinds: Value, rest: list[Value]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
     ctx.summaries.touch()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
@@ -76,7 +76,7 @@ def _names(kinds: Value) -> list[str] | None:
     return [_POLICIES[one] for one in words] if all(one in _POLICIES for one in words) else None
 
 
-def overrides_of(called: Called) -> Overrides | None:
+def overrides_of(called: CallSite) -> Overrides | None:
     """Return what parameters may set of the endpoint that a call makes; None where they may set nothing."""
     given = called.keywords.get(_FIELD)
     for one in called.arguments:

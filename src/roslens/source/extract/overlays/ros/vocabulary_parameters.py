@@ -9,8 +9,8 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.parameter_types import VECTOR, type_of_constant, type_of_cpp, type_of_value
 from roslens.source.extract.domain.typed_list import TypedList
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
-from roslens.source.extract.overlays.ros.record import is_set, parameter
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
+from roslens.source.extract.overlays.ros.emit import is_set, parameter
 from roslens.source.extract.overlays.ros.vocabulary_descriptors import described_by, is_descriptor
 from roslens.source.extract.symbolic.text import Text, unknown
 
@@ -21,14 +21,14 @@ _PYTHON = ("rclpy.parameter.Parameter", "rclpy.Parameter")
 
 
 @method("node", "declare_parameter", anywhere=True)
-def declare(ctx: Context, thing: Value, called: Called) -> Value:
+def declare(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parameter is declared."""
     default = called.argument(1, "value", "default_value")
     return _declared(ctx, thing, called, called.argument(0, "name"), default, _template(called))
 
 
 @method("node", "declare_or_get_parameter", anywhere=True)
-def declare_or_read(ctx: Context, thing: Value, called: Called) -> Value:
+def declare_or_read(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
     return declare(ctx, thing, called)
 
@@ -37,14 +37,14 @@ def declare_or_read(ctx: Context, thing: Value, called: Called) -> Value:
     *(f"{space}.{name}" for space in ("nav2_util", "nav2", "nav2_ros_common")
       for name in ("declare_parameter_if_not_declared", "declare_or_get_parameter")),
 )  # fmt: skip
-def declare_of(ctx: Context, _thing: Value, called: Called) -> Value:
+def declare_of(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter of the node that is given first is declared, if it is not yet."""
     named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
     inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
     return declare(ctx, called.argument(0), inner)
 
 
-def _declared(ctx: Context, thing: Value, called: Called, name: Value, default: Value, kind: str) -> Value:
+def _declared(ctx: Context, thing: Value, called: CallSite, name: Value, default: Value, kind: str) -> Value:
     if is_descriptor(default):
         default = None
     constant = type_of_constant(default)
@@ -74,7 +74,7 @@ def _fitting(default: Value, kind: str) -> Value:
 
 
 @outer("rclcpp.ParameterValue", "rclcpp.Parameter", *_PYTHON)
-def parameter_value(_ctx: Context, _thing: Value, called: Called) -> Value:
+def parameter_value(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A value of a parameter."""
     if called.name == "rclcpp.ParameterValue":
         value = called.argument(0, default=Unknown("a value that is not set"))
@@ -87,12 +87,12 @@ def parameter_value(_ctx: Context, _thing: Value, called: Called) -> Value:
     return value
 
 
-def _template(called: Called) -> str:
+def _template(called: CallSite) -> str:
     return type_of_cpp(called.templates[0]) if called.templates else ""
 
 
 @method("node", "declare_parameters", anywhere=True)
-def declare_all(ctx: Context, thing: Value, called: Called) -> Value:
+def declare_all(ctx: Context, thing: Value, called: CallSite) -> Value:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
     items: list[Value] = [[unknown("a parameter of a list that is not followed")]]
@@ -113,7 +113,7 @@ def declare_all(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "get_parameter", "get_parameter_or", anywhere=True)
-def read(ctx: Context, thing: Value, called: Called) -> Value:
+def read(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parameter is read, into a variable where one is given."""
     python = called.evidence.path.endswith(".py")
     default = called.argument(1 if python else 2, "alternative_value")
@@ -131,6 +131,6 @@ def read(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
-def write(_ctx: Context, _thing: Value, called: Called) -> Value:
+def write(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter is written, or asked for; by names that are not followed."""
     return Unknown(f"result of {called.name}()")

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.facts.node_facts import PluginFact
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.ir.type_names import type_name
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.symbols.workspace_index import Defined
+from roslens.source.extract.symbols.symbol_table import Defined
 from roslens.source.extract.transfer.plugin_choice import deciding_node
 from roslens.source.extract.transfer.plugin_held import held_in, hold
 
@@ -25,7 +25,7 @@ _MOST = 64
 
 
 @outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
-def loader(_ctx: Context, _thing: Value, called: Called) -> Value:
+def loader(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A loader of classes."""
     written = called.argument(1)
     base = written.known if isinstance(written, Text) and called.name == _LOADER else None
@@ -34,7 +34,7 @@ def loader(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 @method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
         quiet=True)  # fmt: skip
-def instance(ctx: Context, thing: Obj, called: Called) -> Value:
+def instance(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
     held = thing.fields.get("base")
@@ -57,7 +57,7 @@ def instance(ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method(_LOADER, "getName", quiet=True)
-def plain_name(_ctx: Context, _thing: Value, called: Called) -> Value:
+def plain_name(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
     kind = as_text(called.argument(0))
     last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
@@ -73,7 +73,7 @@ def _class(ctx: Context, name: str) -> Defined | None:
 
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
-def added(ctx: Context, thing: Obj, called: Called) -> Value:
+def added(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
         ctx.callbacks.give(one)
@@ -91,7 +91,7 @@ def added(ctx: Context, thing: Obj, called: Called) -> Value:
 
 
 @method("std.vector", "back", "front", "at", quiet=True)
-def end(_ctx: Context, thing: Obj, called: Called) -> Value:
+def end(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """One end of a list, or what is at a place of it."""
     held = held_in(thing)
     keys = sorted(key for key in held if isinstance(key, int))

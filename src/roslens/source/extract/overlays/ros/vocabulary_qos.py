@@ -21,7 +21,7 @@ from roslens.source.extract.domain.quality import (
     quality_by_key,
     quality_of,
 )
-from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
-def qos(_ctx: Context, thing: Value, called: Called) -> Value:
+def qos(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
     value = msgspec.structs.replace(_from_words(called))
@@ -41,7 +41,7 @@ def qos(_ctx: Context, thing: Value, called: Called) -> Value:
     return value
 
 
-def _from_words(called: Called) -> QosValue:
+def _from_words(called: CallSite) -> QosValue:
     first = called.argument(0, "depth", "history_depth")
     if isinstance(first, list):
         first = Obj(INITIALISATION, None, {"qos": history_of(*first[:2])}) if len(first) == 2 else Unknown("a list")
@@ -52,7 +52,7 @@ def _from_words(called: Called) -> QosValue:
     return base
 
 
-def _given(first: Value, called: Called) -> QosValue:
+def _given(first: Value, called: CallSite) -> QosValue:
     """Return what the first argument says, which is a depth, a history, or another quality of service."""
     match first:
         case Obj() if first.type == INITIALISATION:
@@ -81,25 +81,25 @@ def _reason(value: Value) -> str:
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
-def by_key(_ctx: Context, _thing: Value, called: Called) -> Value:
+def by_key(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A preset by the name that command lines have for it."""
     return quality_by_key(called.argument(0, "name"))
 
 
 @outer("rmw_qos_profile_t")
-def profile(_ctx: Context, _thing: Value, called: Called) -> Value:
+def profile(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A profile of the middleware, by its members or empty."""
     return profile_of(called.arguments)
 
 
 @outer("rclcpp.QoSInitialization")
-def initialisation(_ctx: Context, _thing: Value, called: Called) -> Value:
+def initialisation(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A history and how many messages it keeps."""
     return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
-def keep(_ctx: Context, _thing: Value, called: Called) -> Value:
+def keep(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """How many messages are kept."""
     first = called.argument(0)
     if called.name.endswith("from_rmw"):
@@ -112,7 +112,7 @@ def keep(_ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
-def preset(_ctx: Context, thing: Value, called: Called) -> Value:
+def preset(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])
     first = called.argument(0)
@@ -130,12 +130,12 @@ def preset(_ctx: Context, thing: Value, called: Called) -> Value:
         "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
         "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
-def refined(ctx: Context, thing: Obj | QosValue, called: Called) -> Value:
+def refined(ctx: Context, thing: Obj | QosValue, called: CallSite) -> Value:
     """A quality of service with one policy changed."""
     base = _held(thing) if isinstance(thing, Obj) else thing
     found = _refined(base, called)
     if isinstance(thing, Obj):
-        ctx.state.changes.put(thing.fields, "qos", found)
+        ctx.state.store.put(thing.fields, "qos", found)
         return thing
     return found
 
@@ -145,7 +145,7 @@ for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefault
            "reliability", "durability", "history", "deadline", "lifespan", "liveliness")(refined)  # fmt: skip
 
 
-def _refined(base: QosValue, called: Called) -> QosValue:
+def _refined(base: QosValue, called: CallSite) -> QosValue:
     name, qos_ = called.name, base.qos
     fixed = {"reliable": {"reliability": "reliable"}, "best_effort": {"reliability": "best_effort"},
              "transient_local": {"durability": "transient_local"}, "durability_volatile": {"durability": "volatile"},

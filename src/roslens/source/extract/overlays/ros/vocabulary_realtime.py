@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Made, Obj, Unknown, Value
 from roslens.source.extract.domain.kinds import first_of_kind, is_whole
-from roslens.source.extract.interpreter.vocabulary import Called, find_method, method, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, find_method, method, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ _MADE, _TYPE = "-made", "-type"
 
 
 @outer(_NAME)
-def realtime_publisher(ctx: Context, _thing: Value, called: Called) -> Value:
+def realtime_publisher(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A publisher, the one that is given, or none before ``init`` makes it."""
     given = first_of_kind(called.arguments, Made)
     if given is not None:
@@ -36,13 +36,13 @@ def realtime_publisher(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method(_NAME, "init")
-def made_later(ctx: Context, thing: Obj, called: Called) -> Value:
+def made_later(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """The publisher is made."""
     thing.fields[_MADE] = _made(ctx, thing, called)
     return None
 
 
-def _made(ctx: Context, thing: Obj, called: Called) -> Made:
+def _made(ctx: Context, thing: Obj, called: CallSite) -> Made:
     queue, latched = called.argument(2), called.argument(3)
     return endpoint(
         ctx, handle_of(ctx, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
@@ -51,19 +51,19 @@ def _made(ctx: Context, thing: Obj, called: Called) -> Made:
 
 
 @method("made", "unlockAndPublish", "tryPublish", "try_publish")
-def publish(ctx: Context, thing: Made, called: Called) -> Value:
+def publish(ctx: Context, thing: Made, called: CallSite) -> Value:
     """What is in the message is published."""
     return _published(ctx, thing, called)
 
 
 @method(_NAME, "unlockAndPublish")
-def publish_of_later(ctx: Context, thing: Obj, called: Called) -> Value:
+def publish_of_later(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """What is in the message is published, by what ``init`` made."""
     made = thing.fields.get(_MADE)
     return _published(ctx, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
 
 
-def _published(ctx: Context, made: Made, called: Called) -> Value:
-    plain = Called("publish", [], {}, (), (), called.evidence)
+def _published(ctx: Context, made: Made, called: CallSite) -> Value:
+    plain = CallSite("publish", [], {}, (), (), called.evidence)
     word = find_method(ctx, made, plain)
     return None if word is None else word(ctx, made, plain)

@@ -11,10 +11,10 @@ from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Class, Handle, Named, Obj, Value, as_text
 from roslens.source.extract.domain.kinds import all_of_kind
 from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
-from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
-from roslens.source.extract.overlays.ros.record import endpoint, origin
+from roslens.source.extract.interpreter.vocabulary import CallSite, below, method, node_of, outer
+from roslens.source.extract.overlays.ros.emit import endpoint, origin
 from roslens.source.extract.symbolic.text import Conditions, Text, unknown
-from roslens.source.extract.symbols.workspace_index import dotted
+from roslens.source.extract.symbols.symbol_table import dotted
 
 if TYPE_CHECKING:
     from roslens.source.extract.overlays.ros.reconfigure_file import Declaration, ReconfigureFile
@@ -30,7 +30,7 @@ _CLASS_END = "Config"
 
 
 @outer("dynamic_reconfigure.Server", _PYTHON)
-def reconfigure(ctx: Context, _thing: Value, called: Called) -> Value:
+def reconfigure(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server that lets parameters of a node be changed while it runs."""
     python = called.evidence.path.endswith(".py") and not called.templates
     kind: Value = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
@@ -44,19 +44,19 @@ def reconfigure(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("dynamic_reconfigure.Server", "setCallback")
-def reconfigured(ctx: Context, _thing: Value, called: Called) -> Value:
+def reconfigured(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What is called when parameters are changed."""
     ctx.callbacks.give(called.argument(0))
     return None
 
 
-def _handle(ctx: Context, called: Called) -> Handle:
+def _handle(ctx: Context, called: CallSite) -> Handle:
     """Return the namespace of a server in C++, ``~`` where none is given."""
     given = all_of_kind(called.arguments, Handle)
     return given[0] if given else Handle(ctx.emitter.node, Text.of("~"))
 
 
-def _space(ctx: Context, called: Called) -> Handle:
+def _space(ctx: Context, called: CallSite) -> Handle:
     """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
     ctx.emitter.node.generation = "ros1"
     given = called.argument(2, "namespace")
@@ -83,7 +83,7 @@ def _written(ctx: Context, kind: Value) -> str:
     return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
 
 
-def _declare(ctx: Context, handle: Handle, called: Called, kind: str) -> None:
+def _declare(ctx: Context, handle: Handle, called: CallSite, kind: str) -> None:
     """Record the parameters that the ``.cfg`` file of a class declares; without it, that they are unknown."""
     node = node_of(ctx, handle)
     conditions = tuple(dict.fromkeys(ctx.state.conditions))

@@ -7,13 +7,22 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Handle,
+    Named,
+    NodeBuilder,
+    Obj,
+    Unknown,
+    Value,
+    as_text,
+)
 from roslens.source.extract.domain.earlier_values import else_before
 from roslens.source.extract.domain.kinds import first_of_kind, is_whole
-from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, below, method, node_of, outer
 from roslens.source.extract.overlays.language.command_words import given_to_ros
-from roslens.source.extract.overlays.ros.record import endpoint, is_set, parameter, timer, type_of_callback
-from roslens.source.extract.overlays.ros.record_write import write_parameter
+from roslens.source.extract.overlays.ros.emit import endpoint, is_set, parameter, timer, type_of_callback
+from roslens.source.extract.overlays.ros.emit_write import write_parameter
 from roslens.source.extract.overlays.ros.vocabulary_shared import follow_visitors
 from roslens.source.extract.symbolic.reason import NamePart, OfHandle, OfNode, OfParameter, RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
@@ -26,7 +35,7 @@ _OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServic
 
 
 @outer("ros.init", "rospy.init_node")
-def init(ctx: Context, _thing: Value, called: Called) -> Value:
+def init(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The process becomes a node."""
     node = ctx.emitter.node
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
@@ -43,15 +52,15 @@ def init(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("ros.NodeHandle", "ros.NodeHandlePtr")
-def handle(ctx: Context, _thing: Value, called: Called) -> Value:
+def handle(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Something names are resolved against: a namespace of the node."""
     return _handle(ctx, called)
 
 
-def _handle(ctx: Context, called: Called) -> Handle:
+def _handle(ctx: Context, called: CallSite) -> Handle:
     ctx.emitter.node.generation = "ros1"
     prefix = Text()
-    node: Building = ctx.emitter.node
+    node: NodeBuilder = ctx.emitter.node
     for place, value in enumerate(called.arguments[:2]):
         match value:
             case Handle():
@@ -74,26 +83,26 @@ def _trimmed(name: Text) -> Text:
 
 @method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
 @method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
-def public_handle(ctx: Context, _thing: Value, _called: Called) -> Value:
+def public_handle(ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """The namespace of the node."""
     return Handle(ctx.emitter.node)
 
 
 @method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
 @method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
-def private_handle(ctx: Context, _thing: Value, _called: Called) -> Value:
+def private_handle(ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """The private namespace of the node."""
     return Handle(ctx.emitter.node, Text.of("~"))
 
 
 @method("nodelet.Nodelet", "getName")
-def nodelet_name(ctx: Context, _thing: Value, _called: Called) -> Value:
+def nodelet_name(ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """The name of the nodelet."""
     return Text((Hole(OfNode(NamePart.NAME), default=ctx.emitter.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
-def nodelet(ctx: Context, thing: Value, _called: Called) -> Value:
+def nodelet(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """A nodelet is constructed."""
     ctx.emitter.node.generation = "ros1"
     ctx.emitter.node.kind = "nodelet"
@@ -108,7 +117,7 @@ def queue_of(value: Value) -> int:
 
 
 @method("handle", "advertise", anywhere=True)
-def advertise(ctx: Context, thing: Value, called: Called) -> Value:
+def advertise(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher."""
     if called.arguments and isinstance(called.arguments[0], Handle):
         # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
@@ -126,7 +135,7 @@ def advertise(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("handle", "subscribe", anywhere=True)
-def subscribe(ctx: Context, thing: Value, called: Called) -> Value:
+def subscribe(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(ctx, thing, called, Role.SUBSCRIPTION, options)
@@ -141,7 +150,7 @@ def subscribe(ctx: Context, thing: Value, called: Called) -> Value:
     )  # fmt: skip
 
 
-def _callback(ctx: Context, called: Called, place: int, takes: int = 0) -> Value:
+def _callback(ctx: Context, called: CallSite, place: int, takes: int = 0) -> Value:
     """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
 
     A callback of a topic takes one message, that of a service a request and a response.
@@ -156,7 +165,7 @@ def _callback(ctx: Context, called: Called, place: int, takes: int = 0) -> Value
 
 
 @method("handle", "advertiseService", anywhere=True)
-def advertise_service(ctx: Context, thing: Value, called: Called) -> Value:
+def advertise_service(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A server of a service."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(ctx, thing, called, Role.SERVICE_SERVER, options)
@@ -167,20 +176,20 @@ def advertise_service(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("handle", "serviceClient", anywhere=True)
-def service_client(ctx: Context, thing: Value, called: Called) -> Value:
+def service_client(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A client of a service."""
     kind = called.templates[0] if called.templates else Unknown("its type")
     return endpoint(ctx, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
 @outer("ros.service.call", "ros.service.createClient")
-def call_once(ctx: Context, _thing: Value, called: Called) -> Value:
+def call_once(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A service is called by its name."""
     kind = called.templates[0] if called.templates else _declared_type(ctx, called)
     return endpoint(ctx, Handle(ctx.emitter.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
-def _declared_type(ctx: Context, called: Called) -> Value:
+def _declared_type(ctx: Context, called: CallSite) -> Value:
     """Return the type of the request, or of what holds request and response."""
     value = called.argument(1)
     del ctx
@@ -188,7 +197,7 @@ def _declared_type(ctx: Context, called: Called) -> Value:
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
-def wait_for_message(ctx: Context, _thing: Value, called: Called) -> Value:
+def wait_for_message(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A topic is subscribed to for one message."""
     kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
     endpoint(ctx, Handle(ctx.emitter.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
@@ -200,7 +209,7 @@ _TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "
 
 
 @method("handle", "param", "getParam", "getParamCached", "param_cached")
-def read(ctx: Context, thing: Value, called: Called) -> Value:
+def read(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parameter is read, into a variable where one is given."""
     default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
     if called.name == "param" and len(called.arguments) == 2:
@@ -218,35 +227,35 @@ def read(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @outer("ros.param.param", "ros.param.get", "ros.param.getCached")
-def read_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
+def read_by_name(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter is read by its name."""
     named = "param" if called.name.endswith(".param") else "getParam"
-    inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
+    inner = CallSite(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
     return read(ctx, Handle(ctx.emitter.node), inner)
 
 
 @method("handle", "setParam")
-def write(ctx: Context, thing: Value, called: Called) -> Value:
+def write(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parameter is written."""
     write_parameter(ctx, thing, called, called.argument(0), called.argument(1))
     return None
 
 
 @outer("ros.param.set")
-def write_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
+def write_by_name(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter is written by its name."""
     return write(ctx, Handle(ctx.emitter.node), called)
 
 
 @outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
-def spin(ctx: Context, _thing: Value, called: Called) -> Value:
+def spin(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The node runs until it is shut down; what is written after it is no part of that."""
     ctx.callbacks.running = True
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "searchParam")
-def search(ctx: Context, _thing: Value, called: Called) -> Value:
+def search(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter is looked for in the namespaces above too."""
     name = as_text(called.argument(0))
     if len(called.written) > 1:
@@ -255,18 +264,18 @@ def search(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @method("handle", "hasParam", quiet=True)
-def has(ctx: Context, thing: Value, called: Called) -> Value:
+def has(ctx: Context, thing: Value, called: CallSite) -> Value:
     """Whether a parameter is set."""
     return _has(ctx, thing, called)
 
 
 @outer("ros.param.has", "rospy.has_param", quiet=True)
-def has_by_name(ctx: Context, _thing: Value, called: Called) -> Value:
+def has_by_name(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Whether a parameter is set, by its name."""
     return _has(ctx, Handle(ctx.emitter.node), called)
 
 
-def _has(ctx: Context, thing: Value, called: Called) -> Unknown:
+def _has(ctx: Context, thing: Value, called: CallSite) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
     test = is_set(Text((Hole(OfParameter(str(name)), known),))) if node_of(ctx, thing) is ctx.emitter.node else None
@@ -274,13 +283,13 @@ def _has(ctx: Context, thing: Value, called: Called) -> Unknown:
 
 
 @method("handle", "deleteParam", "ok", "shutdown", quiet=True)
-def ask(_ctx: Context, _thing: Value, called: Called) -> Value:
+def ask(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
-def namespace(ctx: Context, thing: Value, called: Called) -> Value:
+def namespace(ctx: Context, thing: Value, called: CallSite) -> Value:
     """The namespace of a handle, or a name below it."""
     if called.name == "resolveName":
         return below(thing, as_text(called.argument(0)))
@@ -291,26 +300,26 @@ def namespace(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @outer("ros.this_node.getName", "rospy.get_name")
-def own_name(_ctx: Context, _thing: Value, _called: Called) -> Value:
+def own_name(_ctx: Context, _thing: Value, _called: CallSite) -> Value:
     """The full name of the node."""
     return Text((Hole(OfNode(NamePart.FULL_NAME), default="~"),))
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
-def own_namespace(_ctx: Context, _thing: Value, called: Called) -> Value:
+def own_namespace(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The namespace of the node; that of rospy ends with ``/``."""
     space = Hole(OfNode(NamePart.NAMESPACE), default="/")
     return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 
 @outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
-def resolve(_ctx: Context, _thing: Value, called: Called) -> Value:
+def resolve(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A name is resolved: it stays what it is."""
     return as_text(called.argument(len(called.arguments) - 1))
 
 
 @method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
-def create_timer(ctx: Context, thing: Value, called: Called) -> Value:
+def create_timer(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A timer."""
     timer(ctx, thing, called, called.argument(0), _callback(ctx, called, 1), None)
     return Obj("ros.Timer")
@@ -322,7 +331,7 @@ def here(ctx: Context) -> Handle:
     return Handle(ctx.emitter.node)
 
 
-def _by_options(ctx: Context, thing: Value, called: Called, role: Role, options: Obj) -> Value:
+def _by_options(ctx: Context, thing: Value, called: CallSite, role: Role, options: Obj) -> Value:
     fields = options.fields
     name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
     return endpoint(
@@ -332,7 +341,7 @@ def _by_options(ctx: Context, thing: Value, called: Called, role: Role, options:
 
 
 @outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
-def endpoint_options(ctx: Context, _thing: Value, called: Called) -> Value:
+def endpoint_options(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
     found = Obj(called.name.removesuffix(".create"))
     if called.name.endswith(".create") or called.arguments:
@@ -340,7 +349,7 @@ def endpoint_options(ctx: Context, _thing: Value, called: Called) -> Value:
     return found
 
 
-def fill_options(_ctx: Context, thing: Obj, called: Called) -> Value:
+def fill_options(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """Let options hold what they are made of, or what ``init`` gives them."""
     service = thing.type.endswith("ServiceOptions")
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))

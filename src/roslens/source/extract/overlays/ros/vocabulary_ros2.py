@@ -11,8 +11,8 @@ from roslens.source.extract.domain.abstract_value import Callable, Group, Handle
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, has_kind
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import quality_of
-from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
-from roslens.source.extract.overlays.ros.record import endpoint, timer, type_of_callback
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
+from roslens.source.extract.overlays.ros.emit import endpoint, timer, type_of_callback
 from roslens.source.extract.overlays.ros.vocabulary_options import doubt_options, given_options, take_options
 from roslens.source.extract.overlays.ros.vocabulary_overrides import overrides_of
 from roslens.source.extract.symbolic.reason import NamePart, OfNode
@@ -27,18 +27,18 @@ _LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode",
 
 
 @outer(*_NODES)
-def node(ctx: Context, thing: Value, called: Called) -> Value:
+def node(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A node is made, or a class that is one is constructed."""
     return _node(ctx, thing, called, "node")
 
 
 @outer(*_LIFECYCLE)
-def lifecycle_node(ctx: Context, thing: Value, called: Called) -> Value:
+def lifecycle_node(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A managed node."""
     return _node(ctx, thing, called, "lifecycle")
 
 
-def _node(ctx: Context, thing: Value, called: Called, kind: str) -> Value:
+def _node(ctx: Context, thing: Value, called: CallSite, kind: str) -> Value:
     building = ctx.emitter.node
     if building.named and (not isinstance(thing, Obj) or thing.node is None):
         building = ctx.emitter.further(called.evidence, ctx.state.conditions)
@@ -65,7 +65,7 @@ def _node(ctx: Context, thing: Value, called: Called, kind: str) -> Value:
     return Obj("rclcpp.Node", None, {}, building)
 
 
-def _group(called: Called, *places: int) -> Value:
+def _group(called: CallSite, *places: int) -> Value:
     for value in (*(called.argument(place) for place in places), *called.keywords.values()):
         match value:
             case Group():
@@ -75,7 +75,7 @@ def _group(called: Called, *places: int) -> Value:
     return None
 
 
-def _python(called: Called) -> bool:
+def _python(called: CallSite) -> bool:
     return called.evidence.path.endswith(".py") or (not called.templates and _is_type(called.argument(0, "msg_type")))
 
 
@@ -84,7 +84,7 @@ def _is_type(value: Value) -> bool:
 
 
 @method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
-def publisher(ctx: Context, thing: Value, called: Called) -> Value:
+def publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher."""
     if not called.templates and _python(called):
         name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
@@ -98,7 +98,7 @@ def publisher(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "create_subscription", anywhere=True)
-def subscription(ctx: Context, thing: Value, called: Called) -> Value:
+def subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
@@ -115,7 +115,7 @@ def subscription(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "create_service", anywhere=True)
-def service(ctx: Context, thing: Value, called: Called) -> Value:
+def service(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A server of a service."""
     if not called.templates and _python(called):
         name, kind, callback = (
@@ -130,7 +130,7 @@ def service(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "create_client", anywhere=True)
-def client(ctx: Context, thing: Value, called: Called) -> Value:
+def client(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A client of a service."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "srv_name"), called.argument(0, "srv_type")
@@ -142,7 +142,7 @@ def client(ctx: Context, thing: Value, called: Called) -> Value:
 @outer("rclcpp.create_publisher", "rclcpp.create_subscription", "rclcpp.create_service", "rclcpp.create_client",
        "rclcpp.create_timer", "rclcpp.create_wall_timer", "image_transport.create_publisher",
        "image_transport.create_subscription")  # fmt: skip
-def free_function(ctx: Context, _thing: Value, called: Called) -> Value:
+def free_function(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A function that makes an endpoint of the node it is given first."""
     name = called.name.rpartition(".")[2]
     templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
@@ -167,18 +167,18 @@ def free_function(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rclcpp_action.create_server", "rclpy.action.ActionServer", "rclpy.action.server.ActionServer")
-def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of an action."""
     return _action(ctx, called, Role.ACTION_SERVER)
 
 
 @outer("rclcpp_action.create_client", "rclpy.action.ActionClient", "rclpy.action.client.ActionClient")
-def action_client(ctx: Context, _thing: Value, called: Called) -> Value:
+def action_client(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A client of an action."""
     return _action(ctx, called, Role.ACTION_CLIENT)
 
 
-def _action(ctx: Context, called: Called, role: Role) -> Value:
+def _action(ctx: Context, called: CallSite, role: Role) -> Value:
     name: Value
     kind: Value
     if called.templates:
@@ -196,7 +196,7 @@ def _action(ctx: Context, called: Called, role: Role) -> Value:
 
 
 @method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
-def wall_timer(ctx: Context, thing: Value, called: Called) -> Value:
+def wall_timer(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A timer."""
     given = called.arguments
     callback = first_of_kind((*given, *called.keywords.values()), Callable)
@@ -206,7 +206,7 @@ def wall_timer(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "create_callback_group", anywhere=True)
-def callback_group(ctx: Context, _thing: Value, called: Called) -> Value:
+def callback_group(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A callback group, named after where it is made."""
     del ctx
     kind = called.argument(0)
@@ -215,13 +215,13 @@ def callback_group(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("rclpy.callback_groups.ReentrantCallbackGroup", "rclpy.callback_groups.MutuallyExclusiveCallbackGroup")
-def python_group(_ctx: Context, _thing: Value, called: Called) -> Value:
+def python_group(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A callback group of rclpy."""
     return Group(f"{called.name.rpartition('.')[2].removesuffix('CallbackGroup')}:{called.evidence.line}")
 
 
 @method("node", "create_sub_node")
-def sub_node(ctx: Context, thing: Value, called: Called) -> Value:
+def sub_node(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A node below another one: its names begin with the namespace."""
     before = thing.prefix if isinstance(thing, Handle) else Text()
     name = as_text(called.argument(0))
@@ -232,13 +232,13 @@ def sub_node(ctx: Context, thing: Value, called: Called) -> Value:
         "get_node_parameters_interface", "get_node_clock_interface", "get_node_logging_interface",
         "get_node_waitables_interface", "get_node_graph_interface", "get_node_timers_interface", "shared_from_this",
         "weak_from_this", "lock", "get")  # fmt: skip
-def interface(ctx: Context, thing: Value, _called: Called) -> Value:
+def interface(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """A part of a node stands for the node."""
     return thing if isinstance(thing, Obj | Handle) else Handle(ctx.emitter.node)
 
 
 @method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")
-def own_name(ctx: Context, thing: Value, called: Called) -> Value:
+def own_name(ctx: Context, thing: Value, called: CallSite) -> Value:
     """The name of the node, which may be given to it from outside."""
     node_ = node_of(ctx, thing)
     if "namespace" in called.name:
@@ -249,7 +249,7 @@ def own_name(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
-def resolved(ctx: Context, thing: Value, called: Called) -> Value:
+def resolved(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
     node_ = node_of(ctx, thing)
     name = as_text(called.argument(0, "topic", "service"))
@@ -257,7 +257,7 @@ def resolved(ctx: Context, thing: Value, called: Called) -> Value:
 
 
 @outer("rclcpp.expand_topic_or_service_name")
-def expanded(_ctx: Context, _thing: Value, called: Called) -> Value:
+def expanded(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A name is expanded below the namespace that is given."""
     space = as_text(called.argument(2))
     first = space.parts[0] if len(space.parts) == 1 else ""

@@ -10,8 +10,8 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_whole, items_of
-from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
-from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
+from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
+from roslens.source.extract.overlays.ros.emit import endpoint, is_guessed, sure_of
 from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text, Written
 
@@ -23,7 +23,7 @@ _DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
 _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
-def handle_of(ctx: Context, called: Called) -> Value:
+def handle_of(ctx: Context, called: CallSite) -> Value:
     """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
     given = (*called.arguments, *called.keywords.values())
     for value in given:
@@ -34,14 +34,14 @@ def handle_of(ctx: Context, called: Called) -> Value:
     return Handle(ctx.emitter.node)
 
 
-def follow_visitors(ctx: Context, called: Called, first: int) -> None:
+def follow_visitors(ctx: Context, called: CallSite, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
         ctx.callbacks.give(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
-def listener(ctx: Context, _thing: Value, called: Called) -> Value:
+def listener(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A listener to transforms."""
     node = _listening(ctx, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
@@ -53,7 +53,7 @@ def listener(ctx: Context, _thing: Value, called: Called) -> Value:
     return Obj(called.name)
 
 
-def _listening(ctx: Context, called: Called) -> Value:
+def _listening(ctx: Context, called: CallSite) -> Value:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
     if given or ctx.emitter.node.generation != "ros2" or called.evidence.path.endswith(".py"):
@@ -67,7 +67,7 @@ def _listening(ctx: Context, called: Called) -> Value:
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
-def broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
+def broadcaster(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A broadcaster of transforms."""
     node = handle_of(ctx, called)
     endpoint(ctx, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
@@ -76,7 +76,7 @@ def broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
 
 @outer("tf2_ros.StaticTransformBroadcaster",
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
-def static_broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
+def static_broadcaster(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A broadcaster of transforms that stay."""
     node = handle_of(ctx, called)
     endpoint(ctx, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
@@ -84,7 +84,7 @@ def static_broadcaster(ctx: Context, _thing: Value, called: Called) -> Value:
 
 
 @outer("message_filters.Subscriber")
-def filtered(ctx: Context, _thing: Value, called: Called) -> Value:
+def filtered(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
     if called.arguments or called.keywords:
@@ -92,7 +92,7 @@ def filtered(ctx: Context, _thing: Value, called: Called) -> Value:
     return found
 
 
-def _filtered(ctx: Context, found: Obj, called: Called) -> None:
+def _filtered(ctx: Context, found: Obj, called: CallSite) -> None:
     templates = items_of(found.fields.get("templates"))
     texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
     python = called.evidence.path.endswith(".py")
@@ -112,7 +112,7 @@ def _filtered(ctx: Context, found: Obj, called: Called) -> None:
 
 
 @method("message_filters.Subscriber", "subscribe")
-def filtered_later(ctx: Context, thing: Obj, called: Called) -> Value:
+def filtered_later(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """A filtered subscription is made."""
     _filtered(ctx, thing, called)
     return None
@@ -120,19 +120,19 @@ def filtered_later(ctx: Context, thing: Obj, called: Called) -> Value:
 
 @outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
        "actionlib.action_server.ActionServer")  # fmt: skip
-def action_server(ctx: Context, _thing: Value, called: Called) -> Value:
+def action_server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of an action of actionlib."""
     return _action(ctx, called, Role.ACTION_SERVER)
 
 
 @outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
        "actionlib.action_client.ActionClient")  # fmt: skip
-def action_client(ctx: Context, _thing: Value, called: Called) -> Value:
+def action_client(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A client of an action of actionlib."""
     return _action(ctx, called, Role.ACTION_CLIENT)
 
 
-def _action(ctx: Context, called: Called, role: Role) -> Value:
+def _action(ctx: Context, called: CallSite, role: Role) -> Value:
     ctx.emitter.node.generation = "ros1"
     texts = all_of_kind(called.arguments, Text)
     name = texts[0] if texts else called.argument(0, "name", "ns")
@@ -142,7 +142,7 @@ def _action(ctx: Context, called: Called, role: Role) -> Value:
 
 
 @outer("diagnostic_updater.Updater")
-def updater(ctx: Context, _thing: Value, called: Called) -> Value:
+def updater(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A publisher of diagnostics."""
     node = handle_of(ctx, called)
     kind = "diagnostic_msgs::msg::DiagnosticArray"
@@ -153,7 +153,7 @@ def updater(ctx: Context, _thing: Value, called: Called) -> Value:
 
 @method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
         "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
-def use(_ctx: Context, thing: Made, called: Called) -> Value:
+def use(_ctx: Context, thing: Made, called: CallSite) -> Value:
     """A message is published, or a service or action called."""
     fact = thing.node.endpoints[thing.place]
     place = msgspec.structs.replace(called.evidence, how="written")
@@ -163,7 +163,7 @@ def use(_ctx: Context, thing: Made, called: Called) -> Value:
 
 
 @method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
-def topic_of(_ctx: Context, thing: Made, _called: Called) -> Value:
+def topic_of(_ctx: Context, thing: Made, _called: CallSite) -> Value:
     """The name of an endpoint."""
     return thing.node.endpoints[thing.place].name
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
-from roslens.source.extract.interpreter.vocabulary import Called, outer
-from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.interpreter.vocabulary import CallSite, outer
+from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.symbolic.text import Text, Written
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ _FRAMES, _TYPE = "tf2_frames", "tf2_msgs::srv::FrameGraph"
 
 
 @outer("tf2_ros.Buffer", "tf2_ros.buffer.Buffer")
-def buffer(ctx: Context, thing: Value, called: Called) -> Value:
+def buffer(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A buffer of transforms.
 
     In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:
@@ -41,7 +41,7 @@ def buffer(ctx: Context, thing: Value, called: Called) -> Value:
     return found
 
 
-def _given(called: Called) -> Sequence[Value]:
+def _given(called: CallSite) -> Sequence[Value]:
     return [called.keywords["node"]] if "node" in called.keywords else called.arguments
 
 

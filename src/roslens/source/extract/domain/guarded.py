@@ -7,7 +7,7 @@ from roslens.source.extract.symbolic.condition import all_of
 from roslens.source.extract.symbolic.text import And, Condition
 
 
-class Perhaps(Foreign, frozen=True):
+class Guarded(Foreign, frozen=True):
     """An item that a list has under a condition, and what decides that, where it is known.
 
     Only a loop over the list asks for it; to anybody else it is a value of which nothing is known.
@@ -18,19 +18,19 @@ class Perhaps(Foreign, frozen=True):
     test: Condition | None = None
 
 
-def perhaps(items: list[Value], condition: Condition, test: Condition | None) -> list[Value]:
+def guarded(items: list[Value], condition: Condition, test: Condition | None) -> list[Value]:
     """Return items that are there if a condition holds; those that are there under another one keep it too."""
     found: list[Value] = []
     for one in items:
         match one:
-            case Perhaps():
+            case Guarded():
                 both = None if test is None or one.test is None else And((test, one.test))
-                found.append(Perhaps(one.value, all_of((condition, one.condition)), both))
+                found.append(Guarded(one.value, all_of((condition, one.condition)), both))
             case _:
-                found.append(Perhaps(one, condition, test))
+                found.append(Guarded(one, condition, test))
     return found
 
 
 def is_counted(items: list[Value]) -> bool:
     """Whether a list has all of its items in any case, so that each has its place."""
-    return not any(type(one) is Perhaps for one in items)
+    return not any(type(one) is Guarded for one in items)

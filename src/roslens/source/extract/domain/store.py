@@ -22,7 +22,7 @@ Way = dict[tuple[int, Any], tuple[Any, Any, Any]]
 """What one way changed, by its place: what holds it, under which key, and what it is at the end of the way."""
 
 
-class Changes:
+class Store:
     """What is changed while ways of open conditions are followed.
 
     Attributes:
@@ -61,7 +61,7 @@ class Changes:
             self._done.append((held, _FEWER if less else _ITEMS, held.copy()))
             self.count += 1
 
-    def taken_back(self, since: int, own: Any = None) -> Way:
+    def roll_back(self, since: int, own: Any = None) -> Way:
         """Take back what was changed since so many were, but for members of the frame's own object."""
         way: Way = {}
         mine = [one for one in self._done[since:] if one[0] is not own]
@@ -72,7 +72,7 @@ class Changes:
             _put(held, key, before)
         return way
 
-    def came_to(
+    def merge(
         self, way: Way, since: int, own: Any, gone: tuple[bool, bool], why: tuple[Condition, Condition], test: Test
     ) -> None:
         """Let hold what either way came to: one that was taken back, and the other one.
@@ -88,7 +88,7 @@ class Changes:
             test: what decides the first one, where that is known.
         """
         if gone == (False, True):
-            other = self.taken_back(since, own)
+            other = self.roll_back(since, own)
             for held, key, value in way.values():
                 _put(held, key, value)
             self._join(other, why[1], None)

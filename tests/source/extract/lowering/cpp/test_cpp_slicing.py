@@ -4,7 +4,7 @@ import pytest
 from roslens.source.extract.ir.program import Call, Member
 from roslens.source.extract.ir.program_text import program_text
 from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
-from roslens.source.extract.lowering.cpp.cpp_relevance import Level, Relevance, is_filling, is_logging
+from roslens.source.extract.lowering.cpp.cpp_slicing import Level, Relevance, is_filling, is_logging
 from roslens.source.syntax.macro.macros import load_macros
 
 MACROS = load_macros()

@@ -16,11 +16,11 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.ir.type_names import dotted, scopes, type_arguments, type_name
 from roslens.source.extract.symbols.definitions import Defined, Definitions
 from roslens.source.extract.symbols.included_files import Needs, Packages
+from roslens.source.extract.symbols.internal_linkage import own_names
 from roslens.source.extract.symbols.linkage import Linkage
-from roslens.source.extract.symbols.lookups import Lookups
 from roslens.source.extract.symbols.macro_values import MacroValues
+from roslens.source.extract.symbols.memo import Memo
 from roslens.source.extract.symbols.outside_values import OutsideValues
-from roslens.source.extract.symbols.own_names import own_names
 from roslens.source.extract.symbols.package_contents import PackageContents
 from roslens.source.extract.symbols.python_modules import PythonModules
 from roslens.source.extract.symbols.used_names import UsedNames
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from roslens.source.extract.parameters.parameter_library import ParameterLibrary
     from roslens.source.extract.symbols.reached_functions import Reached
 
-__all__ = ["Defined", "Index", "dotted", "type_arguments", "type_name"]
+__all__ = ["Defined", "SymbolTable", "dotted", "type_arguments", "type_name"]
 
 
-class Index:
+class SymbolTable:
     """What the programs of a workspace define; the first definition of a name counts.
 
     Attributes:
@@ -64,7 +64,7 @@ class Index:
             targets: that builds make.
             known: whole names of which the meaning is known: they mean that too where their source is in the workspace.
         """
-        self.lookups = Lookups()
+        self.memo = Memo()
         outer = frozenset(known)
         self.programs = dict(programs)
         self.version = ""

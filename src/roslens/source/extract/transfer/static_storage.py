@@ -40,7 +40,7 @@ def keep(ctx: Context, name: str, value: Value) -> None:
     """Put a value into a variable of the function that lives on between calls."""
     ctx.state.frame.names[name] = value
     ctx.summaries.forget_all()
-    ctx.state.changes.put(ctx.state.once, ctx.state.frame.kept[name], value)
+    ctx.state.store.put(ctx.state.once, ctx.state.frame.kept[name], value)
 
 
 def returned(ctx: Context, statement: Return) -> None:

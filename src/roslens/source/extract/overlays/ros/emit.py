@@ -8,13 +8,13 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import (
-    Building,
     Callable,
     Class,
     Foreign,
     Group,
     Made,
     Named,
+    NodeBuilder,
     Obj,
     QosValue,
     Unknown,
@@ -33,7 +33,7 @@ from roslens.source.extract.facts.node_facts import (
     Terms,
     TimerFact,
 )
-from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
+from roslens.source.extract.interpreter.vocabulary import CallSite, below, node_of
 from roslens.source.extract.ir.program import Call, Name
 from roslens.source.extract.symbolic.condition import under_either
 from roslens.source.extract.symbolic.reason import OfParameter
@@ -46,7 +46,7 @@ from roslens.source.extract.symbols.interface_name import (
     of_generation,
     used_interface,
 )
-from roslens.source.extract.symbols.workspace_index import dotted, type_arguments, type_name
+from roslens.source.extract.symbols.symbol_table import dotted, type_arguments, type_name
 from roslens.source.extract.transfer.plugin_choice import chosen_value
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ KINDS = {
 def endpoint(
     ctx: Context,
     receiver: Value,
-    called: Called,
+    called: CallSite,
     role: Role,
     name: Value,
     kind: Value,
@@ -130,7 +130,7 @@ def _beyond(overrides: Overrides | None, conditions: list[Condition]) -> Overrid
     return msgspec.structs.replace(overrides, conditions=rest)
 
 
-def origin(ctx: Context, called: Called, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
+def origin(ctx: Context, called: CallSite, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
     """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
     evidence = called.evidence
     through: list[Evidence] = []
@@ -273,7 +273,7 @@ _TAKEN = "taken to be of this node"
 
 
 def parameter(
-    ctx: Context, receiver: Value, called: Called, access: str, name: Value, *,
+    ctx: Context, receiver: Value, called: CallSite, access: str, name: Value, *,
     default: Value = None, kind: str = "", given: bool = False, described: Described = _PLAIN,
     evidence: Evidence | None = None,
 ) -> Value:  # fmt: skip
@@ -311,7 +311,7 @@ def parameter(
     return Text((Hole(OfParameter(str(written), node.number), known, usual, named=named),))
 
 
-def _type_by_default(node: Building, default: Value, *, python: bool) -> str:
+def _type_by_default(node: NodeBuilder, default: Value, *, python: bool) -> str:
     """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
     if isinstance(default, Text) and default.holes:
         first = default.only
@@ -343,7 +343,7 @@ def value_text(value: Value) -> Text:
     return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
 
 
-def declared_default(node: Building, name: Text) -> Text | None:
+def declared_default(node: NodeBuilder, name: Text) -> Text | None:
     """Return the default that a node declared for a parameter before."""
     for one in node.parameters:
         if one.name == name and one.default is not None:
@@ -351,7 +351,7 @@ def declared_default(node: Building, name: Text) -> Text | None:
     return None
 
 
-def timer(ctx: Context, receiver: Value, called: Called, period: Value, callback: Value, group: Value) -> None:
+def timer(ctx: Context, receiver: Value, called: CallSite, period: Value, callback: Value, group: Value) -> None:
     """Record a timer."""
     node = node_of(ctx, receiver)
     seconds = float(period) if is_number(period) else None

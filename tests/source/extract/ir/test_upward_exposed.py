@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.source.extract.ir.program import Name
-from roslens.source.extract.ir.read_first import is_read_first
+from roslens.source.extract.ir.upward_exposed import is_read_first
 
 
 @pytest.mark.parametrize(

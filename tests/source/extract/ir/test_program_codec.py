@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.extract.ir.kept_program import pack, program_keys, unpack
 from roslens.source.extract.ir.program import Program
+from roslens.source.extract.ir.program_codec import pack, program_keys, unpack
 from roslens.source.extract.lowering.python.python_program import program_of_python
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import MacroSettings

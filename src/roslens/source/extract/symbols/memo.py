@@ -20,7 +20,7 @@ Found = tuple[Function, str] | None
 """A function and the path of its file."""
 
 
-class Lookups:
+class Memo:
     """What an index said.
 
     Attributes:

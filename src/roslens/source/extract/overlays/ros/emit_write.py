@@ -9,8 +9,8 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import ParameterFact, Sure
-from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
-from roslens.source.extract.overlays.ros.record import value_text
+from roslens.source.extract.interpreter.vocabulary import CallSite, below, node_of
+from roslens.source.extract.overlays.ros.emit import value_text
 from roslens.source.extract.symbolic.text import Conditions, Text
 from roslens.source.extract.transfer.xml_rpc_values import parts_of
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def write_parameter(
-    ctx: Context, receiver: Value, called: Called, name: Value, value: Value, conditions: Conditions = ()
+    ctx: Context, receiver: Value, called: CallSite, name: Value, value: Value, conditions: Conditions = ()
 ) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
 

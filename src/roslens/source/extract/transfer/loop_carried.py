@@ -29,7 +29,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.symbolic.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.symbols.symbol_table import Defined
     from roslens.source.extract.transfer.context import Context
 
 _MOST_DEPTH = 3
@@ -47,8 +47,8 @@ def forget_set_by_methods(ctx: Context, statement: Loop) -> None:
     thing = ctx.state.frame.self
     if not isinstance(thing, Obj) or thing.defined is None:
         return
-    lookups, fields = ctx.index.lookups, thing.fields
-    known, key = lookups.set_in_turns, (id(statement), id(thing.defined.what))
+    memo, fields = ctx.index.memo, thing.fields
+    known, key = memo.set_in_turns, (id(statement), id(thing.defined.what))
     found = known.get(key)
     if found is None or found[0] is not statement:
         found = known[key] = (statement, _set_by_methods(ctx, thing.defined, statement))
@@ -99,7 +99,7 @@ def _called_in(body: tuple[Statement, ...]) -> list[str]:
 
 
 def _method(ctx: Context, of: Defined, name: str) -> Function | None:
-    known, key = ctx.index.lookups.method, (id(of.what), name)
+    known, key = ctx.index.memo.method, (id(of.what), name)
     found = known[key] if key in known else known.setdefault(key, ctx.named.method_of(of, name))
     return found[0] if found is not None and found[0].body else None
 

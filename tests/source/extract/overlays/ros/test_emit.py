@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown
 from roslens.source.extract.facts.node_facts import Sure
-from roslens.source.extract.overlays.ros.record import sure_of, value_text
+from roslens.source.extract.overlays.ros.emit import sure_of, value_text
 from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import IsTrue, Text, unknown

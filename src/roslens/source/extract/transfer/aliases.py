@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.domain.abstract_value import QosValue, Unknown, Value
 from roslens.source.extract.ir.program import Assign, Call, Expression, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
-from roslens.source.extract.transfer.kept_values import no_place
+from roslens.source.extract.transfer.static_storage import no_place
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context

@@ -8,9 +8,9 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import Place
 from roslens.source.extract.parameters.assemble_choices import alternatives
 from roslens.source.extract.parameters.assemble_parameters import Values
-from roslens.source.extract.symbolic.many_choices import MANY, MOST_WAYS, of_many
 from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import IsTrue, Text, Written, unknown
+from roslens.source.extract.symbolic.widening import MANY, MOST_WAYS, of_many
 
 
 def chain(length, first=None):

@@ -25,18 +25,18 @@ def does_something(ctx: Context, operand: Expression) -> bool:
     """Whether an operand calls a function of the workspace, by its name."""
     if type(operand) is not Call and type(operand) is not Operation:
         return False
-    lookups = ctx.index.lookups
-    names = lookups.called.get(id(operand))
+    memo = ctx.index.memo
+    names = memo.called.get(id(operand))
     if names is None or names[0] is not operand:
-        names = lookups.called[id(operand)] = (operand, _called(operand))
+        names = memo.called[id(operand)] = (operand, _called(operand))
     if not names[1]:
         return False
-    if lookups.function_names is None:
+    if memo.function_names is None:
         programs = ctx.index.programs.values()
-        lookups.function_names = {one.name for program in programs for one in program.functions if one.body}
+        memo.function_names = {one.name for program in programs for one in program.functions if one.body}
     local = ctx.state.frame.names
     for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
-        if one in lookups.function_names or (one in local and type(local[one]) is Callable):
+        if one in memo.function_names or (one in local and type(local[one]) is Callable):
             return True
     return False
 
@@ -76,7 +76,7 @@ def value_if(
         test: what decides that, where it is known.
         noted: whether what is made in it keeps the condition.
     """
-    frame, changes, here = ctx.state.frame, ctx.state.changes, len(ctx.state.conditions)
+    frame, changes, here = ctx.state.frame, ctx.state.store, len(ctx.state.conditions)
     before, since = frame.snapshot(), changes.count
     changes.open += 1
     if noted:
@@ -91,8 +91,8 @@ def value_if(
         if frame.members is not None:
             _may_be_as(frame.members, before[1], condition, test)
     if changes.count > since:
-        way = changes.taken_back(since, frame.members)
-        changes.came_to(way, changes.count, frame.members, (False, False), (condition, ALWAYS), test)
+        way = changes.roll_back(since, frame.members)
+        changes.merge(way, changes.count, frame.members, (False, False), (condition, ALWAYS), test)
     if not changes.open and changes.count:
         changes.ended()
     return value
@@ -113,7 +113,7 @@ def after_others(
 
     Where one of these does something itself, that it went well is no condition worth telling.
     """
-    conditions = [ctx.index.lookups.condition(one) for _, one in others]
+    conditions = [ctx.index.memo.condition(one) for _, one in others]
     if operator == "or":
         conditions = [negated(one) for one in conditions]
     tests = [test if operator == "and" else negated(test) for value, _ in others if (test := test_of(value))]

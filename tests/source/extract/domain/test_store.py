@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.source.extract.domain.abstract_value import QosValue, Unknown
-from roslens.source.extract.domain.changed_in_ways import Changes
+from roslens.source.extract.domain.store import Store
 from roslens.source.extract.facts.node_facts import Sure
 from roslens.source.extract.symbolic.text import Text
 
@@ -157,22 +157,22 @@ def test_a_quality_of_service_of_an_object_of_python(of_python, held, change):
 
 
 def test_nothing_is_written_down_outside_of_conditions():
-    changes, held = Changes(), {"a": 1}
+    changes, held = Store(), {"a": 1}
     changes.put(held, "a", 2)
     changes.items([1])
     assert (changes.count, held) == (0, {"a": 2})
 
 
 def test_what_a_way_changed_is_taken_back_and_joined():
-    changes, held, items = Changes(), {"a": Text.of("x"), "b": 1}, [Text.of("i")]
+    changes, held, items = Store(), {"a": Text.of("x"), "b": 1}, [Text.of("i")]
     changes.open = 1
     changes.put(held, "a", Text.of("y"))
     changes.items(items, less=True)
     items.clear()
-    way, second = changes.taken_back(0), changes.count
+    way, second = changes.roll_back(0), changes.count
     assert (held["a"], items) == (Text.of("x"), [Text.of("i")])
     changes.put(held, "b", 2)
-    changes.came_to(way, second, None, (False, False), ("p", "not p"), None)
+    changes.merge(way, second, None, (False, False), ("p", "not p"), None)
     assert str(held["a"]) == "{y if p, else x}"
     assert isinstance(held["b"], Unknown)
     assert isinstance(items[0], Unknown)
@@ -181,10 +181,10 @@ def test_what_a_way_changed_is_taken_back_and_joined():
 
 
 def test_what_several_hold_is_one_of_two():
-    changes, before, after = Changes(), QosValue(), QosValue(unknown="else")
+    changes, before, after = Store(), QosValue(), QosValue(unknown="else")
     changes.open = 1
     changes.refine(before, after)
-    way = changes.taken_back(0)
+    way = changes.roll_back(0)
     assert not changes.refined
-    changes.came_to(way, changes.count, None, (False, False), ("p", "not p"), None)
+    changes.merge(way, changes.count, None, (False, False), ("p", "not p"), None)
     assert changes.refined[id(before)][1].unknown == "else"

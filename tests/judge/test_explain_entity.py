@@ -29,7 +29,7 @@ MERGED = merge_references(read_references([GivenText("base.yaml", BASE), GivenTe
 
 def told(subject: Subject) -> list[tuple[str, str, str, str]]:
     return [
-        (one.declared.sentence.told.where, one.provided, one.role, one.replaced_by)
+        (one.declared.constraint.told.where, one.provided, one.role, one.replaced_by)
         for one in explain_entity(MERGED, subject)
     ]
 
@@ -78,4 +78,4 @@ fields:
         for name in ("/front/left", "/front/spare", "/rear", "/other")
     }
     assert roles == {"/front/left": [""], "/front/spare": [], "/rear": ["it is compared with"], "/other": []}
-    assert expected_words(merged.standing[0].sentence) == "difference to /rear ticks -1..1"
+    assert expected_words(merged.standing[0].constraint) == "difference to /rear ticks -1..1"

@@ -14,7 +14,7 @@ from roslens.judge.ranges.range import Range
 from roslens.judge.reading.read_reference import GivenText, load_reference, read_references
 from roslens.judge.reference.contradiction import meeting_name
 from roslens.judge.reference.expectation import Reference, Selector
-from roslens.judge.reference.merge_references import merge_references, sentences_of
+from roslens.judge.reference.merge_references import constraints_of, merge_references
 from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
@@ -125,7 +125,7 @@ def test_contradictions_name_both_places_and_an_entity(one: str, other: str, exa
     ],
 )
 def test_what_can_hold_together_does(one: str, other: str):
-    assert len(sentences_of(merged(one, other))) == 2
+    assert len(constraints_of(merged(one, other))) == 2
 
 
 def test_every_contradiction_is_found():
@@ -154,7 +154,7 @@ def test_the_order_of_orthogonal_documents_does_not_matter(parts: set[tuple[str,
     shuffled = list(given_)
     random.shuffle(shuffled)  # type: ignore[attr-defined]
     one, other = load_reference(given_, BY_KEY), load_reference(shuffled, BY_KEY)
-    assert sentences_of(one) == sentences_of(other)
+    assert constraints_of(one) == constraints_of(other)
     assert len(one.expectations) == len(parts)
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from roslens.judge.ranges.range import Range
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.judge.reference.expectation import FieldCondition, Presence, PresenceMode, Reference, Selector, Timing
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.judge.reference.reference_keys import SELECTOR_KEYS, TOLD_KEYS
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
@@ -43,7 +43,7 @@ def test_a_document_says_what_it_expects():
     reference = load_reference([path], BY_KEY)
     assert (reference.name, reference.title) == ("robot", "One robot, wherever it is put")
     assert reference.documents == (str(path),)
-    ids = [sentence.told.id for sentence in sentences_of(reference)]
+    ids = [constraint.told.id for constraint in constraints_of(reference)]
     assert ids == [
         "robot.chain.scan.cmd_vel.age",
         "robot.field.battery.cells[0].voltage.value",

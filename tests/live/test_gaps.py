@@ -70,8 +70,8 @@ def test_the_greatest_gap_of_two_buckets_keeps_its_beginning():
     ("bounds", "expected"), [((), STEP_S), ((10.0,), STEP_S), ((0.6, 10.0), 0.3), ((0.147,), SHORTEST_STEP_S)]
 )
 def test_a_recording_is_looked_at_as_often_as_bounds_on_gaps_ask(bounds, expected):
-    sentences = [
+    constraints = [
         Expectation(Told(str(bound)), Selector(EntityKind.TOPIC, "/a"), "largest_gap", Range(None, bound))
         for bound in bounds
     ]
-    assert usual_step(Reference("test", expectations=tuple(sentences))) == expected
+    assert usual_step(Reference("test", expectations=tuple(constraints))) == expected

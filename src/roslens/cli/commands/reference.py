@@ -172,19 +172,19 @@ def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[d
 
     from roslens.judge.reference.constraint_words import expected_words, subject_words
 
-    sentences = [
+    constraints = [
         {
-            "id": one.declared.sentence.told.id,
-            "of": subject_words(one.declared.sentence),
-            "expected": expected_words(one.declared.sentence),
+            "id": one.declared.constraint.told.id,
+            "of": subject_words(one.declared.constraint),
+            "expected": expected_words(one.declared.constraint),
             "where": one.declared.place,
-            "severity": one.declared.sentence.told.severity.value,
+            "severity": one.declared.constraint.told.severity.value,
             "provided": one.provided,
             "replaced_by": one.replaced_by,
         }
         for one in applied
     ]
-    document: dict[str, object] = {"version": 1, "entity": str(entity), "sentences": sentences}
+    document: dict[str, object] = {"version": 1, "entity": str(entity), "sentences": constraints}
     if wrong is not None:
         document["wrong"] = wrong
     print(json.dumps(document, indent=2, ensure_ascii=False))
@@ -220,7 +220,7 @@ def _merged(files: Sequence[str]) -> Merged:
 
 def _table(merged: Merged) -> str:
     from roslens.judge.reference.constraint_words import expected_words, subject_words
-    from roslens.judge.reference.merge_references import sentences_of
+    from roslens.judge.reference.merge_references import constraints_of
 
     def clipped(text: str) -> str:
         return text if len(text) <= _WIDEST else f"{text[: _WIDEST - 1]}…"
@@ -228,13 +228,13 @@ def _table(merged: Merged) -> str:
     heads = ("of", "is expected", "else", "id", "stands in")
     rows = [
         (
-            clipped(subject_words(sentence)),
-            clipped(expected_words(sentence)),
-            sentence.told.severity.value,
-            sentence.told.id,
-            sentence.told.where,
+            clipped(subject_words(constraint)),
+            clipped(expected_words(constraint)),
+            constraint.told.severity.value,
+            constraint.told.id,
+            constraint.told.where,
         )
-        for sentence in sentences_of(merged.reference)
+        for constraint in constraints_of(merged.reference)
     ]
     widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
     lines = [
@@ -266,11 +266,11 @@ def _explanation(number: int, applied: Applied) -> list[str]:
     from roslens.judge.ranges.amount import amount_text
     from roslens.judge.reference.constraint_words import expected_words, subject_words
 
-    sentence = applied.declared.sentence
-    told = sentence.told
+    constraint = applied.declared.constraint
+    told = constraint.told
     lasting = f", once it has lasted {amount_text(told.timing.lasting, 's')}" if told.timing.lasting else ""
     lines = [
-        f"  {number}. {subject_words(sentence)}: {expected_words(sentence)}",
+        f"  {number}. {subject_words(constraint)}: {expected_words(constraint)}",
         f"     {told.id} in {told.where}; else {told.severity.value}{lasting}",
     ]
     lines += [f"     provided that {applied.provided}"] if applied.provided else []

@@ -13,7 +13,7 @@ from roslens.cli.page.watch_graph import PLUMBING
 from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
 from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.constraint_words import expected_words, subject_words
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.live.drafting.draft_lines import LESS, MORE, rounded
 from roslens.live.system.shown_rows import is_shown
@@ -45,9 +45,9 @@ def references_of(
     # Without nodes it is a recording of topics alone.
     kinds = tuple(EntityKind) if graph.nodes else (EntityKind.TOPIC,)
     there = {*subjects_of(graph), *_sampled(view)}
-    advice = {one.sentence.told.id: one.advice for one in unmatched(reference, there, kinds)}
+    advice = {one.constraint.told.id: one.advice for one in unmatched(reference, there, kinds)}
     sentences = []
-    for said in sentences_of(reference):
+    for said in constraints_of(reference):
         about = by_sentence.get(said.told.id, [])
         # What is expected by its whole name is judged as absent where it is not there.
         entities = [] if said.told.id in advice else sorted({encodable(str(verdict.entity)) for verdict in about})

@@ -79,7 +79,7 @@ class ReferenceFiles:
             note = Note(time, NoteKind.KEPT, f"the reference as it was before holds on: {error}", error.where)
         else:
             self.broken = False
-            count = _sentences(self.reference)
+            count = _constraints(self.reference)
             names = ", ".join(map(str, changed))
             note = Note(time, NoteKind.RELOADED, f"read {names} again: {count} constraint{'' if count == 1 else 's'}")
         # As the files were before they were read: what is written meanwhile is a change of its own.
@@ -96,7 +96,7 @@ class ReferenceFiles:
             raise
 
 
-def _sentences(reference: Reference) -> int:
+def _constraints(reference: Reference) -> int:
     parts = (reference.expectations, reference.presences, reference.field_checks, reference.chains)
     return sum(map(len, parts))
 

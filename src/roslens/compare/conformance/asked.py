@@ -24,7 +24,7 @@ from roslens.judge.reference.expectation import (
     StateOf,
     Told,
 )
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.judge.reference.same_value import number_of, same_value
 from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
@@ -154,17 +154,17 @@ def _about_nothing(
     reference: Reference, subjects: Sequence[Subject], kinds: Collection[EntityKind], row: _Row, other: Side
 ) -> Iterator[Disparity]:
     for one in unmatched(reference, subjects, kinds):
-        about = one.sentence.told
-        if isinstance(one.sentence, Presence):
+        about = one.constraint.told
+        if isinstance(one.constraint, Presence):
             # What it is there for does not exist either.
             continue
         severity = Severity.NOTE if not other.whole or other.kind is SideKind.SOURCE else Severity.WARNING
         typed = bool(one.selector.type) and " is there, but of type " in one.advice
         text = f"{about.id} is about nothing there. {one.advice}".strip()
         yield row.of(
-            one.selector.kind.value, _name(one.selector), f"{subject_words(one.sentence)}: "
-            f"{expected_words(one.sentence)}", ABSENT if not typed else "of another type", about, text, Reason.MISSING,
-            Aspect.TYPE if typed else Aspect.EXPECTED, Severity.ERROR if typed else severity,
+            one.selector.kind.value, _name(one.selector), f"{subject_words(one.constraint)}: "
+            f"{expected_words(one.constraint)}", ABSENT if not typed else "of another type", about, text,
+            Reason.MISSING, Aspect.TYPE if typed else Aspect.EXPECTED, Severity.ERROR if typed else severity,
         )  # fmt: skip
 
 
@@ -199,7 +199,7 @@ def _fits(check: StateCheck, is_: str) -> bool:
 
 def _uncovered(reference: Reference, other: Side, subjects: Sequence[Subject]) -> Iterator[str]:
     """Yield how many topics and nodes there are that no constraint is about."""
-    index = PatternIndex((selector, 0) for one in sentences_of(reference) if (selector := _about(one)) is not None)
+    index = PatternIndex((selector, 0) for one in constraints_of(reference) if (selector := _about(one)) is not None)
     covered = {(one.kind, one.name) for one in subjects if _find(index, one)}
     for kind, claims in ((EntityKind.NODE, NODE), (EntityKind.TOPIC, TOPIC)):
         if claims not in other.knows:
@@ -218,8 +218,8 @@ def _names(side: Side, kind: str) -> list[str]:
     return sorted({one.node or one.name for one in side.claims if one.kind == kind and not plumbing(one)})
 
 
-def _about(sentence: object) -> Selector | None:
-    found = getattr(sentence, "selector", None)
+def _about(constraint: object) -> Selector | None:
+    found = getattr(constraint, "selector", None)
     return found if isinstance(found, Selector) else None
 
 

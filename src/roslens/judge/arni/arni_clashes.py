@@ -46,8 +46,8 @@ def clashes_of(text: str, known: Mapping[str, Quantity]) -> tuple[Clash, ...]:
         if isinstance(first, Expectation) and isinstance(second, Expectation):
             sides = [(_number(starts, one.other), first), (_number(starts, one.where), second)]
             sides.sort(key=lambda side: (not _is_pattern(side[1]), -side[0]))
-            (loser, sentence), (winner, _) = sides
-            found.append(Clash(loser, winner, sentence.quantity, sentence.percentile))
+            (loser, constraint), (winner, _) = sides
+            found.append(Clash(loser, winner, constraint.quantity, constraint.percentile))
     return tuple(found)
 
 

@@ -10,7 +10,7 @@ from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import parse_amount, parse_limits
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Timing, Told
-from roslens.judge.reference.reference_document import Declared, Defaults, Scope, Sentence
+from roslens.judge.reference.reference_document import Declared, Defaults, ReferenceConstraint, Scope
 from roslens.model.finding import Severity
 
 _ID = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.:-]*\Z")
@@ -102,7 +102,7 @@ def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) ->
     own = read_defaults(section, scope.defaults)
     location = section.location(key)
     return Told(
-        id=sentence_id(scope.document, name, aspect),
+        id=constraint_id(scope.document, name, aspect),
         where=f"{location.path}:{location.line}",
         severity=own.severity,
         group=own.group,
@@ -112,7 +112,7 @@ def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) ->
 
 
 def declared(
-    section: Section, scope: Scope, sentence: Sentence, name: str, key: str, *, void: bool = False
+    section: Section, scope: Scope, constraint: ReferenceConstraint, name: str, key: str, *, void: bool = False
 ) -> Declared:
     """Return a constraint with what merging asks for; it stands under ``key`` and expects nothing where ``void``.
 
@@ -123,9 +123,9 @@ def declared(
     if void and not override:
         raise section.fault(key, f"{key}: 'any' expects nothing", expected="a range", advice="Remove the line")
     return Declared(
-        sentence=sentence,
+        constraint=constraint,
         name=name,
-        aspect=sentence.told.id.removeprefix(f"{scope.document}.{name}."),
+        aspect=constraint.told.id.removeprefix(f"{scope.document}.{name}."),
         place=str(section.location(key)),
         given="id" in section,
         override=override,
@@ -133,7 +133,7 @@ def declared(
     )
 
 
-def sentence_id(document: str, name: str, aspect: str) -> str:
+def constraint_id(document: str, name: str, aspect: str) -> str:
     """Return the id of a constraint."""
     return f"{document}.{name}.{aspect}"
 

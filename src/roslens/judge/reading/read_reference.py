@@ -12,9 +12,9 @@ import msgspec
 from roslens.intake.is_there import is_file
 from roslens.judge.documents.document import Section, parse_document, read_document
 from roslens.judge.patterns.pattern import REGULAR_EXPRESSION, Pattern
-from roslens.judge.reading.read_common_keys import read_defaults, reading, sentence_id, slug, visible
+from roslens.judge.reading.read_common_keys import constraint_id, read_defaults, reading, slug, visible
+from roslens.judge.reading.read_constraints import read_constraints
 from roslens.judge.reading.read_reactions import read_reactions
-from roslens.judge.reading.read_sentences import read_sentences
 from roslens.judge.reference.expectation import Reference
 from roslens.judge.reference.merge_references import merge_references
 from roslens.judge.reference.name_scope import join, put_under
@@ -119,7 +119,7 @@ class _Reader:
         )
         title = visible(document, "title", document.text("title", name))
         shown = str(source) if isinstance(source, Path) else source.shown
-        own = distinct(read_sentences(document, scope), name)
+        own = distinct(read_constraints(document, scope), name)
         self.documents.append(ReferenceDocument(name, title, shown, own, read_reactions(document, scope)))
 
     def _name(self, document: Section, path: str) -> str:
@@ -137,7 +137,7 @@ class _Reader:
         return name
 
 
-def distinct(sentences: Iterable[Declared], document: str) -> tuple[Declared, ...]:
+def distinct(constraints: Iterable[Declared], document: str) -> tuple[Declared, ...]:
     """Return the constraints of a document with ids of their own.
 
     Names by default get ``~2``, ``~3``… where they are the same.
@@ -147,13 +147,13 @@ def distinct(sentences: Iterable[Declared], document: str) -> tuple[Declared, ..
     """
     seen: dict[tuple[str, str], Declared] = {}
     found = []
-    for one in sentences:
+    for one in constraints:
         name, number = one.name, 1
         while (name, one.aspect) in seen:
             other = seen[name, one.aspect]
             if one.given:
                 raise DocumentError(
-                    f"a second constraint with id {one.sentence.told.id!r}",
+                    f"a second constraint with id {one.constraint.told.id!r}",
                     where=one.place,
                     expected=f"one (the first is at {other.place})",
                     advice="Give it another `id`",
@@ -161,9 +161,9 @@ def distinct(sentences: Iterable[Declared], document: str) -> tuple[Declared, ..
             number += 1
             name = f"{one.name}~{number}"
         if number > 1:
-            told = msgspec.structs.replace(one.sentence.told, id=sentence_id(document, name, one.aspect))
-            sentence = msgspec.structs.replace(one.sentence, told=told)
-            one = msgspec.structs.replace(one, name=name, sentence=sentence)
+            told = msgspec.structs.replace(one.constraint.told, id=constraint_id(document, name, one.aspect))
+            constraint = msgspec.structs.replace(one.constraint, told=told)
+            one = msgspec.structs.replace(one, name=name, constraint=constraint)
         seen[name, one.aspect] = one
         found.append(one)
     return tuple(found)

@@ -12,7 +12,7 @@ from roslens.judge.reference.expectation import (
     Selector,
     StateCheck,
 )
-from roslens.judge.reference.reference_document import Sentence
+from roslens.judge.reference.reference_document import ReferenceConstraint
 from roslens.model.entity import EntityKind
 
 
@@ -29,39 +29,39 @@ def selector_words(selector: Selector) -> str:
     return words + (f", without {' and '.join(selector.without)}" if selector.without else "")
 
 
-def subject_words(sentence: Sentence) -> str:
+def subject_words(constraint: ReferenceConstraint) -> str:
     """Return what a constraint is about: entities, a field of messages, a path over topics."""
-    if isinstance(sentence, FieldCheck):
-        words = selector_words(sentence.selector).removeprefix(f"{EntityKind.TOPIC.value} ")
-        return f"field {sentence.field} of {words}"
-    if isinstance(sentence, AgeChain):
-        return f"data over {' > '.join(sentence.topics)}"
-    return selector_words(sentence.selector)
+    if isinstance(constraint, FieldCheck):
+        words = selector_words(constraint.selector).removeprefix(f"{EntityKind.TOPIC.value} ")
+        return f"field {constraint.field} of {words}"
+    if isinstance(constraint, AgeChain):
+        return f"data over {' > '.join(constraint.topics)}"
+    return selector_words(constraint.selector)
 
 
-def expected_words(sentence: Sentence) -> str:
+def expected_words(constraint: ReferenceConstraint) -> str:
     """Return what a constraint expects of it: ``rate 25..35 Hz``, ``is there while node /joy is``."""
-    if isinstance(sentence, Expectation):
-        return f"{sentence.quantity} {sentence.written}"
-    if isinstance(sentence, Presence):
-        several = sentence.mode in EACH and len(alternatives(sentence.selector.name)) > 1
-        if sentence.condition is not None:
-            who = "each is" if several else "one is" if sentence.mode is PresenceMode.ANY_WHILE else "is"
-            return f"{who} there while {selector_words(sentence.condition)} is"
+    if isinstance(constraint, Expectation):
+        return f"{constraint.quantity} {constraint.written}"
+    if isinstance(constraint, Presence):
+        several = constraint.mode in EACH and len(alternatives(constraint.selector.name)) > 1
+        if constraint.condition is not None:
+            who = "each is" if several else "one is" if constraint.mode is PresenceMode.ANY_WHILE else "is"
+            return f"{who} there while {selector_words(constraint.condition)} is"
         return {
             PresenceMode.ALWAYS: "each is always there" if several else "is always there",
             PresenceMode.ANY: "one is always there",
             PresenceMode.NEVER: "is never there",
             PresenceMode.AT_MOST_ONE: "is there at most once",
-        }.get(sentence.mode, sentence.mode.value)
-    if isinstance(sentence, AgeChain):
-        return f"age {sentence.written}"
-    if isinstance(sentence, StateCheck):
-        return f"{sentence.of.value} {sentence.written}"
-    words = f"{sentence.measure.value} {sentence.written}"
-    if (other := sentence.other) is not None:
-        words = f"difference to {other.topic + ' ' if other.topic else ''}{other.field} {sentence.written}"
-    if (condition := sentence.condition) is not None:
-        topic = "" if condition.topic in ("", sentence.topic) else f"{condition.topic} "
+        }.get(constraint.mode, constraint.mode.value)
+    if isinstance(constraint, AgeChain):
+        return f"age {constraint.written}"
+    if isinstance(constraint, StateCheck):
+        return f"{constraint.of.value} {constraint.written}"
+    words = f"{constraint.measure.value} {constraint.written}"
+    if (other := constraint.other) is not None:
+        words = f"difference to {other.topic + ' ' if other.topic else ''}{other.field} {constraint.written}"
+    if (condition := constraint.condition) is not None:
+        topic = "" if condition.topic in ("", constraint.topic) else f"{condition.topic} "
         words += f" while {topic}{condition.field} is {condition.range}"
     return words

@@ -22,7 +22,7 @@ from roslens.judge.reference.expectation import (
     Selector,
     StateCheck,
 )
-from roslens.judge.reference.reference_document import Declared, Sentence
+from roslens.judge.reference.reference_document import Declared, ReferenceConstraint
 from roslens.judge.reference.same_value import number_of, same_value
 from roslens.model.errors import DocumentError
 
@@ -41,8 +41,8 @@ class Contradiction(msgspec.Struct, frozen=True):
         other: ``file:line:column`` of the first.
     """
 
-    first: Sentence
-    second: Sentence
+    first: ReferenceConstraint
+    second: ReferenceConstraint
     entity: str
     where: str
     other: str
@@ -63,21 +63,21 @@ def contradictions(declared: Sequence[Declared]) -> Iterator[Contradiction]:
     """Yield the pairs among ``declared`` that exclude each other, in their order."""
     groups: dict[tuple[object, ...], list[Declared]] = defaultdict(list)
     for one in declared:
-        groups[_theme(one.sentence)].append(one)
+        groups[_theme(one.constraint)].append(one)
     for group in groups.values():
         for first, second in _suspects(group):
-            entity = _clash(first.sentence, second.sentence)
+            entity = _clash(first.constraint, second.constraint)
             if entity is not None:
-                yield Contradiction(first.sentence, second.sentence, entity, second.place, first.place)
+                yield Contradiction(first.constraint, second.constraint, entity, second.place, first.place)
 
 
 def _suspects(group: Sequence[Declared]) -> Iterator[tuple[Declared, Declared]]:
     """Yield the pairs that are worth a closer look: of a thousand constraints only few share a name."""
-    sentences = [one.sentence for one in group]
-    modes = {one.mode for one in sentences if isinstance(one, Presence)}
+    constraints = [one.constraint for one in group]
+    modes = {one.mode for one in constraints if isinstance(one, Presence)}
     if modes and not (PresenceMode.NEVER in modes and modes.intersection(_NEEDED)):
         return
-    expectations = [sentence for sentence in sentences if isinstance(sentence, Expectation)]
+    expectations = [constraint for constraint in constraints if isinstance(constraint, Expectation)]
     if len(expectations) < len(group) or len({one.percentile for one in expectations}) > 1:
         yield from combinations(group, 2)
         return
@@ -110,20 +110,20 @@ def meeting_name(one: Selector, other: Selector) -> str | None:
     return common_name(names, [Pattern.parse(text) for text in (*one.without, *other.without)])
 
 
-def _theme(sentence: Sentence) -> tuple[object, ...]:
+def _theme(constraint: ReferenceConstraint) -> tuple[object, ...]:
     """Return what two constraints share that could exclude each other."""
-    if isinstance(sentence, Expectation):
-        return ("signal", sentence.selector.kind, sentence.quantity)
-    if isinstance(sentence, Presence):
-        return ("presence", sentence.selector.kind)
-    if isinstance(sentence, AgeChain):
-        return ("chain", sentence.topics)
-    if isinstance(sentence, StateCheck):
-        return ("state", sentence.selector.kind, sentence.of)
-    return ("field", sentence.field, sentence.condition, sentence.measure, sentence.other)
+    if isinstance(constraint, Expectation):
+        return ("signal", constraint.selector.kind, constraint.quantity)
+    if isinstance(constraint, Presence):
+        return ("presence", constraint.selector.kind)
+    if isinstance(constraint, AgeChain):
+        return ("chain", constraint.topics)
+    if isinstance(constraint, StateCheck):
+        return ("state", constraint.selector.kind, constraint.of)
+    return ("field", constraint.field, constraint.condition, constraint.measure, constraint.other)
 
 
-def _clash(one: Sentence, other: Sentence) -> str | None:
+def _clash(one: ReferenceConstraint, other: ReferenceConstraint) -> str | None:
     """Return an entity on which two constraints exclude each other; empty for unknown, None where they do not."""
     if isinstance(one, Expectation) and isinstance(other, Expectation):
         return meeting_name(one.selector, other.selector) if _apart(one, other) else None

@@ -204,10 +204,10 @@ class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
     reactions: tuple[Reaction, ...] = ()
 
 
-AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain, StateCheck)
+AnyConstraint = TypeVar("AnyConstraint", Expectation, Presence, FieldCheck, AgeChain, StateCheck)
 
 
-def essence(sentence: AnySentence) -> AnySentence:
+def essence(constraint: AnyConstraint) -> AnyConstraint:
     """Return a constraint without what is only told of it: two with the same essence expect the same."""
-    told = Told(sentence.told.id, timing=sentence.told.timing)
-    return msgspec.structs.replace(sentence, told=told)
+    told = Told(constraint.told.id, timing=constraint.told.timing)
+    return msgspec.structs.replace(constraint, told=told)

@@ -11,7 +11,7 @@ from roslens.judge.ranges.amount import Limits, limits_text
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Presence, Selector, StateCheck
 from roslens.judge.reference.merge_references import Merged
-from roslens.judge.reference.reference_document import Declared, Sentence
+from roslens.judge.reference.reference_document import Declared, ReferenceConstraint
 from roslens.judge.reference.unmatched import Subject
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Quantity
@@ -50,10 +50,10 @@ def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dic
     """Return the range that is left of each signal that several constraints are about, in words, by its key."""
     ranges: dict[str, list[Range]] = {}
     for one in applied:
-        sentence = one.declared.sentence
-        plain = isinstance(sentence, Expectation) and not sentence.percentile
-        if plain and isinstance(sentence, Expectation) and not one.provided and not one.replaced_by:
-            ranges.setdefault(sentence.quantity, []).append(sentence.range)
+        constraint = one.declared.constraint
+        plain = isinstance(constraint, Expectation) and not constraint.percentile
+        if plain and isinstance(constraint, Expectation) and not one.provided and not one.replaced_by:
+            ranges.setdefault(constraint.quantity, []).append(constraint.range)
     left = {}
     for key, several in ranges.items():
         together: Range | None = Range()
@@ -65,12 +65,12 @@ def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dic
 
 
 def _applied(declared: Declared, subject: Subject) -> Iterator[Applied]:
-    sentence = declared.sentence
-    if isinstance(sentence, Expectation | Presence | StateCheck):
-        provided = _provided(sentence.selector, subject)
+    constraint = declared.constraint
+    if isinstance(constraint, Expectation | Presence | StateCheck):
+        provided = _provided(constraint.selector, subject)
         if provided is not None:
             yield Applied(declared, provided)
-    role = _role(sentence, subject)
+    role = _role(constraint, subject)
     if role is not None:
         yield Applied(declared, role=role)
 
@@ -95,24 +95,24 @@ def _provided(selector: Selector, subject: Subject) -> str | None:
     return " and ".join(conditions)
 
 
-def _role(sentence: Sentence, subject: Subject) -> str | None:
+def _role(constraint: ReferenceConstraint, subject: Subject) -> str | None:
     """Return how an entity takes part in a constraint that is not about it alone; None where it does not."""
-    if isinstance(sentence, Presence):
-        condition = sentence.condition
+    if isinstance(constraint, Presence):
+        condition = constraint.condition
         return "it is the condition" if condition and _provided(condition, subject) == "" else None
-    if subject.kind is not EntityKind.TOPIC or isinstance(sentence, Expectation | StateCheck):
+    if subject.kind is not EntityKind.TOPIC or isinstance(constraint, Expectation | StateCheck):
         return None
-    if isinstance(sentence, AgeChain):
-        if subject.name not in sentence.topics:
+    if isinstance(constraint, AgeChain):
+        if subject.name not in constraint.topics:
             return None
-        return f"it is topic {sentence.topics.index(subject.name) + 1} of {len(sentence.topics)}"
-    return _field_role(sentence, subject)
+        return f"it is topic {constraint.topics.index(subject.name) + 1} of {len(constraint.topics)}"
+    return _field_role(constraint, subject)
 
 
-def _field_role(sentence: FieldCheck, subject: Subject) -> str | None:
-    if _provided(sentence.selector, subject) is not None:
+def _field_role(constraint: FieldCheck, subject: Subject) -> str | None:
+    if _provided(constraint.selector, subject) is not None:
         return ""
-    if sentence.other is not None and subject.name == sentence.other.topic:
+    if constraint.other is not None and subject.name == constraint.other.topic:
         return "it is compared with"
-    enabled_by = sentence.condition.topic if sentence.condition else ""
+    enabled_by = constraint.condition.topic if constraint.condition else ""
     return "it holds the condition" if subject.name == enabled_by else None

@@ -10,7 +10,7 @@ import msgspec
 from roslens.judge.reference.contradiction import Contradiction, contradictions
 from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Presence, Reference, StateCheck
 from roslens.judge.reference.merge_reactions import merge_reactions
-from roslens.judge.reference.reference_document import Declared, ReferenceDocument, Sentence
+from roslens.judge.reference.reference_document import Declared, ReferenceConstraint, ReferenceDocument
 from roslens.model.errors import DocumentError
 from roslens.plugins.nearest import did_you_mean
 
@@ -47,9 +47,9 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
                 identity = _overridden(kept, one, document)
                 replaced.append((kept[identity], one))
                 kept[identity] = _renamed(one, identity)
-            elif (identity := one.sentence.told.id) not in kept:
+            elif (identity := one.constraint.told.id) not in kept:
                 kept[identity] = one
-            elif one.sentence != kept[identity].sentence:
+            elif one.constraint != kept[identity].constraint:
                 # A document in two namespaces says the same of hosts twice; anything else is an accident.
                 raise DocumentError(
                     f"a second constraint with id {identity!r}",
@@ -72,27 +72,27 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
     return Merged(reference, tuple(contradictions(standing)), standing, tuple(replaced))
 
 
-def sentences_of(reference: Reference) -> tuple[Sentence, ...]:
+def constraints_of(reference: Reference) -> tuple[ReferenceConstraint, ...]:
     """Return every constraint of a reference, sorted by id."""
-    everything: list[Sentence] = [
+    everything: list[ReferenceConstraint] = [
         *reference.expectations,
         *reference.presences,
         *reference.field_checks,
         *reference.chains,
         *reference.states,
     ]
-    return tuple(sorted(everything, key=lambda sentence: sentence.told.id))
+    return tuple(sorted(everything, key=lambda constraint: constraint.told.id))
 
 
 def _sorted(declared: Sequence[Declared], kind: type[Kind]) -> tuple[Kind, ...]:
-    found = [one.sentence for one in declared if isinstance(one.sentence, kind)]
-    return tuple(sorted(found, key=lambda sentence: sentence.told.id))
+    found = [one.constraint for one in declared if isinstance(one.constraint, kind)]
+    return tuple(sorted(found, key=lambda constraint: constraint.told.id))
 
 
 def _renamed(one: Declared, identity: str) -> Declared:
     """Return a constraint with the id of the one it replaces, as others may refer to that."""
-    told = msgspec.structs.replace(one.sentence.told, id=identity)
-    return msgspec.structs.replace(one, sentence=msgspec.structs.replace(one.sentence, told=told))
+    told = msgspec.structs.replace(one.constraint.told, id=identity)
+    return msgspec.structs.replace(one, constraint=msgspec.structs.replace(one.constraint, told=told))
 
 
 def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> str:
@@ -101,7 +101,7 @@ def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDoc
     Raises:
         DocumentError: there is none, or there are several.
     """
-    own = {declared.sentence.told.id for declared in document.declared if not declared.override}
+    own = {declared.constraint.told.id for declared in document.declared if not declared.override}
     words = f"{one.name}.{one.aspect}"
     targets = [
         identity

@@ -11,7 +11,7 @@ from roslens.model.acting.reaction import Reaction
 from roslens.model.finding import Severity
 from roslens.model.quantity import Quantity
 
-Sentence = Expectation | Presence | FieldCheck | AgeChain | StateCheck
+ReferenceConstraint = Expectation | Presence | FieldCheck | AgeChain | StateCheck
 
 
 class Defaults(msgspec.Struct, frozen=True):
@@ -44,7 +44,7 @@ class Declared(msgspec.Struct, frozen=True):
     """A constraint with what merging asks for.
 
     Attributes:
-        sentence: what is expected.
+        constraint: what is expected.
         name: what the document calls it, or what it is called by default; constraints on several signals share it.
         aspect: what of it this constraint is about; its id is ``<document>.<name>.<aspect>``.
         place: ``file:line:column``.
@@ -53,7 +53,7 @@ class Declared(msgspec.Struct, frozen=True):
         void: whether it expects nothing, so that overriding with it takes the other away.
     """
 
-    sentence: Sentence
+    constraint: ReferenceConstraint
     name: str
     aspect: str
     place: str

@@ -10,9 +10,9 @@ import msgspec
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.constraint_words import selector_words
 from roslens.judge.reference.expectation import AgeChain, FieldCheck, Presence, Reference, Selector
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.judge.reference.pattern_index import PatternIndex
-from roslens.judge.reference.reference_document import Sentence
+from roslens.judge.reference.reference_document import ReferenceConstraint
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.plugins.nearest import nearest_few
@@ -37,13 +37,13 @@ MOST_ADVISED = 50
 class Unmatched(msgspec.Struct, frozen=True):
     """A constraint, the part of it that matches nothing, and what might have been meant."""
 
-    sentence: Sentence
+    constraint: ReferenceConstraint
     selector: Selector
     advice: str = ""
 
     def __str__(self) -> str:
         """Return it in the message form."""
-        told = self.sentence.told
+        told = self.constraint.told
         text = f"{told.where}: {told.id} is about nothing: no {selector_words(self.selector)} is there"
         return f"{text}. {self.advice}" if self.advice else text
 
@@ -60,7 +60,7 @@ def unmatched(
         subjects: everything that has been seen.
         kinds: of entities that can be seen at all; a recording, for one, knows of no host.
     """
-    asked = [(selector, sentence) for sentence in sentences_of(reference) for selector in _selectors(sentence)]
+    asked = [(selector, constraint) for constraint in constraints_of(reference) for selector in _selectors(constraint)]
     index = PatternIndex((selector, number) for number, (selector, _) in enumerate(asked))
     matched: set[int] = set()
     there: dict[EntityKind, dict[str, list[Subject]]] = defaultdict(dict)
@@ -69,8 +69,8 @@ def unmatched(
         matched.update(_find(index, subject))
     missing = [pair for number, pair in enumerate(asked) if number not in matched and pair[0].kind in kinds]
     return [
-        Unmatched(sentence, selector, _advice(selector, there[selector.kind]) if number < MOST_ADVISED else "")
-        for number, (selector, sentence) in enumerate(missing)
+        Unmatched(constraint, selector, _advice(selector, there[selector.kind]) if number < MOST_ADVISED else "")
+        for number, (selector, constraint) in enumerate(missing)
     ]
 
 
@@ -110,17 +110,17 @@ def _find(index: PatternIndex[int], subject: Subject) -> Sequence[int]:
     )
 
 
-def _selectors(sentence: Sentence) -> tuple[Selector, ...]:
+def _selectors(constraint: ReferenceConstraint) -> tuple[Selector, ...]:
     """Return what a constraint needs to be there to be about something."""
-    if isinstance(sentence, Presence):
-        return (sentence.condition,) if sentence.condition is not None else ()
-    if isinstance(sentence, FieldCheck):
-        named = {part.topic for part in (sentence.condition, sentence.other) if part is not None and part.topic}
-        others = sorted(named - {Pattern.parse(sentence.topic).literal})
-        return (sentence.selector, *(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in others))
-    if isinstance(sentence, AgeChain):
-        return tuple(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in sentence.topics)
-    return (sentence.selector,)
+    if isinstance(constraint, Presence):
+        return (constraint.condition,) if constraint.condition is not None else ()
+    if isinstance(constraint, FieldCheck):
+        named = {part.topic for part in (constraint.condition, constraint.other) if part is not None and part.topic}
+        others = sorted(named - {Pattern.parse(constraint.topic).literal})
+        return (constraint.selector, *(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in others))
+    if isinstance(constraint, AgeChain):
+        return tuple(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in constraint.topics)
+    return (constraint.selector,)
 
 
 def _escaped(name: str) -> str:

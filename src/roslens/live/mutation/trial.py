@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import msgspec
 
 from roslens.judge.reference.expectation import Reference
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind, graphs
 from roslens.live.replay.alarms import Alarm, AlarmLog
 from roslens.live.replay.replay import Recording, replay
@@ -52,7 +52,7 @@ Opened = Callable[[float, float, "Fault | None"], Recording]
 
 def margins(reference: Reference) -> tuple[float, float]:
     """Return how many seconds have to be replayed before and after a fault."""
-    told = [one.told.timing for one in sentences_of(reference)]
+    told = [one.told.timing for one in constraints_of(reference)]
     grace = max((one.grace for one in told), default=0.0)
     window = max((one.window for one in told), default=0.0)
     lasting = max((one.lasting for one in told), default=0.0)

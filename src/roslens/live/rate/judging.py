@@ -112,23 +112,23 @@ def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
     due = sampled.next_due(now)
     changed: list[Judged] = []
     for judged in sampled.judged:
-        sentence = judged.sentence
+        constraint = judged.constraint
         if sampled.unheard is not None:
             if _judge_unheard(judged, now, sampled.unheard):
                 changed.append(judged)
             continue
         judged.unheard = ""
-        value = sampled.value(sentence.key, sentence.timing.window, sentence.percentile, now)
-        grace = sampled.appeared + sentence.timing.grace
-        raw = sentence.bounds.state(value)
-        if not sampled.seen and not sampled.known and sentence.literal is not None:
+        value = sampled.value(constraint.key, constraint.timing.window, constraint.percentile, now)
+        grace = sampled.appeared + constraint.timing.grace
+        raw = constraint.bounds.state(value)
+        if not sampled.seen and not sampled.known and constraint.literal is not None:
             raw, judged.evidence = State.ABSENT, "never seen"
         elif value is None:
             judged.evidence = "no fresh sample"
         else:
             judged.evidence = f"sampled {max(now - sampled.noticed, 0):.1f} s ago"
         began = sampled.appeared if raw is State.ABSENT else NEVER
-        firm = sentence.bounds.firm(value, judged.state.state)
+        firm = constraint.bounds.firm(value, judged.state.state)
         if judged.state.step(now, raw, value, firm=firm, began=began, grace=grace):
             changed.append(judged)
         due = min(due, judged.state.due)
@@ -152,20 +152,20 @@ def _judge_group(
 
 
 def _step(judged: Judged, now: float, value: float | None, window: Window | None, appeared: float) -> bool:
-    sentence = judged.sentence
+    constraint = judged.constraint
     judged.window, judged.unheard = window, ""
     if value is not None and value - value != 0:
         value = None
-    raw = sentence.bounds.state(value)
+    raw = constraint.bounds.state(value)
     state = judged.state
-    grace = appeared + sentence.timing.grace
+    grace = appeared + constraint.timing.grace
     if raw is State.OK:
         if now < grace and window is not None and not window.filled:
             moved = state.step(now, State.UNKNOWN, value)
             state.due = min(grace, now + max(window.length - (window.horizon - window.begun), 0.05))
             return moved
-        return state.step(now, raw, value, firm=sentence.bounds.firm(value, state.state))
-    if window is not None and not window.filled and raw.bad and _early(sentence, window, raw):
+        return state.step(now, raw, value, firm=constraint.bounds.firm(value, state.state))
+    if window is not None and not window.filled and raw.bad and _early(constraint, window, raw):
         moved = state.step(now, State.UNKNOWN, value)
         state.due = now + max(window.length - (window.horizon - window.begun), 0.05)
         return moved
@@ -174,32 +174,32 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
         began = longest_gap(window, now)[1]
     elif window is not None and window.silent and raw is not State.UNKNOWN:
         began = now - window.quiet - (window.late(now) if window.horizon > window.until else 0.0)
-    if raw is State.LOW and value == 0.0 and sentence.silence:
+    if raw is State.LOW and value == 0.0 and constraint.silence:
         raw = State.ABSENT
     return state.step(now, raw, value, began=began, grace=grace)
 
 
-def _early(sentence: ReadyConstraint, window: Window, raw: State) -> bool:
+def _early(constraint: ReadyConstraint, window: Window, raw: State) -> bool:
     """Whether what may still come before the window is filled could make a bad rate fine."""
-    if sentence.key == "rate" and raw is State.HIGH:
-        return window.count <= sentence.bounds.high * window.length
-    if sentence.key in _RATES:
-        return not sentence.period or window.quiet <= _UNSEEN_PERIODS * sentence.period
+    if constraint.key == "rate" and raw is State.HIGH:
+        return window.count <= constraint.bounds.high * window.length
+    if constraint.key in _RATES:
+        return not constraint.period or window.quiet <= _UNSEEN_PERIODS * constraint.period
     return False
 
 
 def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool) -> bool:
     """Judge a constraint about a topic of which nobody tells anything."""
-    sentence = judged.sentence
+    constraint = judged.constraint
     judged.window = None
     judged.unheard = ""
-    grace = topic.appeared + max(sentence.timing.grace, _UNSEEN_PERIODS * sentence.period)
+    grace = topic.appeared + max(constraint.timing.grace, _UNSEEN_PERIODS * constraint.period)
     there = topic.known and graph_known
     if there and topic.publishers:
         raw, judged.evidence = State.UNKNOWN, "it is published, but nobody observes it"
-    elif sentence.silence and (sentence.literal is not None or topic.connections):
+    elif constraint.silence and (constraint.literal is not None or topic.connections):
         raw, judged.evidence = State.ABSENT, "nobody publishes it" if there else "never seen"
-    elif sentence.literal is not None and not there and not topic.connections:
+    elif constraint.literal is not None and not there and not topic.connections:
         raw, judged.evidence = State.ABSENT, "never seen"
     else:
         raw, judged.evidence = State.UNKNOWN, "nothing is known of it"
@@ -210,7 +210,7 @@ def _gap_due(group: Group, window: Window | None, now: float) -> float:
     """Return when the silence that goes on breaks a bound on gaps that are longer than the window."""
     if window is None:
         return NEVER
-    left = [one.sentence.bounds.high - window.quiet for one in group.judged]
+    left = [one.constraint.bounds.high - window.quiet for one in group.judged]
     return now + min((one for one in left if one >= 0), default=NEVER) + 1e-6
 
 

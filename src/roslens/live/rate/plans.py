@@ -41,11 +41,11 @@ def plan(entity: Measured, world: World, rules: Rulebook, now: float) -> list[Ju
     if isinstance(entity, Topic):
         return _plan_topic(entity, world, rules, now)
     if isinstance(entity, Sampled):
-        sentences = rules.about(entity.id.kind, entity.id.name, world.facts(entity))
+        constraints = rules.about(entity.id.kind, entity.id.name, world.facts(entity))
         if not entity.seen:
-            sentences = _with(sentences, rules.required.get((entity.id.kind, entity.id.name), ()))
-        dropped = entity.adopt(sentences, now)
-        entity.keep(max((one.timing.window for one in sentences), default=0.0))
+            constraints = _with(constraints, rules.required.get((entity.id.kind, entity.id.name), ()))
+        dropped = entity.adopt(constraints, now)
+        entity.keep(max((one.timing.window for one in constraints), default=0.0))
         return dropped
     return []
 
@@ -56,8 +56,8 @@ def _plan_connection(connection: Connection, world: World, rules: Rulebook, now:
     if not connection.planless:
         return dropped
     dropped += connection.adopt(_about(connection, world, rules), now)
-    asked = _lengths(judged.sentence for judged in connection.judged)
-    percentile = any(judged.sentence.percentile for judged in connection.judged)
+    asked = _lengths(judged.constraint for judged in connection.judged)
+    percentile = any(judged.constraint.percentile for judged in connection.judged)
     if not asked <= set(topic.lengths) or (percentile and topic.most == MAX_BUCKETS):
         return dropped + _plan_topic(topic, world, rules, now)
     _place(connection, topic.lengths, topic.most)
@@ -65,17 +65,17 @@ def _plan_connection(connection: Connection, world: World, rules: Rulebook, now:
 
 
 def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list[Judged]:
-    sentences = rules.about(EntityKind.TOPIC, topic.name, world.facts(topic))
+    constraints = rules.about(EntityKind.TOPIC, topic.name, world.facts(topic))
     if not topic.seen:
-        sentences = _with(sentences, rules.required.get((EntityKind.TOPIC, topic.name), ()))
+        constraints = _with(constraints, rules.required.get((EntityKind.TOPIC, topic.name), ()))
     if not topic.connections:
-        sentences = _with(sentences, rules.required.get((EntityKind.CONNECTION, topic.name), ()))
-    dropped = topic.adopt(sentences, now)
+        constraints = _with(constraints, rules.required.get((EntityKind.CONNECTION, topic.name), ()))
+    dropped = topic.adopt(constraints, now)
     connections = [one for group in topic.connections.values() for one in group]
     for connection in connections:
         if connection.planless:
             dropped += connection.adopt(_about(connection, world, rules), now)
-    every = [judged.sentence for one in (topic, *connections) for judged in one.judged]
+    every = [judged.constraint for one in (topic, *connections) for judged in one.judged]
     usual = window_length(max((one.period for one in every if not one.window), default=0.0))
     topic.most = MAX_VALUES if any(one.percentile for one in every) else MAX_BUCKETS
     topic.lengths = (usual, *sorted(_lengths(every) - {usual}))
@@ -90,7 +90,7 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
     if isinstance(entity, Connection):
         entity.resize(lengths, most)
     for judged in entity.judged:
-        window = judged.sentence.window
+        window = judged.constraint.window
         judged.at = lengths.index(window) if window else 0
     entity.gather()
 
@@ -99,17 +99,19 @@ def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[Ready
     return rules.about(EntityKind.CONNECTION, connection.topic, world.facts(connection))
 
 
-def _lengths(sentences: Iterable[ReadyConstraint]) -> set[float]:
-    return {one.window for one in sentences if one.window}
+def _lengths(constraints: Iterable[ReadyConstraint]) -> set[float]:
+    return {one.window for one in constraints if one.window}
 
 
-def _with(sentences: tuple[ReadyConstraint, ...], more: Iterable[ReadyConstraint]) -> tuple[ReadyConstraint, ...]:
-    return tuple(sorted({*sentences, *more}, key=lambda one: one.told.id))
+def _with(constraints: tuple[ReadyConstraint, ...], more: Iterable[ReadyConstraint]) -> tuple[ReadyConstraint, ...]:
+    return tuple(sorted({*constraints, *more}, key=lambda one: one.told.id))
 
 
 def tolerance(world: World, tally: Tally) -> float:
     """Return how wrong times of a tally may be so that constraints on them can be judged: half of what is fine."""
     connection = world.connections.get((tally.topic, tally.publisher, tally.subscriber))
     entities = filter(None, (connection, world.topics.get(tally.topic)))
-    highest = [one.sentence.bounds.high for entity in entities for one in entity.judged if one.sentence.key in _TIMES]
+    highest = [
+        one.constraint.bounds.high for entity in entities for one in entity.judged if one.constraint.key in _TIMES
+    ]
     return min(highest) / 2 if highest else USUAL_TOLERANCE_S

@@ -17,16 +17,16 @@ class Judged(Standing):
     """A constraint about a signal of an entity.
 
     Attributes:
-        sentence: that is judged.
+        constraint: that is judged.
         at: number of the window that it takes.
         group: of the constraints that take the same value.
     """
 
-    __slots__ = ("at", "group", "sentence")
+    __slots__ = ("at", "constraint", "group")
 
-    def __init__(self, entity: EntityId, sentence: ReadyConstraint, now: float) -> None:
-        super().__init__(entity, sentence.told, sentence.key, sentence.written, now)
-        self.sentence = sentence
+    def __init__(self, entity: EntityId, constraint: ReadyConstraint, now: float) -> None:
+        super().__init__(entity, constraint.told, constraint.key, constraint.written, now)
+        self.constraint = constraint
         self.at = 0
         self.group: Group | None = None
 
@@ -66,10 +66,10 @@ class Group:
     def __init__(self, entity: Measured, judged: list[Judged]) -> None:
         first = judged[0]
         self.entity = entity
-        self.measure = MEASURES.get(first.sentence.key)
-        self.key, self.at, self.percentile = first.sentence.key, first.at, first.sentence.percentile
-        self.low = max(one.sentence.bounds.low for one in judged)
-        self.high = min(one.sentence.bounds.high for one in judged)
+        self.measure = MEASURES.get(first.constraint.key)
+        self.key, self.at, self.percentile = first.constraint.key, first.at, first.constraint.percentile
+        self.low = max(one.constraint.bounds.low for one in judged)
+        self.high = min(one.constraint.bounds.high for one in judged)
         self.judged = judged
         self.calm = False
         self.value = 0.0
@@ -131,14 +131,14 @@ class Measured:
         """Be judged anew from ``time``: what came before says nothing of what comes now."""
         self.appeared = self.due = time
 
-    def adopt(self, sentences: Iterable[ReadyConstraint], now: float) -> list[Judged]:
+    def adopt(self, constraints: Iterable[ReadyConstraint], now: float) -> list[Judged]:
         """Be judged by these constraints from now on; return those judged no more. Unchanged ones keep their state."""
         self.planless = False
-        old = {id(judged.sentence): judged for judged in self.judged}
+        old = {id(judged.constraint): judged for judged in self.judged}
         self.judged = []
-        for sentence in sentences:
-            kept = old.pop(id(sentence), None) or Judged(self.id, sentence, now)
-            kept.told = sentence.told
+        for constraint in constraints:
+            kept = old.pop(id(constraint), None) or Judged(self.id, constraint, now)
+            kept.told = constraint.told
             self.judged.append(kept)
         return list(old.values())
 
@@ -146,6 +146,6 @@ class Measured:
         """Group the constraints by the value they take."""
         groups: dict[tuple[str, int, float], list[Judged]] = {}
         for one in self.judged:
-            groups.setdefault((one.sentence.key, one.at, one.sentence.percentile), []).append(one)
+            groups.setdefault((one.constraint.key, one.at, one.constraint.percentile), []).append(one)
         self.groups = [Group(self, judged) for judged in groups.values()]
         self.calm = False

@@ -61,19 +61,21 @@ class Rulebook:
             ValueError: a pattern of a selector is none.
         """
         self.reference = reference
-        known: dict[Expectation, ReadyConstraint] = {essence(one.source): one for one in old.sentences} if old else {}
-        self.sentences: list[ReadyConstraint] = [
-            known.get(essence(one)) or _sentence(one) for one in reference.expectations
+        known: dict[Expectation, ReadyConstraint] = {essence(one.source): one for one in old.constraints} if old else {}
+        self.constraints: list[ReadyConstraint] = [
+            known.get(essence(one)) or _ready(one) for one in reference.expectations
         ]
-        self._index: PatternIndex[ReadyConstraint] = PatternIndex((one.source.selector, one) for one in self.sentences)
+        self._index: PatternIndex[ReadyConstraint] = PatternIndex(
+            (one.source.selector, one) for one in self.constraints
+        )
         self.required: dict[tuple[EntityKind, str], list[ReadyConstraint]] = {}
-        for one in self.sentences:
+        for one in self.constraints:
             if one.literal is not None:
                 self.required.setdefault((one.kind, one.literal), []).append(one)
         self.single_presences = tuple(single for one in reference.presences for single in each(one))
         self.presences: PatternIndex[tuple[Presence, bool]] = PatternIndex(_presence_selectors(self.single_presences))
         # Last, since until here something may be wrong, and then everything stays as it is.
-        for kept, source in zip(self.sentences, reference.expectations, strict=True):
+        for kept, source in zip(self.constraints, reference.expectations, strict=True):
             kept.source, kept.told = source, source.told
 
     def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[ReadyConstraint, ...]:
@@ -82,7 +84,7 @@ class Rulebook:
         return tuple(found[key] for key in sorted(found))
 
 
-def _sentence(expectation: Expectation) -> ReadyConstraint:
+def _ready(expectation: Expectation) -> ReadyConstraint:
     return ReadyConstraint(expectation, Pattern.parse(expectation.selector.name).literal)
 
 

@@ -376,4 +376,4 @@ def _ended(topic: Topic) -> bool:
 
 def _expected(topic: Topic) -> bool:
     """Whether a constraint names a topic, and not only a pattern that others match too."""
-    return any(one.sentence.literal is not None for one in topic.judged)
+    return any(one.constraint.literal is not None for one in topic.judged)

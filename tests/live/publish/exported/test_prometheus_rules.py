@@ -5,7 +5,7 @@ import subprocess
 import pytest
 import yaml
 
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 from roslens.live.publish.exported.prometheus_rules import prometheus_rules
 
 
@@ -15,8 +15,8 @@ def rules(reference):
 
 def test_each_sentence_has_a_rule_that_asks_for_its_verdict(rover):
     asked = " ".join(rule["expr"] for rule in rules(rover))
-    for sentence in sentences_of(rover):
-        assert f'expectation="{sentence.told.id}"' in asked
+    for constraint in constraints_of(rover):
+        assert f'expectation="{constraint.told.id}"' in asked
     scan = next(rule for rule in rules(rover) if "rover.topic.scan.rate" in rule["expr"])
     assert scan["labels"] == {"severity": "error", "reference": "rover", "group": "driving"}
     assert "25 Hz" in scan["annotations"]["summary"]

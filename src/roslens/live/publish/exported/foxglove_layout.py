@@ -8,8 +8,8 @@ import msgspec
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import Expectation, FieldCheck, FieldMeasure
-from roslens.judge.reference.merge_references import sentences_of
-from roslens.live.publish.exported.sentences import words_of
+from roslens.judge.reference.merge_references import constraints_of
+from roslens.live.publish.exported.constraints import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,19 +38,19 @@ def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tupl
     }  # fmt: skip
     plots: list[str] = []
     left: list[str] = []
-    for sentence in sentences_of(reference):
+    for constraint in constraints_of(reference):
         paths: list[str] = []
-        if isinstance(sentence, Expectation):
-            chosen = f'{rated}.signals[:]{{sentence=="{sentence.told.id}"}}'
-            paths = [f"{chosen}.{field}" for field in ("value", "low", "high")] if '"' not in sentence.told.id else []
-        elif isinstance(sentence, FieldCheck) and sentence.measure is FieldMeasure.VALUE:
-            topic = Pattern.parse(sentence.topic).literal
-            paths = [f"{topic}.{sentence.field}", *_bounds(sentence.range)] if topic else []
+        if isinstance(constraint, Expectation):
+            chosen = f'{rated}.signals[:]{{sentence=="{constraint.told.id}"}}'
+            paths = [f"{chosen}.{field}" for field in ("value", "low", "high")] if '"' not in constraint.told.id else []
+        elif isinstance(constraint, FieldCheck) and constraint.measure is FieldMeasure.VALUE:
+            topic = Pattern.parse(constraint.topic).literal
+            paths = [f"{topic}.{constraint.field}", *_bounds(constraint.range)] if topic else []
         if not paths or len(plots) >= MOST_PLOTS:
-            left.append(f"{sentence.told.where or sentence.told.id}: no plot of {words_of(sentence)}")
+            left.append(f"{constraint.told.where or constraint.told.id}: no plot of {words_of(constraint)}")
             continue
         panel = f"Plot!roslens{len(plots)}"
-        panels[panel] = _plot(words_of(sentence), paths)
+        panels[panel] = _plot(words_of(constraint), paths)
         plots.append(panel)
     sides = _split(["DiagnosticSummary!roslens", "DiagnosticStatusPanel!roslens"], "column")
     layout = _pair(sides, _split(plots, "column"), "row", 40) if plots else sides

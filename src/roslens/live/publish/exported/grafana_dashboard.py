@@ -10,7 +10,7 @@ import msgspec
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import Expectation
 from roslens.judge.reference.pattern_expression import expression_of
-from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
+from roslens.live.publish.exported.constraints import ALARMS, by_group, of_reference, quoted, words_of
 from roslens.live.publish.prometheus import metric_name
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
@@ -19,7 +19,7 @@ from roslens.model.verdict import State
 if TYPE_CHECKING:
     from roslens.judge.ranges.range import Range
     from roslens.judge.reference.expectation import Reference
-    from roslens.judge.reference.reference_document import Sentence
+    from roslens.judge.reference.reference_document import ReferenceConstraint
 
 SCHEMA_VERSION = 39
 """Of dashboards, as Grafana 10.4 and later read it; newer ones carry older forms over by themselves."""
@@ -40,9 +40,9 @@ def grafana_dashboard(reference: Reference) -> tuple[str, tuple[str, ...]]:
     mine = of_reference(reference)
     _overview(panels, mine)
     left: list[str] = []
-    for group, sentences in by_group(reference):
+    for group, constraints in by_group(reference):
         panels.row(group or reference.title or reference.name)
-        for one in sentences:
+        for one in constraints:
             plotted = _plot(one)
             if isinstance(plotted, str):
                 left.append(plotted)
@@ -146,26 +146,28 @@ def _number(title: str, expression: str, color: str) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _plot(sentence: Sentence) -> dict[str, Any] | str:
+def _plot(constraint: ReferenceConstraint) -> dict[str, Any] | str:
     """Return a panel of the value that a constraint is about with its range; or why there is none."""
-    words = words_of(sentence)
-    if not isinstance(sentence, Expectation) or sentence.quantity not in BY_KEY:
+    words = words_of(constraint)
+    if not isinstance(constraint, Expectation) or constraint.quantity not in BY_KEY:
         # Being there, states and fields are in the timeline above: they have no number of their own.
-        return _standing(sentence)
-    matchers = matchers_of(sentence)
+        return _standing(constraint)
+    matchers = matchers_of(constraint)
     if matchers is None:
-        return f"{sentence.told.where or sentence.told.id}: no plot of {words}: Prometheus has no such expression"
-    signal = BY_KEY[sentence.quantity]
-    selected = f"{metric_name(sentence.quantity)}{{{','.join(matchers)}}}"
-    percentile = f" The constraint is about the {sentence.percentile:g}th percentile." if sentence.percentile else ""
+        return f"{constraint.told.where or constraint.told.id}: no plot of {words}: Prometheus has no such expression"
+    signal = BY_KEY[constraint.quantity]
+    selected = f"{metric_name(constraint.quantity)}{{{','.join(matchers)}}}"
+    percentile = (
+        f" The constraint is about the {constraint.percentile:g}th percentile." if constraint.percentile else ""
+    )
     return {
         "type": "timeseries", "title": words, "datasource": _SOURCE,
-        "description": f"{signal.text}{percentile} {sentence.told.text} ({sentence.told.where})".strip(),
+        "description": f"{signal.text}{percentile} {constraint.told.text} ({constraint.told.where})".strip(),
         "targets": [{**_target(selected), "legendFormat": _LEGEND}],
         "fieldConfig": {
             "defaults": {
                 "unit": _UNITS[signal.unit], "custom": {"thresholdsStyle": {"mode": "line+area"}, "spanNulls": False},
-                "thresholds": {"mode": "absolute", "steps": list(_steps(sentence.range))},
+                "thresholds": {"mode": "absolute", "steps": list(_steps(constraint.range))},
                 "color": {"mode": "palette-classic"},
             },
             "overrides": [],
@@ -174,15 +176,15 @@ def _plot(sentence: Sentence) -> dict[str, Any] | str:
     }  # fmt: skip
 
 
-def _standing(sentence: Sentence) -> dict[str, Any]:
+def _standing(constraint: ReferenceConstraint) -> dict[str, Any]:
     states = "|".join(ALARMS)
-    expression = f'count(roslens_state{{expectation={quoted(sentence.told.id)},state=~"{states}"}}) or vector(0)'
-    return {**_number(words_of(sentence), expression, _BAD), "description": sentence.told.text}
+    expression = f'count(roslens_state{{expectation={quoted(constraint.told.id)},state=~"{states}"}}) or vector(0)'
+    return {**_number(words_of(constraint), expression, _BAD), "description": constraint.told.text}
 
 
-def matchers_of(sentence: Expectation) -> list[str] | None:
+def matchers_of(constraint: Expectation) -> list[str] | None:
     """Return the matchers of the metric of a constraint; None where one of its patterns is none of RE2."""
-    selector = sentence.selector
+    selector = constraint.selector
     kind = selector.kind
     asked = {"publisher": selector.publisher, "subscriber": selector.subscriber}
     if kind is EntityKind.CONNECTION:

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
+from roslens.live.publish.exported.constraints import ALARMS, by_group, of_reference, quoted, words_of
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
-    from roslens.judge.reference.reference_document import Sentence
+    from roslens.judge.reference.reference_document import ReferenceConstraint
 
 NOT_HEARD, NOT_JUDGED = "RoslensNotHeard", "RoslensNotJudged"
 _BAD = "|".join(ALARMS)
@@ -31,25 +31,25 @@ def prometheus_rules(reference: Reference) -> str:
     groups = [
         {
             "name": f"roslens.{reference.name}.{group}" if group else f"roslens.{reference.name}",
-            "rules": [_rule(one, reference) for one in sentences],
+            "rules": [_rule(one, reference) for one in constraints],
         }
-        for group, sentences in by_group(reference)
+        for group, constraints in by_group(reference)
     ]
     groups.append({"name": f"roslens.{reference.name}.monitor", "rules": _of_monitor(reference)})
     text = yaml.safe_dump({"groups": groups}, sort_keys=False, allow_unicode=True, width=110)
     return _HEAD.format(name=reference.name) + str(text)
 
 
-def alert_name(sentence: Sentence) -> str:
+def alert_name(constraint: ReferenceConstraint) -> str:
     """Return the name of the alert of a constraint: of letters, digits and underscores alone."""
-    return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', sentence.told.id).strip('_')}"
+    return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', constraint.told.id).strip('_')}"
 
 
-def _rule(sentence: Sentence, reference: Reference) -> dict[str, Any]:
-    told = sentence.told
+def _rule(constraint: ReferenceConstraint, reference: Reference) -> dict[str, Any]:
+    told = constraint.told
     annotations = {
         "summary": "{{ $labels.kind }} {{ $labels.name }}: {{ $labels.quantity }} is {{ $labels.state }}"
-        + ("; expected: " + _literal(words_of(sentence))),
+        + ("; expected: " + _literal(words_of(constraint))),
         "cause": "{{ with $labels.cause }}follows from {{ . }}{{ end }}",
     }
     if told.text:
@@ -60,7 +60,7 @@ def _rule(sentence: Sentence, reference: Reference) -> dict[str, Any]:
     if told.group:
         labels["group"] = _literal(told.group)
     expression = f'roslens_state{{expectation={quoted(told.id)},state=~"{_BAD}"}} == 1'
-    return {"alert": alert_name(sentence), "expr": expression, "labels": labels, "annotations": annotations}
+    return {"alert": alert_name(constraint), "expr": expression, "labels": labels, "annotations": annotations}
 
 
 def _of_monitor(reference: Reference) -> list[dict[str, Any]]:

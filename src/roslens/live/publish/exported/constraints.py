@@ -6,27 +6,27 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from roslens.judge.reference.constraint_words import expected_words, subject_words
-from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.merge_references import constraints_of
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
-    from roslens.judge.reference.reference_document import Sentence
+    from roslens.judge.reference.reference_document import ReferenceConstraint
 
 ALARMS = ("low", "high", "absent")
 """States that somebody is to be told of."""
 
 
-def by_group(reference: Reference) -> Iterator[tuple[str, list[Sentence]]]:
+def by_group(reference: Reference) -> Iterator[tuple[str, list[ReferenceConstraint]]]:
     """Yield the groups under which operators see constraints, by name, with their constraints; without one first."""
-    groups: dict[str, list[Sentence]] = {}
-    for one in sentences_of(reference):
+    groups: dict[str, list[ReferenceConstraint]] = {}
+    for one in constraints_of(reference):
         groups.setdefault(one.told.group, []).append(one)
     yield from sorted(groups.items())
 
 
-def words_of(sentence: Sentence) -> str:
+def words_of(constraint: ReferenceConstraint) -> str:
     """Return what a constraint says: ``topic /scan: rate 25 Hz ± 15 %``."""
-    return f"{subject_words(sentence)}: {expected_words(sentence)}"
+    return f"{subject_words(constraint)}: {expected_words(constraint)}"
 
 
 def quoted(text: str) -> str:
@@ -36,6 +36,6 @@ def quoted(text: str) -> str:
 
 def of_reference(reference: Reference) -> str:
     """Return the matcher of what a reference and those that it includes say: their ids begin with their names."""
-    names = sorted({one.told.id.partition(".")[0] for one in sentences_of(reference)} | {reference.name})
+    names = sorted({one.told.id.partition(".")[0] for one in constraints_of(reference)} | {reference.name})
     joined = "|".join(names)
     return f"expectation=~{quoted(f'(?:{joined})[.].+')}"

@@ -26,7 +26,7 @@ from roslens.model.quantity import Quantity
 from roslens.plugins.nearest import did_you_mean
 
 
-def read_sentences(document: Section, scope: Scope) -> Iterator[Declared]:
+def read_constraints(document: Section, scope: Scope) -> Iterator[Declared]:
     """Yield every constraint of a document in the order of its lists.
 
     Raises:
@@ -52,8 +52,8 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
             expected=f"a signal with a range, such as `{example}`, or `expected`" if example else "`expected: always`",
         )
     if "expected" in section:
-        sentence = _presence(section, scope, selector, name)
-        yield declared(section, scope, sentence, name, "expected")
+        constraint = _presence(section, scope, selector, name)
+        yield declared(section, scope, constraint, name, "expected")
     yield from read_state_checks(section, scope, selector, name)
     for quantity in signals:
         limits = _limits(section, quantity, selector)

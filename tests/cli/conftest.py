@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -66,12 +67,21 @@ FILES = {
 }
 
 
+@pytest.fixture(scope="session")
+def talk() -> Callable[[Path], Path]:
+    """Return what writes the workspace into a folder and returns that."""
+
+    def write(root: Path) -> Path:
+        for path, text in FILES.items():
+            place = root / "talk" / path
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(text)
+        return root
+
+    return write
+
+
 @pytest.fixture
-def talking(tmp_path: Path) -> Path:
+def talking(tmp_path: Path, talk: Callable[[Path], Path]) -> Path:
     """Write the workspace into a folder of its own and return it."""
-    root = tmp_path / "ws"
-    for path, text in FILES.items():
-        place = root / "talk" / path
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(text)
-    return root
+    return talk(tmp_path / "ws")

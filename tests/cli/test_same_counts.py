@@ -8,7 +8,8 @@ import json
 import re
 import shutil
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -35,23 +36,26 @@ OF_EACH_ROLE = {
 FLEET = '<launch><include file="$(find-pkg-share talk)/launch/robot.launch.xml"/></launch>\n'
 
 
-def example(root: Path) -> list[str]:
+Write = Callable[[Path], Path]
+
+
+def example(root: Path, _: Write) -> list[str]:
     shutil.copytree(EXAMPLE, root, ignore=shutil.ignore_patterns(".roslens"))
     return []
 
 
-def with_every_role(root: Path, talking: Path) -> list[str]:
+def with_every_role(root: Path, talk: Write) -> list[str]:
     """Graph findings, and findings in own, test, vendored and generated code."""
-    talking.rename(root)
+    talk(root)
     for path, text in OF_EACH_ROLE.items():
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(text)
     return ["--graph"]
 
 
-def of_two_packages(root: Path, talking: Path) -> list[str]:
+def of_two_packages(root: Path, talk: Write) -> list[str]:
     """A configuration in one package that starts nodes of another, and files outside of both."""
-    talking.rename(root)
+    talk(root)
     (root / "fleet/launch").mkdir(parents=True)
     (root / "fleet/package.xml").write_text((root / "talk/package.xml").read_text().replace("talk", "fleet"))
     (root / "fleet/launch/fleet.launch.xml").write_text(FLEET)
@@ -64,16 +68,19 @@ def of_two_packages(root: Path, talking: Path) -> list[str]:
 class Run:
     """A checked workspace, and what each way to look at it says."""
 
-    def __init__(self, root: Path, more: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-        self._root, self._more, self._capsys = root, more, capsys
+    def __init__(self, root: Path, more: list[str]) -> None:
+        self._root, self._more = root, more
         self.text = self._checked("--format", "text")
         self.report = json.loads(self._checked("--format", "json"))
         self._checked("--format", "csv", "-o", str(root / "tables"))
 
     def _checked(self, *options: str) -> str:
         command = ["check", str(self._root), "--jobs", "1", "-q", "--fail-on", "never", *self._more, *options]
-        assert main(command) in {0, 3}
-        return self._capsys.readouterr().out
+        with io.TextIOWrapper(io.BytesIO(), "utf-8") as out:
+            with redirect_stdout(out):
+                assert main(command) in {0, 3}
+            out.seek(0)
+            return out.read()
 
     def table(self, name: str) -> list[dict[str, str]]:
         """Return the rows of a CSV table."""
@@ -86,11 +93,10 @@ def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
 
-@pytest.fixture
-def run(name: str, tmp_path: Path, talking: Path, capsys: pytest.CaptureFixture[str]) -> Run:
-    root = tmp_path / "workspace"
-    more = example(root) if name == "example" else globals()[name](root, talking)
-    return Run(root, more, capsys)
+@pytest.fixture(scope="module")
+def run(name: str, tmp_path_factory: pytest.TempPathFactory, talk: Write) -> Run:
+    root = tmp_path_factory.mktemp(name) / "workspace"
+    return Run(root, globals()[name](root, talk))
 
 
 @pytest.fixture

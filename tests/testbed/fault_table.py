@@ -350,7 +350,7 @@ def line(row: Row) -> str:
 
 
 HEAD = """\
-| fault | | told | window, s | s to alarm | over the window | s to ok | told as its consequence | told besides | load |
+| fault | | reported | window, s | s to alarm | over the window | s to ok | its consequences | besides | load |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
 
 

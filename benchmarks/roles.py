@@ -3,9 +3,12 @@
     python benchmarks/roles.py                       from the recorded marks
     python benchmarks/roles.py --record FOLDER       look at the clones again, checked with `roslens check FOLDER`
     python benchmarks/roles.py --write               also write the weights that `roslens roles` decides by
+    python benchmarks/roles.py --independent FOLDER  of packages of today, in FOLDER/ros1 and FOLDER/ros2, checked
 
 The roles are those that the authors of the 2016 study gave by hand (tests/fixtures/study). Words of the marks were
-chosen with all packages in view, so the words are not held out, only the weights.
+chosen with all packages in view, so the words are not held out, only the weights. The independent ones are of packages
+with code, one of each of 57 repositories drawn at random of those that benchmarks/study_2026.py fetches and the study
+has not: one person gave them by name and description before seeing what is told.
 """
 
 from __future__ import annotations
@@ -28,6 +31,7 @@ from roslens.source.study.role import ROLES
 ROOT = Path(__file__).parents[1]
 MARKS = ROOT / "tests" / "fixtures" / "study" / "role_marks.csv"
 LABELS = ROOT / "tests" / "fixtures" / "study" / "package_repo_metrics.csv"
+TODAY = ROOT / "tests" / "fixtures" / "study" / "role_labels_2026.csv"
 WEIGHTS = ROOT / "src" / "roslens" / "source" / "study" / "role_weights.json"
 PENALTY = 1.0
 PRIOR = {
@@ -131,6 +135,34 @@ def left_out(rows: Sequence[tuple[str, str, str, frozenset[str]]], only: Sequenc
     return [ROLES[number] for number in told]
 
 
+def independent(folder: Path, path: Path = TODAY) -> list[tuple[str, str, str]]:
+    """Return name, role by hand and role told of each package of today, by the last runs of two folders."""
+    from roslens.source.study.role import RolesInRuns
+    from roslens.store.runs import Store
+
+    with path.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    found = []
+    for one in sorted({row["list"] for row in rows}):
+        with Store.open(folder / one / ".roslens" / "store.sqlite") as store:
+            view, roles = store.view(None), RolesInRuns()
+            for row in rows:
+                told = roles.decision(view, row["package"]) if row["list"] == one else None
+                if told is not None:
+                    found.append((f"{row['repository']}/{row['package']}", row["role"], told.role))
+    return found
+
+
+def tell(given: Sequence[str], told: Sequence[str]) -> None:
+    """Print how many are told as by hand, and how they are confused."""
+    right = sum(a == b for a, b in zip(given, told, strict=True))
+    print(f"accuracy {right / len(given):.3f} ({right}), kappa {kappa(given, told):.3f}")
+    print(f"{'by hand':>12} | " + " ".join(f"{role:>12}" for role in ROLES))
+    for role in ROLES:
+        counts = Counter(b for a, b in zip(given, told, strict=True) if a == role)
+        print(f"{role:>12} | " + " ".join(f"{counts[other]:>12}" for other in ROLES))
+
+
 def kappa(given: Sequence[str], told: Sequence[str]) -> float:
     """Return Cohen's kappa: agreement beyond what chance brings."""
     same = sum(a == b for a, b in zip(given, told, strict=True)) / len(given)
@@ -143,19 +175,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--record", type=Path, metavar="FOLDER")
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--independent", type=Path, metavar="FOLDER")
     options = parser.parse_args()
+    if options.independent:
+        found = independent(options.independent)
+        print(f"{len(found)} packages of today, each of a repository that the study has not")
+        tell([one[1] for one in found], [one[2] for one in found])
+        for name, role, other in found:
+            if role != other:
+                print(f"  {name}: {role} by hand, {other} told")
+        return
     if options.record:
         record(options.record)
     rows = recorded()
     told = left_out(rows)
     given = [row[2] for row in rows]
-    right = sum(a == b for a, b in zip(given, told, strict=True))
     print(f"{len(rows)} packages of {len({row[1] for row in rows})} repositories, each told without its own repository")
-    print(f"accuracy {right / len(rows):.3f} ({right}), kappa {kappa(given, told):.3f}")
-    print(f"{'by hand':>12} | " + " ".join(f"{role:>12}" for role in ROLES))
-    for role in ROLES:
-        counts = Counter(b for a, b in zip(given, told, strict=True) if a == role)
-        print(f"{role:>12} | " + " ".join(f"{counts[other]:>12}" for other in ROLES))
+    tell(given, told)
     for row, other in zip(rows, told, strict=True):
         if row[2] != other:
             print(f"  {row[1]}/{row[0]}: {row[2]} by hand, {other} told; {', '.join(sorted(row[3]))}")

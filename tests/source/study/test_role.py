@@ -1,5 +1,6 @@
 """Roles: each decision with its reasons, and how well they are told of repositories that weights do not know."""
 
+import csv
 import importlib.util
 import sys
 from pathlib import Path
@@ -140,3 +141,12 @@ def test_leave_one_repository_out(benchmark):
 def test_kappa_by_hand(benchmark):
     # 3 of 4 agree; by chance (2 * 1 + 2 * 3) / 16 = 0.5
     assert benchmark.kappa(["driver"] * 2 + ["library"] * 2, ["driver"] + ["library"] * 3) == pytest.approx(0.5)
+
+
+def test_what_is_held_against_today_is_of_other_repositories_than_the_study(benchmark):
+    with benchmark.TODAY.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    studied = {name for _, name, *_ in benchmark.recorded()}
+    assert {row["role"] for row in rows} == set(ROLES)
+    assert len(rows) == len({row["repository"] for row in rows}) == 57
+    assert not {row["repository"].partition("+")[2] for row in rows} & studied

@@ -257,3 +257,26 @@ def test_keyboard_alone_selects_focuses_and_opens(visit: Visit, facts: Any) -> N
     page.keyboard.press("Enter")
     page.keyboard.press("o")
     expect(page).to_have_url(re.compile(f"/packages/{name}"))
+
+
+def test_on_a_narrow_screen_no_name_is_cut_where_the_picture_ends(visit: Visit) -> None:
+    page = visit("/graph?view=1,-40,0", viewport={"width": 420, "height": 800})
+    expect(page.locator("#nodes .node").first).to_be_attached()
+    cut = page.evaluate(
+        """() => {
+        const canvas = document.getElementById("graph-canvas").getBoundingClientRect();
+        const seen = [...document.querySelectorAll("#nodes .node:not([hidden])")].filter((one) => {
+          const disc = one.querySelector("circle").getBoundingClientRect();
+          const name = one.lastElementChild.getBoundingClientRect();
+          const there = disc.right > canvas.left + 1 && disc.left < canvas.right - 1;
+          return there && name.width && name.width < canvas.width - 20;
+        });
+        const outside = seen.filter((one) => {
+          const name = one.lastElementChild.getBoundingClientRect();
+          return name.left < canvas.left - 1 || name.right > canvas.right + 1;
+        });
+        return [seen.length, outside.map((one) => one.textContent.trim())];
+      }"""
+    )
+    assert cut[0] > 0
+    assert cut[1] == []

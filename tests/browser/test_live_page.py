@@ -200,6 +200,32 @@ def test_an_alert_leads_to_its_row(robot: ScriptedRobot, follow: Open) -> None:
     expect(item(page, "topic:/scan")).to_have_class(re.compile("selected"))
 
 
+def test_what_an_alert_leads_to_is_told_where_one_looks(robot: ScriptedRobot, follow: Open) -> None:
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = follow()
+    page.set_viewport_size({"width": 1440, "height": 560})
+    page.locator(".alert a").click()
+    expect(row(page, "topic:/scan")).to_be_in_viewport()
+    expect(page.locator("#detail h3")).to_be_in_viewport()
+    expect(page.locator("#detail h3")).to_have_text("topic /scan")
+    page.mouse.wheel(0, 150)
+    expect(page.locator("#detail h3")).to_be_in_viewport()
+
+
+def test_a_recording_begins_at_naught(follow: Open) -> None:
+    page = follow()
+    told = page.evaluate(
+        """async () => {
+        const clock = await import("./web/live/clock.js?apart");
+        clock.learn({ when: "+59.93 s", time: 1700000059.93 });
+        return [clock.written(1700000000 - 0.01, 0), clock.written(1700000040, 0), clock.beginning()];
+      }"""
+    )
+    assert told[:2] == ["0 s", "40 s"]
+    assert told[2] == pytest.approx(1700000000)
+
+
 def test_nothing_in_the_picture_moves_when_a_node_comes(robot: ScriptedRobot, follow: Open) -> None:
     page = follow()
     where = "found => Object.fromEntries(found.map(one => [one.dataset.entity, one.getAttribute('transform')]))"

@@ -183,3 +183,31 @@ def test_skip_link_and_keys_lead_through_the_pages(visit: Visit) -> None:
         page.wait_for_load_state()
     page.locator("#rules thead a").first.focus()
     assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"
+
+
+def test_what_to_fix_first_leads_to_its_line(visit: Visit) -> None:
+    page = visit("/")
+    place = page.locator(".first li a.place").first
+    path = place.inner_text().partition(":")[0]
+    place.click()
+    expect(page).to_have_url(re.compile(f"/files/{re.escape(path)}"))
+
+
+def test_of_a_long_path_its_end_with_the_line_is_shown(visit: Visit) -> None:
+    page = visit("/findings", viewport={"width": 1440, "height": 900})
+    where = page.locator(".finding .where").first
+    where.locator(".place").evaluate("one => { one.textContent = `${'a_long_folder/'.repeat(20)}file.cpp:54`; }")
+    sides = where.evaluate(
+        """(one) => [one, one.querySelector(".place")].map((part) => part.getBoundingClientRect())
+           .map(({ left, right }) => ({ left, right }))"""
+    )
+    assert sides[1]["left"] < sides[0]["left"]
+    assert abs(sides[1]["right"] - sides[0]["right"]) < 2
+
+
+def test_long_names_do_not_widen_a_narrow_screen(visit: Visit) -> None:
+    page = visit("/findings?group=function", viewport={"width": 420, "height": 800})
+    page.locator(".group h3").first.evaluate(
+        "one => one.append(Object.assign(document.createElement('code'), { textContent: 'folder_name/'.repeat(9) }))"
+    )
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from roslens.dashboard.pages.search import build, everything
+from roslens.dashboard.pages.search import _brief, build, everything
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Query, Request
 
@@ -44,3 +44,11 @@ def test_packages_come_first_then_files(in_two: Site) -> None:
 
 def test_a_whole_name_is_first_whatever_it_is(in_two: Site) -> None:
     assert found(in_two, "/lidar")[0] == ("node", "/lidar")
+
+
+def test_a_description_ends_with_a_word_and_says_that_more_follows() -> None:
+    assert _brief("drives") == "drives"
+    found = _brief("It implements the adaptive approach, " * 9)
+    assert found.endswith(" …")
+    assert len(found) <= 110
+    assert found.removesuffix(" …").split()[-1].strip(",") in {"It", "implements", "the", "adaptive", "approach"}

@@ -163,3 +163,9 @@ def test_the_computation_graph_is_a_picture_too(client: Any) -> None:
     assert found.headers["content-type"] == "image/svg+xml"
     assert found.text.startswith("<svg")
     assert client.get("/computation/nothing.svg").status_code == 404
+
+
+def test_the_address_of_no_graph_leads_to_the_richest(site: Site, client: Any) -> None:
+    found = client.get("/computation", follow_redirects=False)
+    assert found.status_code == 303
+    assert found.headers["location"] == f"/computation/{next(iter(site.book.systems))}"

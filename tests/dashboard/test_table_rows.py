@@ -52,3 +52,8 @@ def test_what_stands_between_backticks_is_code() -> None:
     assert ticks("use `a<b>` here") == "use <code>a&lt;b&gt;</code> here"
     assert ticks("one ` alone <b>") == "one ` alone &lt;b&gt;"
     assert ticks("plain") == "plain"
+
+
+def test_a_name_does_not_break_after_the_slash_that_it_begins_with() -> None:
+    assert ">/scan<" in rows(Column("c", "C", "name"), Cell("/scan"))
+    assert ">/amcl/<wbr>pose<" in rows(Column("c", "C", "name"), Cell("/amcl/pose", ref=PageRef("rules")))

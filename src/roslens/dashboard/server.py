@@ -139,6 +139,7 @@ def create_app(
             Mount("/web/live", StaticFiles(directory=LIVE_WEB)),
             Mount("/web", StaticFiles(directory=WEB)),
             Route("/entity", entity),
+            Route("/computation", _richest(site, renderer, links)),
             Route("/computation/{slug}.svg", picture),
             Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
             Route("/{path:path}", answer),
@@ -165,6 +166,18 @@ def _respond(
         return Response(view.to_json(site.run_facts()), media_type=_MEDIA["json"])
     table = next((table for table in view.tables if table.name == target.table or not target.table), None)
     return Response(to_csv(table), media_type=_MEDIA["csv"]) if table else None
+
+
+def _richest(site: Site, renderer: Renderer, links: ServedLinks) -> Callable[[HttpRequest], Response]:
+    """Return what leads from the address of no graph to the first one, which is the richest."""
+
+    def answer(request: HttpRequest) -> Response:
+        slug = next(iter(site.book.systems), "")
+        if not slug:
+            return _missing(renderer, links, request.url.path, site.reading)
+        return RedirectResponse(links.to(PageRef("computation", slug)), status_code=303)
+
+    return answer
 
 
 def _missing(renderer: Renderer, links: ServedLinks, path: str, reading: str) -> Response:

@@ -24,7 +24,7 @@ _COLUMNS = (
     Column("findings", "Findings", "number", hint="in this file, of what counts for gates"),
     Column("worst", "Worst", "mark", sparse=True),
     Column("changed_by", "Last changed by", sparse=True),
-    Column("changed", "On", sparse=True),
+    Column("changed", "On", "day", sparse=True),
     Column("commit", "Commit", "code", sparse=True),
     Column("subject", "What it was about", optional=True, sparse=True),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
@@ -58,6 +59,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
                     "severity": one.severity.value,
                     "rule": one.rule,
                     "text": one.example,
+                    "place": _place(one) if one.path in site.places else None,
                     "new": one in site.new_first,
                     "commits": site.changes.get(one.path, 0),
                 }
@@ -106,6 +108,12 @@ def since_release(site: Site) -> dict[str, object] | None:
 def _first(site: Site) -> tuple[RuleCount, ...]:
     others = first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter(), site.changes)
     return new_before_others(site.new_first, others)
+
+
+def _place(one: RuleCount) -> dict[str, object] | None:
+    """Return where a finding is, as its text writes it; None where that names no line."""
+    found = re.search(rf"{re.escape(one.path)}(?::(\d+))?(?![\w/.])", one.example) if one.path else None
+    return {"path": one.path, "line": int(found[1] or 0), "text": found[0]} if found is not None else None
 
 
 def headline(severities: Mapping[Severity, int], affected: int, packages: int) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterator
+from textwrap import shorten
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.pages.entity import page_of
@@ -45,7 +46,7 @@ def _order(needle: str, kind: str, name: str) -> tuple[int, int, int, int]:
 def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
     """Yield kind, name, what it is and page of all that can be searched for."""
     for package in site.packages:
-        yield "package", package.id, package.description[:100], PageRef("package", package.id)
+        yield "package", package.id, _brief(package.description), PageRef("package", package.id)
     yield from _elements(site)
     yield from _running(site)
     for key, quantity in site.quantities.items():
@@ -91,3 +92,8 @@ def _rank(needle: str, name: str) -> tuple[int, int]:
     if folded.rpartition("/")[2].startswith(needle):
         return (2, len(name))
     return (3, len(name))
+
+
+def _brief(text: str) -> str:
+    """Return the beginning of a text up to a word, with a sign where more follows."""
+    return shorten(text, 110, placeholder=" …")

@@ -14,9 +14,15 @@ export function learn(snapshot) {
   } else offset = Number.parseFloat(snapshot.when) - snapshot.time;
 }
 
+/** When that began of which times are seconds; of a day nobody knows. */
+export function beginning() {
+  return ofDay ? Number.NEGATIVE_INFINITY : -offset;
+}
+
 /** A moment in words. */
 export function written(time, decimals = 1) {
-  if (!ofDay) return `${(time + offset).toFixed(decimals)} s`;
+  // A moment just before the beginning is none of its own.
+  if (!ofDay) return `${(time + offset).toFixed(decimals).replace(/^-(?=[0.]*$)/, "")} s`;
   const scale = 10 ** decimals;
   const rest = Math.floor(((((time + offset) % 86400) + 86400) % 86400) * scale + 1e-6) / scale;
   const two = (number) => String(Math.floor(number)).padStart(2, "0");

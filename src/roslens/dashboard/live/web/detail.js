@@ -4,19 +4,28 @@ import { make } from "../dom.js";
 import { toSource } from "./source.js";
 import { sign, word } from "./states.js";
 
+/** After something was chosen, what is told of it grows for so long. */
+const SETTLING_MS = 1500;
+
 export class Detail {
-  /** `close` is called when the panel was closed by hand; `at` returns the moment that is shown, null for now. */
-  constructor(element, { close, at, plots }) {
-    Object.assign(this, { element, close, at, plots, entity: "", asked: "" });
+  /**
+   * `close` is called when the panel was closed by hand, `grown` when it takes more room for what was just chosen; `at`
+   * returns the moment that is shown, null for now.
+   */
+  constructor(element, { close, at, plots, grown }) {
+    Object.assign(this, { element, close, at, plots, grown, entity: "", asked: "", begun: 0 });
     this.said = make("div", {});
     this.signals = make("div", {});
     element.replaceChildren(this.said, ...(plots ? [plots.element] : []), this.signals);
+    // It comes in parts, which push away what stands below.
+    new ResizeObserver(() => performance.now() - this.begun < SETTLING_MS && this.grown?.()).observe(element);
   }
 
   show(entity) {
     if (this.entity === entity) return;
     this.entity = entity;
     this.asked = "";
+    this.begun = performance.now();
     this.plots?.show(entity);
     if (!entity) this.element.hidden = true;
     else this.ask();

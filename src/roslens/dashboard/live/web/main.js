@@ -33,7 +33,7 @@ const happened = new Happened(by("happened"), by("failures"), [by("happened-none
 
 const remembers = Boolean(by("time"));
 const plots = remembers ? new Plots(by("plots"), () => moments.at ?? moments.now) : null;
-const detail = new Detail(by("detail"), { close: () => choose("", "keys"), at: () => moments?.at ?? null, plots });
+const detail = new Detail(by("detail"), { close: () => choose("", "keys"), at: () => moments?.at ?? null, plots, grown: () => tree.reveal() });
 let latest = null;
 
 /** Show an entity everywhere. */

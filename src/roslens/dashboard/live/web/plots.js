@@ -1,7 +1,7 @@
 // Signals of one entity over time: several series, the allowed band, zoom by dragging, one cursor for all plots.
 
 import { make } from "../dom.js";
-import { written } from "./clock.js";
+import { beginning, written } from "./clock.js";
 
 const AGAIN_MS = 5000;
 const COLOURS = ["--ok", "--error", "--warning-edge", "--code-keyword", "--code-string", "--quiet"];
@@ -168,7 +168,9 @@ export class Plots {
   }
 
   span() {
-    for (const one of this.drawn) one.setScale("x", { min: this.found.since, max: this.found.until });
+    const { since, until } = this.found;
+    const begun = Math.max(since, beginning());
+    for (const one of this.drawn) one.setScale("x", { min: begun < until ? begun : since, max: until });
   }
 
   fit() {

@@ -275,6 +275,11 @@ export class Tree {
     if (byHand) this.chose(key ? this.rows.find((row) => row.key === key)?.entity || "" : "");
   }
 
+  /** Bring the chosen row into view. */
+  reveal() {
+    this.lines.get(this.chosen)?.element.scrollIntoView({ block: "nearest" });
+  }
+
   /** Choose the first row of an entity and open what it is in; false where there is none. */
   show(entity) {
     const at = this.rows.findIndex((row) => row.entity === entity);

@@ -21,7 +21,7 @@ export function showNames(svg, elements, nodes, order, places, camera, shape = D
   if (all) {
     elements.forEach((element, number) => {
       element.classList.remove("named");
-      shape.put(element, nodes[number], "home", 0);
+      shape.put(element, nodes[number], "home", shape === DISC ? aside(nodes[number], places.get(number), camera) : 0);
     });
     return;
   }
@@ -42,6 +42,17 @@ export function showNames(svg, elements, nodes, order, places, camera, shape = D
     named.add(number);
   }
   elements.forEach((element, number) => element.classList.toggle("named", named.has(number)));
+}
+
+/** How far the name of a disc moves aside, in the size of the picture, where that ends: a name that is cut says nothing. */
+function aside(node, place, camera) {
+  if (!place || !camera.size) return 0;
+  const { width } = camera.size();
+  const centre = camera.k * place.x + camera.x;
+  const half = (camera.k * node.label.length * WIDTH) / 2;
+  const reach = camera.k * node.r;
+  if (centre < -reach || centre > width + reach || 2 * half > width - 2 * EDGE) return 0;
+  return (Math.max(half + EDGE, Math.min(width - EDGE - half, centre)) - centre) / camera.k;
 }
 
 function discOf(number, node, place, camera, shape) {

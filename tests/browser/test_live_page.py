@@ -209,8 +209,6 @@ def test_what_an_alert_leads_to_is_told_where_one_looks(robot: ScriptedRobot, fo
     expect(row(page, "topic:/scan")).to_be_in_viewport()
     expect(page.locator("#detail h3")).to_be_in_viewport()
     expect(page.locator("#detail h3")).to_have_text("topic /scan")
-    page.mouse.wheel(0, 150)
-    expect(page.locator("#detail h3")).to_be_in_viewport()
 
 
 def test_a_recording_begins_at_naught(follow: Open) -> None:

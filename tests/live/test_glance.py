@@ -115,6 +115,11 @@ def test_it_is_as_if_everything_were_looked_at():
     assert sum(held(seed) for seed in range(25)) >= 23
 
 
+def test_a_clock_before_its_beginning_makes_no_silence():
+    """Here an observer's clock begins at -3 s: a look took every message of it for none."""
+    assert held(1699)
+
+
 def test_everything_has_its_turn_within_a_round():
     watched = Watched()
     events = history(Random(3))

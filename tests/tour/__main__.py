@@ -31,7 +31,7 @@ def pictures(browser: Browser, base: str, *, width: int, scheme: str) -> Iterato
             page.wait_for_selector(READ, timeout=120_000, state="attached")
         for selector in station.clicks:
             page.locator(selector).first.click()
-        page.wait_for_load_state("networkidle" if not station.path.startswith("/live") else "load")
+        page.wait_for_load_state("load")
         # Graphs are drawn once their size is known.
         page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
         yield station, page

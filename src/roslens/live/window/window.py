@@ -46,7 +46,7 @@ class Window:
         length: seconds that are kept.
         most: buckets that are kept.
         until: end of the newest tally, which only ever grows.
-        last: when the last message came; 0 before the first.
+        last: when the last message came; 0 before the first. Clocks of simulations may be before 0.
         begun: start of the oldest tally since the observer appeared or its clock stepped.
         noticed: when the monitor noticed the newest tally, on its own clock.
         spacing: seconds from one tally to the next.
@@ -154,7 +154,7 @@ class Window:
         newest.extend(tally, previous)
         last = tally.last
         self.until = end
-        if last > self.last:
+        if last and (last > self.last or not self.last):
             self.last = last
         elif tally.count and not last:
             self.last = end
@@ -172,7 +172,7 @@ class Window:
         known = self.last
         end, last = row[1], row[5]
         self.until = end
-        if last > known:
+        if last > known or (last and not known):
             self.last = last
         elif not last:
             self.last = end
@@ -286,7 +286,7 @@ class Window:
     def _end(self, last: float, count: int, end: float) -> None:
         """Note how far the window reaches now."""
         self.until = end
-        if last > self.last:
+        if last and (last > self.last or not self.last):
             self.last = last
         elif count and not last:
             self.last = end

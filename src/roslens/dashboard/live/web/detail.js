@@ -4,8 +4,8 @@ import { make } from "../dom.js";
 import { toSource } from "./source.js";
 import { sign, word } from "./states.js";
 
-/** After something was chosen, what is told of it grows for so long. */
-const SETTLING_MS = 1500;
+/** Who does one of these looks where they want to. */
+const BY_HAND = ["wheel", "touchmove", "keydown", "pointerdown"];
 
 export class Detail {
   /**
@@ -13,19 +13,20 @@ export class Detail {
    * returns the moment that is shown, null for now.
    */
   constructor(element, { close, at, plots, grown }) {
-    Object.assign(this, { element, close, at, plots, grown, entity: "", asked: "", begun: 0 });
+    Object.assign(this, { element, close, at, plots, grown, entity: "", asked: "", settling: false });
     this.said = make("div", {});
     this.signals = make("div", {});
     element.replaceChildren(this.said, ...(plots ? [plots.element] : []), this.signals);
     // It comes in parts, which push away what stands below.
-    new ResizeObserver(() => performance.now() - this.begun < SETTLING_MS && this.grown?.()).observe(element);
+    new ResizeObserver(() => this.settling && this.grown?.()).observe(element);
+    for (const name of BY_HAND) addEventListener(name, () => { this.settling = false; }, { passive: true, capture: true });
   }
 
   show(entity) {
     if (this.entity === entity) return;
     this.entity = entity;
     this.asked = "";
-    this.begun = performance.now();
+    this.settling = Boolean(entity);
     this.plots?.show(entity);
     if (!entity) this.element.hidden = true;
     else this.ask();

@@ -10,10 +10,17 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_SCRIPTS = {
+    "setup.py": (b"_scripts",),
+    "setup.cfg": (b"_scripts",),
+    "pyproject.toml": (b"scripts", b"entry-points"),
+}
+"""Words without which a file installs no program; what setup.py comes to is dear to find out."""
+
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each console script whose module or function is not there."""
-    if not view.setup.programs:
+    if not _may_install(view) or not view.setup.programs:
         return
     from roslens.source.extract.builds.python_setup_targets import module_file
 
@@ -33,6 +40,15 @@ def found(view: PackageView) -> Iterator[Hit]:
         text = view.read(path)
         if function.encode() not in text and b"import *" not in text:
             yield _hit(program.name, f"module {module!r} has no {function!r}", program.evidence)
+
+
+def _may_install(view: PackageView) -> bool:
+    return any(
+        word in text
+        for name, words in _SCRIPTS.items()
+        if name in view.listing and (text := view.read(view.path(name)))
+        for word in words
+    )
 
 
 def _hit(name: str, what: str, where: Evidence) -> Hit:

@@ -46,3 +46,10 @@ def test_paths_are_of_the_folder_that_was_asked_for(git, tmp_path):
 def test_without_a_commit_or_a_repository_nothing_is_known(git, tmp_path):
     assert recent_changes(str(tmp_path)) == {}
     assert recent_changes(str(tmp_path / "none")) == {}
+
+
+def test_in_a_shallow_clone_nothing_is_known(git, tmp_path):
+    for days_ago in (2, 1, 0):
+        committed(git, tmp_path, ["a.cpp", f"b{days_ago}.cpp"], days_ago)
+    git("clone", "-q", "--depth", "2", f"file://{tmp_path}/.git", str(tmp_path / "shallow"))
+    assert recent_changes(str(tmp_path / "shallow")) == {}

@@ -18,11 +18,13 @@ def recent_changes(folder: str) -> dict[str, int]:
     """Return of the files below ``folder`` that changed within a year before its newest commit the number of commits.
 
     Merges do not count, a renamed file begins anew. Nothing is known where there is no repository, no git, or where it
-    does not answer in :data:`LIMIT_S`.
+    does not answer in :data:`LIMIT_S`; nor in a shallow clone, whose oldest commit seems to have changed every file.
     """
     if looks_bare(folder):
         return {}
     try:
+        if git_answer(folder, "rev-parse", "--is-shallow-repository", limit_s=LIMIT_S).strip() == b"true":
+            return {}
         newest = git_answer(folder, "log", "-1", "--format=%ct", "HEAD", limit_s=LIMIT_S)
         since = f"--since={int(newest) - YEAR_S}"
         names = git_answer(

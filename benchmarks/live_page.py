@@ -30,11 +30,12 @@ from roslens.dashboard.live.serving import LivePage
 from roslens.dashboard.live.sight import LASTING_S
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
-from roslens.live.past.keeper import IN_MEMORY, in_memory
+from roslens.live.past.keeper import Keeper, in_memory
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.wire import VERSION, Frame
+from roslens.store.live.history import History
 from roslens.store.live.series import Tier
 
 CHROMIUM = Path(shutil.which("chromium") or shutil.which("chromium-headless-shell") or "/usr/bin/chromium")
@@ -114,7 +115,8 @@ def robot_served(connections: int, *, soak: bool) -> None:
     """
     session = Session(load_reference([GivenText("large.yaml", REFERENCE)], BY_KEY), start=time.time() - 1)
     page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic, spent=time.thread_time)
-    keeper = in_memory(session, BRIEF if soak else IN_MEMORY)
+    brief = Keeper(session, History.open(None, BRIEF), most_values=50, flush_s=1.0) if soak else None
+    keeper = brief or in_memory(session)
     page.remember(keeper.recall())
     robot, made, spent = Robot(connections, tools=soak), 0, 0.0
     ended: list[bool] = []

@@ -277,6 +277,30 @@ def test_snapshots_are_made_four_times_a_second_while_somebody_looks():
     assert page.due()
 
 
+def test_one_snapshot_that_takes_long_makes_no_page_slow_but_two_do():
+    now, spent, lasts = [100.0], [0.0], [0.5]
+
+    def used():
+        spent[0] += lasts[0] / 2
+        return spent[0]
+
+    robot = ScriptedRobot()
+    page = PageSource("x", clock=str, live=True, steady=lambda: now[0], spent=used)
+    page.newest()
+    page.make(robot.session, 1.0, "")
+    now[0] += 0.25
+    assert page.due()
+    page.make(robot.session, 2.0, "")
+    now[0] += 3.0
+    assert not page.due()
+    now[0] += 0.9
+    page.newest()
+    lasts[0] = 0.01
+    page.make(robot.session, 3.0, "")
+    now[0] += 0.25
+    assert page.due()
+
+
 @pytest.mark.parametrize(
     ("text", "address"),
     [

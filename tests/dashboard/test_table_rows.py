@@ -57,3 +57,4 @@ def test_what_stands_between_backticks_is_code() -> None:
 def test_a_name_does_not_break_after_the_slash_that_it_begins_with() -> None:
     assert ">/scan<" in rows(Column("c", "C", "name"), Cell("/scan"))
     assert ">/amcl/<wbr>pose<" in rows(Column("c", "C", "name"), Cell("/amcl/pose", ref=PageRef("rules")))
+    assert "of /odom<" in rows(Column("c", "C", "name"), Cell("publisher /a of /odom"))

@@ -29,7 +29,8 @@ SETTLE_SHARE = 0.4
 SERVER_SLACK_BYTES = 6_000_000
 """Values are given up every ten minutes, so how many wait for that differs from look to look."""
 HEAP_SLACK_BYTES = 1_500_000
-NODES_SLACK = 500
+NODES_SLACK = 5000
+"""Up to three hundred tools that went are shown, and as many more as came since that was last seen to."""
 
 
 def resident(pid):

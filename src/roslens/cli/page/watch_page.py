@@ -81,7 +81,7 @@ class PageSource:
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
         self._made = -math.inf
-        self._took = 0.0
+        self._took = self._last = 0.0
         self._shown: Snapshot | None = None
         self._written: tuple[Snapshot | None, bytes] = (None, b"")
         self._looked: Looked | None = None
@@ -169,7 +169,9 @@ class PageSource:
         self._shown = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
         self._made = self._steady()
-        self._took = self._spent() - spent
+        # One alone may have taken longer for what is nobody's: memory was tidied up, or everything was asked for once.
+        took = self._spent() - spent
+        self._took, self._last = min(took, self._last), took
 
     def _topics(self, seen: Seen | None) -> frozenset[str] | None:
         """Return which topics are seen; None where that is everything."""

@@ -73,11 +73,10 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
 def _breakable(text: str) -> str:
     """Return escaped text with places where it may break: between parts of a path or a name, not inside them."""
     ends = ("/", "::") if "/" in text else ("::", "_", ".", "(", "-&gt;")
-    # What begins with a slash is the name of a node or topic; the slash alone on a line says nothing.
-    first, rest = text[:1], text[1:]
     for end in ends:
-        rest = rest.replace(end, f"{end}<wbr>")
-    return first + rest
+        text = text.replace(end, f"{end}<wbr>")
+    # What begins with a slash is the name of a node or topic; the slash alone on a line says nothing.
+    return f" {text}".replace(" /<wbr>", " /")[1:]
 
 
 def _linked(text: str, ref: PageRef | None, hint: str, link: Link) -> str:

@@ -105,9 +105,9 @@ class Keeper:
             self._history.prune(now)
 
 
-def in_memory(session: Session, tiers: tuple[Tier, ...] = IN_MEMORY) -> Keeper:
-    """Return what keeps the last hours of a session in memory, or as much as ``tiers`` say."""
-    return Keeper(session, History.open(None, tiers), most_values=MOST_IN_MEMORY, flush_s=1.0)
+def in_memory(session: Session) -> Keeper:
+    """Return what keeps the last hours of a session in memory."""
+    return Keeper(session, History.open(None, IN_MEMORY), most_values=MOST_IN_MEMORY, flush_s=1.0)
 
 
 def moment_of(session: Session, now: float) -> Moment:

@@ -26,6 +26,9 @@ from roslens.model.entity import EntityKind
         ("/robot/{,**/}scan", ["/robot/{,**/}scan"]),
         ("re:/x{1,2}", ["re:/x{1,2}"]),
         ("/{a,a}", ["/a"]),
+        ("**{{*}}", ["**"]),
+        ("/*{*,b}", ["/*", "/*b"]),
+        (r"/\*{*,**}", [r"/\**", r"/\***"]),
     ],
 )
 def test_what_braces_list(pattern, names):

@@ -56,7 +56,7 @@ class _Reader:
             char = self._text[self._at]
             if self._text.startswith(_ANY_DEPTH, self._at):
                 pieces = self._take(len(_ANY_DEPTH))
-            elif char == "\\":
+            elif char == "\\" or self._text.startswith("**", self._at):
                 pieces = self._take(2)
             elif char == "{":
                 pieces = self._choice(depth)
@@ -66,7 +66,7 @@ class _Reader:
                 pieces = self._take(1)
             if len(found) * len(pieces) > MOST:
                 raise ValueError(f"{self._text[:60]!r} names more than {MOST} things, expected at most {MOST}")
-            found = [before + piece for before in found for piece in pieces]
+            found = [_joined(before, piece) for before in found for piece in pieces]
         return found
 
     def _choice(self, depth: int) -> list[str]:
@@ -80,3 +80,13 @@ class _Reader:
     def _take(self, length: int) -> list[str]:
         self._at += length
         return [self._text[self._at - length : self._at]]
+
+
+def _joined(before: str, piece: str) -> str:
+    """Return two parts of a pattern as one: wildcards that meet where braces were are the wider one of them."""
+    head, rest = before.rstrip("*"), piece.lstrip("*")
+    ends, begins = len(before) - len(head), len(piece) - len(rest)
+    if (len(head) - len(head.rstrip("\\"))) % 2:
+        # The first of them stands for itself.
+        head, ends = head + "*", ends - 1
+    return head + "*" * max(ends, begins) + rest if ends and begins else before + piece

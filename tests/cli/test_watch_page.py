@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 from urllib.request import ProxyHandler, build_opener
 
@@ -277,28 +278,40 @@ def test_snapshots_are_made_four_times_a_second_while_somebody_looks():
     assert page.due()
 
 
-def test_one_snapshot_that_takes_long_makes_no_page_slow_but_two_do():
-    now, spent, lasts = [100.0], [0.0], [0.5]
-
-    def used():
-        spent[0] += lasts[0] / 2
-        return spent[0]
-
+def shown_for(seconds, cost):
+    """Return what a page used while somebody looked, and when it was made; ``cost`` is of one by the time since."""
+    now, spent, made = 100.0, 0.0, [100.0]
     robot = ScriptedRobot()
-    page = PageSource("x", clock=str, live=True, steady=lambda: now[0], spent=used)
-    page.newest()
-    page.make(robot.session, 1.0, "")
-    now[0] += 0.25
-    assert page.due()
-    page.make(robot.session, 2.0, "")
-    now[0] += 3.0
-    assert not page.due()
-    now[0] += 0.9
-    page.newest()
-    lasts[0] = 0.01
-    page.make(robot.session, 3.0, "")
-    now[0] += 0.25
-    assert page.due()
+    page = PageSource("x", clock=str, live=True, steady=lambda: now, spent=lambda: spent)
+    view = page._snapshot
+
+    def costly(*given, **more):
+        nonlocal spent
+        spent += cost(now - made[-1])
+        return view(*given, **more)
+
+    page._snapshot = costly
+    while now < 100.0 + seconds:
+        page.newest()
+        if page.due():
+            page.make(robot.session, now, "")
+            made.append(now)
+        now += 0.25
+    return spent, made
+
+
+def test_what_costs_less_the_more_often_it_is_made_is_made_often():
+    spent, made = shown_for(30.0, lambda since: 0.25 if since == 0 else 0.004 + 0.045 * since)
+    assert [after - before for before, after in pairwise(made)][-20:] == [0.25] * 20
+    assert spent <= 0.08 * 30 + 0.25
+
+
+def test_a_page_that_costs_much_is_made_seldom_but_made():
+    spent, made = shown_for(60.0, lambda _: 0.1)
+    assert spent <= 0.08 * 60 + 0.2
+    assert len(made) > 40
+    _, made = shown_for(60.0, lambda _: 5.0)
+    assert {after - before for before, after in pairwise(made[1:])} == {4.0}
 
 
 @pytest.mark.parametrize(

@@ -35,6 +35,7 @@ _WANTED_S = 5.0
 _MOST_SHARE = 0.08
 _SLOWEST_S = 4.0
 """A large system is shown more slowly, so that showing it costs no more than this share of the time."""
+_SAVED_S = _PACE_S * _MOST_SHARE
 _KEPT = 50
 _PICTURE_S = 10.0
 """A picture that nobody sees is drawn again after so long, for who comes next."""
@@ -81,7 +82,7 @@ class PageSource:
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
         self._made = -math.inf
-        self._took = self._last = 0.0
+        self._debt = 0.0
         self._shown: Snapshot | None = None
         self._written: tuple[Snapshot | None, bytes] = (None, b"")
         self._looked: Looked | None = None
@@ -153,12 +154,15 @@ class PageSource:
     def due(self) -> bool:
         """Return whether it is time for a new snapshot."""
         now = self._steady()
-        pace = max(_PACE_S, min(self._took / _MOST_SHARE, _SLOWEST_S))
-        return now - self._made >= (pace if now - self._asked < _WANTED_S else _IDLE_PACE_S)
+        since = now - self._made
+        if now - self._asked >= _WANTED_S:
+            return since >= _IDLE_PACE_S
+        return since >= _PACE_S and (self._debt <= since * _MOST_SHARE or since >= _SLOWEST_S)
 
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
         begun, spent = self._steady(), self._spent()
+        self._debt -= min(begun - self._made, _SLOWEST_S) * _MOST_SHARE
         # Of what ended nothing newer will come.
         seen = self.sight.seen() if self._live else None
         looked = _look(session, now, self._topics(seen))
@@ -169,9 +173,8 @@ class PageSource:
         self._shown = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
         self._made = self._steady()
-        # One alone may have taken longer for what is nobody's: memory was tidied up, or everything was asked for once.
-        took = self._spent() - spent
-        self._took, self._last = min(took, self._last), took
+        # What was not used is kept for one snapshot: the more of them, the less there is to do for each.
+        self._debt = max(self._debt, -_SAVED_S) + self._spent() - spent
 
     def _topics(self, seen: Seen | None) -> frozenset[str] | None:
         """Return which topics are seen; None where that is everything."""

@@ -306,6 +306,11 @@ def test_what_costs_less_the_more_often_it_is_made_is_made_often():
     assert spent <= 0.08 * 30 + 0.25
 
 
+def test_a_beginning_that_costs_much_is_soon_forgotten():
+    _, made = shown_for(12.0, lambda since: 2.0 if since == 0 else 0.01)
+    assert [after - before for before, after in pairwise(made)][-20:] == [0.25] * 20
+
+
 def test_a_page_that_costs_much_is_made_seldom_but_made():
     spent, made = shown_for(60.0, lambda _: 0.1)
     assert spent <= 0.08 * 60 + 0.2

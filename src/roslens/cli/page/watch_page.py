@@ -174,7 +174,8 @@ class PageSource:
         self._looked = looked
         self._made = self._steady()
         # What was not used is kept for one snapshot: the more of them, the less there is to do for each.
-        self._debt = max(self._debt, -_SAVED_S) + self._spent() - spent
+        # What the slowest pace leaves over is forgiven: who asked for everything once does not pay for it for long.
+        self._debt = max(min(self._debt, 0.0), -_SAVED_S) + self._spent() - spent
 
     def _topics(self, seen: Seen | None) -> frozenset[str] | None:
         """Return which topics are seen; None where that is everything."""

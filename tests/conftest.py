@@ -60,5 +60,5 @@ def pytest_collection_modifyitems(items):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config):
-    """Return how many workers `-n auto` means: two more than there are processors, as two of them mostly wait."""
-    return len(os.sched_getaffinity(0)) + 2
+    """Return how many workers `-n auto` means: three more than processors, as two mostly wait and all do at times."""
+    return len(os.sched_getaffinity(0)) + 3

@@ -74,7 +74,8 @@ export class Plots {
       return;
     }
     const uPlot = await library();
-    if (entity === this.entity) this.draw(uPlot);
+    // Nothing is there to draw, where another entity was looked at meanwhile and this one again.
+    if (entity === this.entity && this.found) this.draw(uPlot);
   }
 
   /** The keys of the series to show: those that are judged, or the first one. */

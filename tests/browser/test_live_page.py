@@ -13,7 +13,7 @@ import pytest
 from dashboard.live.made_up_snapshots import walk
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
 from pace import slowness
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, Route, expect
 
 from roslens.dashboard.live.changes import change, held
 from roslens.dashboard.live.serving import LivePage
@@ -134,6 +134,25 @@ def test_keys_walk_through_the_table(follow: Open) -> None:
     expect(chosen).to_have_attribute("data-entity", "host:base")
     page.keyboard.press("Escape")
     expect(chosen).to_have_count(0)
+
+
+def test_what_is_looked_at_again_before_its_plots_came_is_drawn_once_they_do(follow: Open) -> None:
+    page = follow()
+    libraries: list[Route] = []
+    answers: list[Route] = []
+    page.route("**/uPlot.iife.min.js", lambda route: libraries.append(route))
+    with page.expect_response(re.compile("plots.json")):
+        page.keyboard.press("j")
+    page.route("**/plots.json*", lambda route: answers.append(route))
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("k")
+    expect(page.locator("#rows tr.chosen")).to_have_attribute("data-entity", "host:base")
+    with page.expect_event("requestfinished", lambda one: "uPlot.iife" in one.url):
+        libraries.pop().continue_()
+    page.unroute("**/plots.json*")
+    for answer in answers:
+        answer.continue_()
+    expect(page.locator("#plots canvas").first).to_be_visible()
 
 
 def test_filters_are_in_the_address(robot: ScriptedRobot, follow: Open) -> None:

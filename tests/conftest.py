@@ -48,13 +48,9 @@ def pytest_collection_modifyitems(items):
     """Put what waits for nodes first in the share of one worker, and what waits for a browser in that of the next.
 
     So two workers mostly wait while the others compute, and those that are done first take what is left of the rest.
-    Whole robots and the whole site, which stand last, wait longest: at the end everybody would wait for them.
     """
-    last_first = sorted(items, key=lambda item: str(item.path), reverse=True)
-    real = [item for item in last_first if item.get_closest_marker("real")]
-    browser = [
-        item for item in last_first if item.get_closest_marker("browser") and not item.get_closest_marker("real")
-    ]
+    real = [item for item in items if item.get_closest_marker("real")]
+    browser = [item for item in items if item.get_closest_marker("browser") and not item.get_closest_marker("real")]
     waiting = {*real, *browser}
     rest = [item for item in items if item not in waiting]
     share = len(items) // int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))

@@ -164,6 +164,14 @@ def test_an_entry_reads_as_one_line():
     assert str(Entry("a:1:1", Outcome.IMPORTED, "x")) == "a:1:1: x: imported"
 
 
+def test_a_pattern_may_contradict_in_several_signals():
+    reference, entries = brought(
+        "- t!/*: {frequency: [3, 4], bandwidth: [3, 4]}\n- t!/a: {frequency: [1, 2], bandwidth: [1, 2]}"
+    )
+    assert ranges(reference) == {"/a rate": Range(1, 2), "/a bandwidth": Range(1, 2)}
+    assert sum("contradicts" in one for one in entries) == 2
+
+
 BESIDE = {"t": "bandwidth", "n": "node_ramusage_mean"}
 NUMBERS = st.one_of(st.integers(-1000, 1000), st.floats(-1e6, 1e6)).map(str)
 LIMITS = st.one_of(

@@ -146,10 +146,9 @@ class _Import:
 
     def keep_together(self, text: str) -> None:
         """Leave out patterns that contradict something else; ``text`` is the reference with all constraints."""
-        clashes = clashes_of(text, self._known)
-        for at in sorted({clash.loser for clash in clashes}):
-            clash = next(one for one in clashes if one.loser == at)
-            loser, winner = self.constraints[at], self.constraints[clash.winner]
+        clashes = {(clash.loser, clash.key): clash for clash in reversed(clashes_of(text, self._known))}
+        for clash in clashes.values():
+            loser, winner = self.constraints[clash.loser], self.constraints[clash.winner]
             seuid = " ".join(value for _, value in winner.selected.lines)
             del loser.lines[clash.key]
             place = self._said[loser.selected.lines, clash.key, clash.percentile == GREATEST][1]

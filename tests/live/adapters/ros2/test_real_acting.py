@@ -16,6 +16,7 @@ pytestmark = [pytest.mark.real, pytest.mark.timed]
 
 NODE = """
 import rclpy, sys
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.lifecycle import LifecycleNode
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rcl_interfaces.msg import Log
@@ -26,7 +27,11 @@ rclpy.init()
 node = LifecycleNode('base', namespace='/rover')
 node.declare_parameter('speed', 1.0)
 def said(text): print(text, flush=True)
-node.create_subscription(Bool, '/stop', lambda one: said(f'stop {one.data}'), 10)
+def heed(topic, said_of_it):
+    meeting = SubscriptionEventCallbacks(matched=lambda one: one.current_count_change > 0 and said(f'meets {topic}'))
+    node.create_subscription(Bool, topic, lambda one: said(f'{said_of_it} {one.data}'), 10, event_callbacks=meeting)
+heed('/stop', 'stop')
+heed('/stop_again', 'again')
 node.create_subscription(TwistStamped, '/velocity',
     lambda one: said(f'velocity {one.twist.linear.x} {one.header.stamp.sec > 0}'), 10)
 node.create_subscription(Log, '/rosout', lambda one: one.name.startswith('_roslens') and said(f'log {one.msg}'), 100)
@@ -58,6 +63,17 @@ class Rover:
         assert self.heard() == "ready"
 
     def heard(self):
+        """Return what it heard next."""
+        while (said := self._said()).startswith("meets "):
+            pass
+        return said
+
+    def meets(self, topic):
+        """Wait until it is connected with a publisher: before that, nothing arrives."""
+        while self._said() != f"meets {topic}":
+            assert self.process.poll() is None
+
+    def _said(self):
         return self.process.stdout.readline().strip()
 
     def close(self):
@@ -97,6 +113,7 @@ def asked(line, kind, target="", verb=Verb.DO, **arguments):
 def test_a_stop_that_was_prepared_arrives(line):
     told = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
     assert asked(line, "publish", verb=Verb.PREPARE, **told).done
+    line.rover.meets("/stop")
     found = asked(line, "publish", **told)
     assert (found.done, found.text) == (True, "published on /stop to 1 subscriber")
     assert line.rover.heard() == "stop True"
@@ -170,16 +187,18 @@ def test_services_are_called(line):
 
 
 def test_what_acts_is_started_again_and_knows_what_was_prepared(line):
-    told = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": False}}
+    told = {"topic": "/stop_again", "type": "std_msgs/Bool", "fields": {"data": False}}
     assert asked(line, "publish", verb=Verb.PREPARE, **told).done
+    line.rover.meets("/stop_again")
     line._process.kill()
     end = time.monotonic() + SPARE_S
     again = []
     while not again and time.monotonic() < end:
         again = [one for one in line.poll() if one.id == "t/publish" and one.done]
     assert again, line.said
+    line.rover.meets("/stop_again")
     assert asked(line, "publish", **told).done
-    assert line.rover.heard() == "stop False"
+    assert line.rover.heard() == "again False"
 
 
 def test_what_was_said_before_and_after_is_recorded(line, tmp_path):

@@ -82,16 +82,21 @@ def _of_node(node: ConfiguredNode, how: str) -> Difference:
 def _facts(nodes: Sequence[ConfiguredNode]) -> _Facts:
     found: dict[tuple[str, str], dict[str, set[Way]]] = {}
     for node in nodes:
-        for one in node.endpoints:
-            key = (one.endpoint.role.value.replace("_", " "), one.endpoint.name)
-            found.setdefault(key, {}).setdefault(_end(one), set()).add(one.conditions)
-        for parameter in node.parameters:
-            if (parameter.access or parameter.set_by is not None) and not parameter.repeats_an_endpoint:
-                value = "unknown" if parameter.value is None else f'"{parameter.value}"'
-                found.setdefault(("parameter", parameter.name), {}).setdefault(value, set()).add(())
-        for remap in node.remaps:
-            found.setdefault(("remapping", remap.source), {}).setdefault(remap.target, set()).add(())
+        for key, value, way in _things(node):
+            found.setdefault(key, {}).setdefault(value, set()).add(way)
     return {key: frozenset(_texts(ways)) for key, ways in found.items()}
+
+
+def _things(node: ConfiguredNode) -> Iterator[tuple[tuple[str, str], str, Way]]:
+    """Yield what a node has: what kind of thing with its name, what is said of it, and under which conditions."""
+    for one in node.endpoints:
+        yield (one.endpoint.role.value.replace("_", " "), one.endpoint.name), _end(one), one.conditions
+    for parameter in node.parameters:
+        if (parameter.access or parameter.set_by is not None) and not parameter.repeats_an_endpoint:
+            value = "unknown" if parameter.value is None else f'"{parameter.value}"'
+            yield ("parameter", parameter.name), value, ()
+    for remap in node.remaps:
+        yield ("remapping", remap.source), remap.target, ()
 
 
 def _texts(ways: Mapping[str, set[Way]]) -> Iterator[str]:

@@ -43,7 +43,8 @@ def load_yaml(text: str | bytes) -> Any:
 def _count(events: Any) -> None:
     import yaml
 
-    weights: dict[str, int] = {}
+    # What has no anchor is kept under None, which no alias names.
+    weights: dict[str | None, int] = {}
     open_ones: list[tuple[str | None, int]] = []
     total = 0
     for event in events:
@@ -54,14 +55,12 @@ def _count(events: Any) -> None:
                 raise UnsafeYamlError(f"lists and tables more than {MOST_DEPTH} deep")
         elif isinstance(event, yaml.CollectionEndEvent):
             anchor, before = open_ones.pop()
-            if anchor is not None:
-                weights[anchor] = total - before
+            weights[anchor] = total - before
         elif isinstance(event, yaml.AliasEvent):
             # An alias of what it stands in is one value: it stands for no more than what is there already.
-            total += weights.get(event.anchor or "", 1)
+            total += weights.get(event.anchor, 1)
         elif isinstance(event, yaml.ScalarEvent):
             total += 1
-            if event.anchor is not None:
-                weights[event.anchor] = 1
+            weights[event.anchor] = 1
         if total > MOST_VALUES:
             raise UnsafeYamlError(f"more than {MOST_VALUES:,} values, with those that aliases stand for")

@@ -203,18 +203,22 @@ def _misses(bench: _Bench, fixtures: Path | None) -> Iterator[str]:
             yield f"no fixtures: give a folder with {TRIGGERS}… and {CLEAN}… below the name of each rule"
         return
     for rule in manifest.rules:
-        home = fixtures / rule.id.removeprefix(f"{manifest.name}.")
-        for kind, what in ((TRIGGERS, "occurs"), (CLEAN, "does not occur")):
-            samples = sorted(home.glob(f"{kind}*"))
-            if not samples:
-                yield f"rule {rule.id} has no {kind} fixture: add {home.name}/{kind}… in which it {what}"
-            for sample in samples:
-                yield from _misjudges(bench, rule.id, kind, sample)
+        yield from _misses_of_rule(bench, rule.id, fixtures / rule.id.removeprefix(f"{manifest.name}."))
     for sample in sorted((fixtures / VALUES).glob("*")):
         yield from (f"in {VALUES}/{sample.name}: {failure}" for failure in bench.run(sample).failures)
     for quantity in manifest.quantities:
         if quantity.key not in bench.measured:
             yield f"quantity {quantity.key} is never measured: add {VALUES}/… for which it has a value"
+
+
+def _misses_of_rule(bench: _Bench, rule: str, home: Path) -> Iterator[str]:
+    """Hold what a rule finds against the fixtures in a folder."""
+    for kind, what in ((TRIGGERS, "occurs"), (CLEAN, "does not occur")):
+        samples = sorted(home.glob(f"{kind}*"))
+        if not samples:
+            yield f"rule {rule} has no {kind} fixture: add {home.name}/{kind}… in which it {what}"
+        for sample in samples:
+            yield from _misjudges(bench, rule, kind, sample)
 
 
 def _misjudges(bench: _Bench, rule: str, kind: str, sample: Path) -> Iterator[str]:

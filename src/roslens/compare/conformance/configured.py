@@ -92,18 +92,38 @@ def _endpoint(one: ConfiguredEndpoint, node: str, of: ConfiguredNode) -> Claim:
 
 def _parameters(parameters: Iterable[ConfiguredParameter], of: ConfiguredNode | None, *, ros1: bool) -> Iterator[Claim]:
     for one in parameters:
-        set_ = one.set_by is not None or one.written_by is not None
-        if not (set_ or (one.access == "declared" and not ros1)) or one.repeats_an_endpoint:
-            continue
-        proof = one.written_by or one.set_by or one.proof
-        sure = proof.sure if proof else "likely"
-        if one.set_by is None and one.default is not None and not ros1:
-            sure = "certain" if sure == "likely" else sure
-        conditions = (*(of.conditions if of else ()), *(() if one.set_by and ros1 else one.conditions))
-        yield Claim(
-            PARAMETER, "" if ros1 or of is None else of.name, one.name,
-            {} if one.value is None else {"value": one.value}, sure,
-            "*" not in one.name and (of is None or of.resolved), conditions=conditions,
-            place=proof.place if proof else "", ignored=not ros1 and one.access == "",
-            uncertain="something that is not known may set it too" if one.uncertain else "",
-        )  # fmt: skip
+        if _is_there(one, ros1=ros1):
+            yield _parameter(one, of, ros1=ros1)
+
+
+def _parameter(one: ConfiguredParameter, of: ConfiguredNode | None, *, ros1: bool) -> Claim:
+    proof = one.written_by or one.set_by or one.proof
+    return Claim(
+        PARAMETER, "" if ros1 or of is None else of.name, one.name,
+        {} if one.value is None else {"value": one.value}, _sure(one, ros1=ros1),
+        "*" not in one.name and (of is None or of.resolved), conditions=_conditions(one, of, ros1=ros1),
+        place=proof.place if proof else "", ignored=not ros1 and one.access == "",
+        uncertain="something that is not known may set it too" if one.uncertain else "",
+    )  # fmt: skip
+
+
+def _is_there(one: ConfiguredParameter, *, ros1: bool) -> bool:
+    """Whether a parameter is there once all is started: set, or in ROS 2 declared."""
+    if one.repeats_an_endpoint:
+        return False
+    if one.set_by is not None or one.written_by is not None:
+        return True
+    return one.access == "declared" and not ros1
+
+
+def _sure(one: ConfiguredParameter, *, ros1: bool) -> str:
+    proof = one.written_by or one.set_by or one.proof
+    sure = proof.sure if proof else "likely"
+    has_default = one.set_by is None and one.default is not None and not ros1
+    return "certain" if has_default and sure == "likely" else sure
+
+
+def _conditions(one: ConfiguredParameter, of: ConfiguredNode | None, *, ros1: bool) -> tuple[str, ...]:
+    """Return under what a parameter is there; in ROS 1 a set one is, whatever its node comes to."""
+    of_node = of.conditions if of else ()
+    return of_node if one.set_by and ros1 else (*of_node, *one.conditions)

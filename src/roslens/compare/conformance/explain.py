@@ -86,17 +86,22 @@ def _beside(one: Claim, others: Sequence[Beside]) -> Why | None:
 
 def _known(one: Claim, beside: Beside) -> Claim | None:
     loose = beside.origin is Origin.UNSTARTED
+    if loose and one.kind == NODE:
+        return None
+    named = _name(one)
     for other in beside.claims:
-        if other.kind != one.kind or (loose and one.kind == NODE):
-            continue
-        says = other.node if one.kind == NODE else other.name
-        is_ = one.node if one.kind == NODE else one.name
-        if set(says) <= {"/", "*"}:
+        says = _name(other)
+        if other.kind != one.kind or set(says) <= {"/", "*"}:
             continue
         same_node = loose or one.kind in (NODE, TOPIC) or other.node == one.node
-        if same_node and (says == is_ or ("*" in says and loose and fnmatchcase(is_, says))):
+        if same_node and (says == named or ("*" in says and loose and fnmatchcase(named, says))):
             return other
     return None
+
+
+def _name(one: Claim) -> str:
+    """Return the name of what is claimed: that of a node, or of what it has."""
+    return one.node if one.kind == NODE else one.name
 
 
 def _elsewhere(one: Claim, known: Claim, beside: Beside) -> Why:

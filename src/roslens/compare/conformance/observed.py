@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 
 import msgspec
 
@@ -57,17 +57,31 @@ def observed_claims(graph: Graph, *, actions: bool = True) -> tuple[Claim, ...]:
     """Return what a graph shows; with ``actions`` the five topics of an action of ROS 1 are one."""
     ros1 = graph.generation == "ros1"
     found = [Claim(NODE, node.name, lifecycle=node.lifecycle) for node in graph.nodes]
-    for end in actions_joined(graph.endpoints) if ros1 and actions else graph.endpoints:
-        values = {"type": end.type} if end.type else {}
-        if end.qos is not None:
-            values |= policies(end.qos)
-        found.append(Claim(end.role.value, end.node, end.name, values))
-    for node, told in graph.parameters.items():
-        for name, value in told.items():
-            key = (f"{node}/{name}" if node else name) if ros1 else name
-            found.append(Claim(PARAMETER, "" if ros1 else node, key, {"value": value}))
+    found += map(_endpoint, actions_joined(graph.endpoints) if ros1 and actions else graph.endpoints)
+    found += _of_server(graph.parameters) if ros1 else _of_nodes(graph.parameters)
     claims = surest(found)
     return surest((*claims, *topics_of(claims)))
+
+
+def _endpoint(end: Endpoint) -> Claim:
+    values = {"type": end.type} if end.type else {}
+    if end.qos is not None:
+        values |= policies(end.qos)
+    return Claim(end.role.value, end.node, end.name, values)
+
+
+def _of_server(parameters: Mapping[str, Mapping[str, str]]) -> Iterator[Claim]:
+    """Yield parameters of ROS 1, which are of the parameter server."""
+    for node, values in parameters.items():
+        for name, value in values.items():
+            yield Claim(PARAMETER, "", f"{node}/{name}" if node else name, {"value": value})
+
+
+def _of_nodes(parameters: Mapping[str, Mapping[str, str]]) -> Iterator[Claim]:
+    """Yield parameters of ROS 2, which are of a node each."""
+    for node, values in parameters.items():
+        for name, value in values.items():
+            yield Claim(PARAMETER, node, name, {"value": value})
 
 
 _TO_SERVER, _TO_CLIENT = ("goal", "cancel"), ("status", "result", "feedback")

@@ -141,7 +141,13 @@ def _argument(section: Section, key: str, argument: Argument, value: Value) -> A
         return value
     if kind is ArgumentType.ANYTHING:
         return value
+    return _text(section, key, argument)
+
+
+def _text(section: Section, key: str, argument: Argument) -> str:
+    """Return an argument that is a text, of the form that its type asks for."""
     text = visible(section, key, section.text(key), lines=True)
+    kind = argument.type
     if kind is ArgumentType.CHOICE:
         return _chosen(section, key, argument, text)
     if kind is ArgumentType.INTERFACE and not _INTERFACE.match(text):

@@ -97,21 +97,30 @@ def _tree(section: Section, scope: Scope, named: Named, form: str, time: OverTim
         if part is None:
             raise section.fault("", "a `not` of nothing", expected="a condition")
         return Not(read_condition_tree(part, scope, named), time, place)
+    parts = _parts(section, scope, named, form)
+    if form == "at_least":
+        return AtLeast(_least(section, len(parts)), parts, time, place)
+    return AllOf(parts, time, place) if form == "all" else AnyOf(parts, time, place)
+
+
+def _parts(section: Section, scope: Scope, named: Named, form: str) -> tuple[Condition, ...]:
+    """Return the conditions that a condition is made of."""
     key = "among" if form == "at_least" else form
     parts = tuple(
         read_condition_tree(part, scope, named) for part in section.sections(key, "condition", CONDITION_KEYS)
     )
     if not parts:
         raise section.fault(form, f"{form!r} of no condition", expected=f"a list of conditions under {key!r}")
-    if form == "all":
-        return AllOf(parts, time, place)
-    if form == "any":
-        return AnyOf(parts, time, place)
+    return parts
+
+
+def _least(section: Section, parts: int) -> int:
+    """Return how many of ``parts`` conditions have to hold."""
     count = section.number("at_least") or 0
-    if count != int(count) or not 1 <= count <= len(parts):
-        expected = f"a whole number from 1 to {len(parts)}, which are listed in `among`"
+    if count != int(count) or not 1 <= count <= parts:
+        expected = f"a whole number from 1 to {parts}, which are listed in `among`"
         raise section.fault("at_least", f"at_least is {section.text('at_least')!r}", expected=expected)
-    return AtLeast(int(count), parts, time, place)
+    return int(count)
 
 
 def _statement(section: Section, scope: Scope, time: OverTime) -> Stated:

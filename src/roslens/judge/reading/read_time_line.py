@@ -150,24 +150,35 @@ def _given(section: Section) -> Given:
         raise section.fault("", f"{len(kinds)} entities in a line of `given`", expected=expected)
     entity = EntityId(kinds[0], section.text(kinds[0].value))
     host = section.text("host", "") if _of_node(section) else ""
-    said = [key for key in ("is", "lifecycle", "value") if key in section]
+    said = [key for key in _SAID if key in section]
     if len(said) != 1:
         found = f"{said[1]!r} beside {said[0]!r}" if said else f"nothing said of {entity}"
         raise section.fault(said[1] if said else "", found, expected="one of `is`, `lifecycle` and `value`")
     at = seconds(section, "at", 0.0)
     number = section.text("number", "")
     common = Given(at, entity, host=host, number=reading(section, "number", lambda: float(number)) if number else None)
-    word = section.text(said[0])
-    if said[0] == "value":
-        if entity.kind is not EntityKind.PARAMETER or not entity.name.rpartition("/")[0]:
-            raise section.fault("value", f"'value' of {entity}", expected="it of a parameter, `/node/name`")
-        return msgspec.structs.replace(common, value=word)
-    if said[0] == "lifecycle":
-        if entity.kind is not EntityKind.NODE or word not in LIFECYCLE:
-            raise section.fault(
-                "lifecycle", f"lifecycle is {word!r}", expected=f"of a node one of {', '.join(LIFECYCLE)}"
-            )
-        return msgspec.structs.replace(common, lifecycle=word)
+    return _SAID[said[0]](section, common)
+
+
+def _valued(section: Section, common: Given) -> Given:
+    """Return what is given of a parameter, with its value."""
+    entity = common.entity
+    if entity.kind is not EntityKind.PARAMETER or not entity.name.rpartition("/")[0]:
+        raise section.fault("value", f"'value' of {entity}", expected="it of a parameter, `/node/name`")
+    return msgspec.structs.replace(common, value=section.text("value"))
+
+
+def _in_lifecycle(section: Section, common: Given) -> Given:
+    """Return what is given of a node, with its state of the lifecycle."""
+    word = section.text("lifecycle")
+    if common.entity.kind is not EntityKind.NODE or word not in LIFECYCLE:
+        raise section.fault("lifecycle", f"lifecycle is {word!r}", expected=f"of a node one of {', '.join(LIFECYCLE)}")
+    return msgspec.structs.replace(common, lifecycle=word)
+
+
+def _being_or_state(section: Section, common: Given) -> Given:
+    """Return what is given of an entity, with whether it is there, or how it is judged."""
+    word = section.text("is")
     if word in BEING_WORDS:
         return msgspec.structs.replace(common, being=Being(word))
     states = [state.value for state in State]
@@ -183,6 +194,9 @@ def _given(section: Section) -> Given:
         severity=section.choice("severity", Severity, Severity.ERROR),
         cause=_entity(section, "cause"),
     )
+
+
+_SAID = {"is": _being_or_state, "lifecycle": _in_lifecycle, "value": _valued}
 
 
 def _of_node(section: Section) -> bool:

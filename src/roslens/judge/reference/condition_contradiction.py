@@ -9,6 +9,7 @@ from roslens.judge.patterns.pattern import Pattern
 from roslens.model.acting.condition import About, AllOf, AnyOf, Being, Condition, Not, Stated
 from roslens.model.verdict import State
 
+_FINE = frozenset((State.OK.value,))
 _BAD = frozenset(state.value for state in State if state.bad)
 _AWAY = frozenset((Being.GONE.value, Being.CRASHED.value))
 _THERE = frozenset(
@@ -72,16 +73,17 @@ def _apart(one: Stated, other: Stated) -> bool:
         return False
     mine, theirs = _states(one), _states(other)
     if one.about is About.VERDICT:
-        if one.quantity and one.quantity == other.quantity:
-            return not mine & theirs
-        fine, wrong = frozenset((State.OK.value,)), _BAD
-        # Without a signal `ok` is about all verdicts, `bad` about any of them.
-        return one.quantity == other.quantity and (
-            (mine == fine and theirs <= wrong) or (theirs == fine and mine <= wrong)
-        )
+        return one.quantity == other.quantity and _verdicts_apart(mine, theirs, of_one_signal=bool(one.quantity))
     if one.about is About.BEING:
         return (mine <= _AWAY and theirs <= _THERE) or (mine <= _THERE and theirs <= _AWAY)
     return bool(mine and theirs) and not mine & theirs
+
+
+def _verdicts_apart(mine: frozenset[str], theirs: frozenset[str], *, of_one_signal: bool) -> bool:
+    if of_one_signal:
+        return not mine & theirs
+    # Without a signal `ok` is about all verdicts, `bad` about any of them.
+    return (mine == _FINE and theirs <= _BAD) or (theirs == _FINE and mine <= _BAD)
 
 
 def _states(stated: Stated) -> frozenset[str]:

@@ -44,20 +44,28 @@ def expected_words(constraint: ReferenceConstraint) -> str:
     if isinstance(constraint, Expectation):
         return f"{constraint.quantity} {constraint.written}"
     if isinstance(constraint, Presence):
-        several = constraint.mode in EACH and len(alternatives(constraint.selector.name)) > 1
-        if constraint.condition is not None:
-            who = "each is" if several else "one is" if constraint.mode is PresenceMode.ANY_WHILE else "is"
-            return f"{who} there while {selector_words(constraint.condition)} is"
-        return {
-            PresenceMode.ALWAYS: "each is always there" if several else "is always there",
-            PresenceMode.ANY: "one is always there",
-            PresenceMode.NEVER: "is never there",
-            PresenceMode.AT_MOST_ONE: "is there at most once",
-        }.get(constraint.mode, constraint.mode.value)
+        return _presence_words(constraint)
     if isinstance(constraint, AgeChain):
         return f"age {constraint.written}"
     if isinstance(constraint, StateCheck):
         return f"{constraint.of.value} {constraint.written}"
+    return _field_words(constraint)
+
+
+def _presence_words(constraint: Presence) -> str:
+    several = constraint.mode in EACH and len(alternatives(constraint.selector.name)) > 1
+    if constraint.condition is not None:
+        who = "each is" if several else "one is" if constraint.mode is PresenceMode.ANY_WHILE else "is"
+        return f"{who} there while {selector_words(constraint.condition)} is"
+    return {
+        PresenceMode.ALWAYS: "each is always there" if several else "is always there",
+        PresenceMode.ANY: "one is always there",
+        PresenceMode.NEVER: "is never there",
+        PresenceMode.AT_MOST_ONE: "is there at most once",
+    }.get(constraint.mode, constraint.mode.value)
+
+
+def _field_words(constraint: FieldCheck) -> str:
     words = f"{constraint.measure.value} {constraint.written}"
     if (other := constraint.other) is not None:
         words = f"difference to {other.topic + ' ' if other.topic else ''}{other.field} {constraint.written}"

@@ -128,20 +128,28 @@ def _clash(one: ReferenceConstraint, other: ReferenceConstraint) -> str | None:
     if isinstance(one, Expectation) and isinstance(other, Expectation):
         return meeting_name(one.selector, other.selector) if _apart(one, other) else None
     if isinstance(one, Presence) and isinstance(other, Presence):
-        needed, never = (one, other) if other.mode is PresenceMode.NEVER else (other, one)
-        if needed.mode not in _NEEDED or never.mode is not PresenceMode.NEVER:
-            return None
-        banned = (_forbidden(single.selector, never.selector) for single in each(needed))
-        return next((name for name in banned if name is not None), None)
+        return _presences_clash(one, other)
     if isinstance(one, StateCheck) and isinstance(other, StateCheck):
         return None if _states_meet(one, other) else meeting_name(one.selector, other.selector)
     if isinstance(one, FieldCheck | AgeChain) and isinstance(other, FieldCheck | AgeChain):
-        if one.range.overlaps(other.range):
-            return None
-        if isinstance(one, FieldCheck) and isinstance(other, FieldCheck):
-            return meeting_name(one.selector, other.selector)
-        return one.topics[-1] if isinstance(one, AgeChain) else None
+        return _values_clash(one, other)
     return None
+
+
+def _presences_clash(one: Presence, other: Presence) -> str | None:
+    needed, never = (one, other) if other.mode is PresenceMode.NEVER else (other, one)
+    if needed.mode not in _NEEDED or never.mode is not PresenceMode.NEVER:
+        return None
+    banned = (_forbidden(single.selector, never.selector) for single in each(needed))
+    return next((name for name in banned if name is not None), None)
+
+
+def _values_clash(one: FieldCheck | AgeChain, other: FieldCheck | AgeChain) -> str | None:
+    if one.range.overlaps(other.range):
+        return None
+    if isinstance(one, FieldCheck) and isinstance(other, FieldCheck):
+        return meeting_name(one.selector, other.selector)
+    return one.topics[-1] if isinstance(one, AgeChain) else None
 
 
 def _states_meet(one: StateCheck, other: StateCheck) -> bool:

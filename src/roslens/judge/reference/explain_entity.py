@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import msgspec
 
@@ -51,17 +51,20 @@ def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dic
     ranges: dict[str, list[Range]] = {}
     for one in applied:
         constraint = one.declared.constraint
-        plain = isinstance(constraint, Expectation) and not constraint.percentile
-        if plain and isinstance(constraint, Expectation) and not one.provided and not one.replaced_by:
+        if isinstance(constraint, Expectation) and not (constraint.percentile or one.provided or one.replaced_by):
             ranges.setdefault(constraint.quantity, []).append(constraint.range)
-    left = {}
-    for key, several in ranges.items():
-        together: Range | None = Range()
-        for one_range in several:
-            together = together.intersect(one_range) if together is not None else None
-        if len(several) > 1:
-            left[key] = limits_text(Limits(together), known[key].unit) if together is not None else "nothing"
-    return left
+    return {key: _left(several, known[key].unit) for key, several in ranges.items() if len(several) > 1}
+
+
+def _left(ranges: Iterable[Range], unit: str) -> str:
+    """Return in words what lies in all of the ranges."""
+    together = Range()
+    for one in ranges:
+        shared = together.intersect(one)
+        if shared is None:
+            return "nothing"
+        together = shared
+    return limits_text(Limits(together), unit)
 
 
 def _applied(declared: Declared, subject: Subject) -> Iterator[Applied]:

@@ -6,8 +6,10 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from roslens.judge.reference.condition_contradiction import statements
 from roslens.judge.reference.constraint_words import selector_words
+from roslens.judge.reference.expectation import Selector
 from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.judge.reference.unmatched import Subject
+from roslens.model.acting.condition import Stated
 from roslens.model.acting.reaction import Reaction
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
@@ -24,22 +26,29 @@ def unmatched_statements(
         subjects: everything that is there.
         kinds: of entities that could be seen at all.
     """
-    told = set()
+    reported = set()
     for reaction in reactions:
-        for condition in (reaction.when, reaction.only_while, reaction.unless):
-            for stated in statements(condition) if condition is not None else ():
-                selector = stated.selector
-                if selector.kind not in kinds or stated.place in told:
-                    continue
-                compiled = CompiledSelector(selector)
-                if not any(
-                    one.kind is selector.kind
-                    and compiled.matches(one.name, (one.host, one.type, one.publisher, one.subscriber))
-                    for one in subjects
-                ):
-                    told.add(stated.place)
-                    text = f"{stated.place}: {reaction.name} is about nothing: no {selector_words(selector)} is there"
-                    yield text + _advice(selector.name, selector.kind, subjects)
+        for stated in _all_statements(reaction):
+            selector = stated.selector
+            if selector.kind not in kinds or stated.place in reported or _is_matched(selector, subjects):
+                continue
+            reported.add(stated.place)
+            text = f"{stated.place}: {reaction.name} is about nothing: no {selector_words(selector)} is there"
+            yield text + _advice(selector.name, selector.kind, subjects)
+
+
+def _all_statements(reaction: Reaction) -> Iterator[Stated]:
+    for condition in (reaction.when, reaction.only_while, reaction.unless):
+        if condition is not None:
+            yield from statements(condition)
+
+
+def _is_matched(selector: Selector, subjects: Iterable[Subject]) -> bool:
+    compiled = CompiledSelector(selector)
+    return any(
+        one.kind is selector.kind and compiled.matches(one.name, (one.host, one.type, one.publisher, one.subscriber))
+        for one in subjects
+    )
 
 
 def refuse_unknown_targets(reactions: Iterable[Reaction], subjects: Sequence[Subject]) -> None:

@@ -96,36 +96,56 @@ def verify(path: Path, head: str = "") -> Verified:
 
 
 def _verified(reader: JournalReader, head: str) -> Verified:
-    wrong: list[str] = []
-    last: Entry | None = None
-    torn = b""
-    seen = not head
-    good = 0
+    chain = _Chain(head)
     for line in reader.lines():
         try:
             entry = read(line)
         except EntryError as error:
-            if torn:
-                wrong.append(f"line {reader.line - 1}: no entry")
-            torn = line
-            torn_why = str(error)
-            continue
-        if torn:
-            # The writer ended within that line, and whoever came next said so with its text.
-            if entry.what != TORN or entry.fields.get("bytes") != len(torn):
-                wrong.append(f"line {reader.line - 1}: {torn_why}")
-            torn = b""
-        number, before = (last.n + 1, last.hash) if last else (0, "")
-        if entry.before != before or entry.n != number:
+            chain.tear(reader.line, line, str(error))
+        else:
+            chain.take(reader.line, entry)
+    return chain.verified(reader)
+
+
+class _Chain:
+    """What was seen of a journal so far: its last entry, and what is wrong."""
+
+    def __init__(self, head: str) -> None:
+        self._head = head
+        self._seen = not head
+        self._wrong: list[str] = []
+        self._last: Entry | None = None
+        self._good = 0
+        self._torn = b""
+        self._torn_why = ""
+
+    def tear(self, number: int, line: bytes, why: str) -> None:
+        """Take a line that is no entry."""
+        if self._torn:
+            self._wrong.append(f"line {number - 1}: no entry")
+        self._torn, self._torn_why = line, why
+
+    def take(self, number: int, entry: Entry) -> None:
+        """Take an entry, which has to follow the one before it."""
+        # A writer ended within a torn line, and whoever came next said so with its text.
+        if self._torn and (entry.what != TORN or entry.fields.get("bytes") != len(self._torn)):
+            self._wrong.append(f"line {number - 1}: {self._torn_why}")
+        self._torn = b""
+        last = self._last
+        if (entry.n, entry.before) != ((last.n + 1, last.hash) if last else (0, "")):
             found = f"entry {entry.n} does not follow entry {last.n}" if last else f"it begins with entry {entry.n}"
-            wrong.append(f"line {reader.line}: {found}: something was changed, left out or put in")
-        last = entry
-        good += not wrong
-        seen = seen or entry.hash == head
-    if torn:
-        wrong.append(f"line {reader.line}: {torn_why}")
-    if reader.rest:
-        wrong.append(f"line {reader.line + 1}: not complete; its writer ended within it, or still writes")
-    if not seen:
-        wrong.append(f"no entry has the hash {head[:16]!r}: the end was cut off, or it is another journal")
-    return Verified(good, last.hash if last else "", tuple(wrong))
+            self._wrong.append(f"line {number}: {found}: something was changed, left out or put in")
+        self._last = entry
+        self._good += not self._wrong
+        self._seen = self._seen or entry.hash == self._head
+
+    def verified(self, reader: JournalReader) -> Verified:
+        """Return what all lines of a reader come to."""
+        wrong = list(self._wrong)
+        if self._torn:
+            wrong.append(f"line {reader.line}: {self._torn_why}")
+        if reader.rest:
+            wrong.append(f"line {reader.line + 1}: not complete; its writer ended within it, or still writes")
+        if not self._seen:
+            wrong.append(f"no entry has the hash {self._head[:16]!r}: the end was cut off, or it is another journal")
+        return Verified(self._good, self._last.hash if self._last else "", tuple(wrong))

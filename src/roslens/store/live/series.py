@@ -63,22 +63,28 @@ class DownSampler:
     def add(self, entity: str, time: float, values: Mapping[str, float]) -> Iterator[tuple[str, str, Tier, Point]]:
         """Take the values of an entity at ``time``; yields what is over by that: entity, quantity, tier, point."""
         for quantity, value in values.items():
-            if not math.isfinite(value):
+            if math.isfinite(value):
+                for tier, point in self._over_by((entity, quantity), time, value):
+                    yield entity, quantity, tier, point
+
+    def _over_by(self, series: tuple[str, str], time: float, value: float) -> list[tuple[Tier, Point]]:
+        """Take a value of a series; return the points of the buckets that are over by that."""
+        over: list[tuple[Tier, Point]] = []
+        open_ = self._open.get(series)
+        if open_ is None:
+            open_ = self._open[series] = [None] * len(self.tiers)
+        for place, tier in enumerate(self.tiers):
+            begin = int(time // tier.seconds) * tier.seconds
+            bucket = open_[place]
+            if bucket is not None and begin < bucket.begin:
+                self.late += place == 0
                 continue
-            open_ = self._open.get((entity, quantity))
-            if open_ is None:
-                open_ = self._open[entity, quantity] = [None] * len(self.tiers)
-            for place, tier in enumerate(self.tiers):
-                begin = int(time // tier.seconds) * tier.seconds
-                bucket = open_[place]
-                if bucket is not None and begin < bucket.begin:
-                    self.late += place == 0
-                    continue
-                if bucket is None or begin > bucket.begin:
-                    if bucket is not None:
-                        yield entity, quantity, tier, bucket.point()
-                    bucket = open_[place] = _Bucket(begin)
-                bucket.add(value)
+            if bucket is None or begin > bucket.begin:
+                if bucket is not None:
+                    over.append((tier, bucket.point()))
+                bucket = open_[place] = _Bucket(begin)
+            bucket.add(value)
+        return over
 
     def rest(self) -> Iterator[tuple[str, str, Tier, Point]]:
         """Yield what is in buckets that are not over, and forget it."""

@@ -11,7 +11,7 @@ import msgspec
 from roslens.model.errors import StoreError
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
-from roslens.store.live.series import TIERS
+from roslens.store.live.series import TIERS, Tier
 from roslens.store.past.moment import Moment, unpacked
 from roslens.store.past.stretch import Piece, pieces
 
@@ -61,28 +61,18 @@ class Recall:
         Raises:
             StoreError: the history cannot be read.
         """
-        first: float | None = None
-        last: float | None = None
         with self._reading() as connection:
-            # One bound at a time: only then SQLite takes it from an end of the index.
-            for table in ("moment", "verdict", "event"):
-                for bound in ("min", "max"):
-                    (time,) = connection.execute(f"SELECT {bound}(time) FROM {table}").fetchone()  # noqa: S608
-                    if time is not None:
-                        first = time if first is None else min(first, time)
-                        last = time if last is None else max(last, time)
+            firsts, lasts = _instants(connection)
             for tier in TIERS:
-                (begin,) = connection.execute(
-                    "SELECT min(bucket) FROM point WHERE tier = ?", (tier.seconds,)
-                ).fetchone()
-                if begin is None:
+                bounds = _buckets(connection, tier)
+                if bounds is None:
                     continue
-                (end,) = connection.execute("SELECT max(bucket) FROM point WHERE tier = ?", (tier.seconds,)).fetchone()
+                begin, end = bounds
                 # A coarse bucket began before what is in it.
-                if first is None or begin + tier.seconds <= first:
-                    first = begin
-                last = end if last is None else max(last, end)
-        return None if first is None or last is None else (float(first), float(last))
+                if not firsts or begin + tier.seconds <= min(firsts):
+                    firsts = [begin]
+                lasts.append(end)
+        return (float(min(firsts)), float(max(lasts))) if firsts else None
 
     def moment(self, time: float) -> Moment | None:
         """Return how the system stood at ``time``; None where nothing is kept of before.
@@ -212,6 +202,28 @@ class Recall:
                 expected="what `roslens watch` wrote",
                 advice="What is now is shown all the same",
             ) from None
+
+
+def _instants(connection: sqlite3.Connection) -> tuple[list[float], list[float]]:
+    """Return the first and the last instant of each table that has any, of those that have instants."""
+    firsts, lasts = [], []
+    for table in ("moment", "verdict", "event"):
+        # One bound at a time: only then SQLite takes it from an end of the index.
+        (first,) = connection.execute(f"SELECT min(time) FROM {table}").fetchone()  # noqa: S608 - names above
+        (last,) = connection.execute(f"SELECT max(time) FROM {table}").fetchone()  # noqa: S608 - names above
+        if first is not None:
+            firsts.append(first)
+            lasts.append(last)
+    return firsts, lasts
+
+
+def _buckets(connection: sqlite3.Connection, tier: Tier) -> tuple[float, float] | None:
+    """Return where the first and the last bucket of a tier begin; None of an empty one."""
+    (first,) = connection.execute("SELECT min(bucket) FROM point WHERE tier = ?", (tier.seconds,)).fetchone()
+    if first is None:
+        return None
+    (last,) = connection.execute("SELECT max(bucket) FROM point WHERE tier = ?", (tier.seconds,)).fetchone()
+    return first, last
 
 
 def _from(connection: sqlite3.Connection, table: str, since: float, until: float) -> float:

@@ -119,11 +119,7 @@ def _is_topic(one: ConfiguredEndpoint) -> bool:
 
 
 def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Iterator[str]:
-    what = "/".join(one for one in (node.package, node.executable) if one)
-    about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
-    mark = ("~ " if node.proof.sure != "certain" else "") if node.resolved else "? "
-    why = f"  ({_short(node.proof.how, _LONGEST_REASON)})" if mark == "~ " and node.proof.how else ""
-    yield f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}{why}"
+    yield _title(node)
     if node.defined is not None:
         yield f"  defined in {_from(node.defined)}"
     for condition in dict.fromkeys(node.conditions):
@@ -136,16 +132,28 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
         yield f"  what it makes is not known; perhaps what is linked into it and started by no known program: {places}"
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
-    everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()
-    without_code = node.defined is None and set_by_unknown
-    if without_code or (node.defined is not None and node.defined.origin is Origin.CATALOGUE):
-        # What takes them is not read at all, which is told once.
-        everywhere = frozenset(one.name for one in node.parameters)
-    yield from _parameters(head, node.parameters, everywhere)
+    yield from _parameters(head, node.parameters, _taken_anyway(node, generation, set_by_unknown=set_by_unknown))
     remaps = [one for one in node.remaps if not one.used]
     if remaps:
         yield "  remappings that match nothing" + (", as far as is known" if any(r.uncertain for r in remaps) else "")
         yield from _aligned([(f"{one.source} to {one.target}", one.proof.place) for one in remaps])
+
+
+def _title(node: ConfiguredNode) -> str:
+    what = "/".join(one for one in (node.package, node.executable) if one)
+    about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
+    mark = ("~ " if node.proof.sure != "certain" else "") if node.resolved else "? "
+    why = f"  ({_short(node.proof.how, _LONGEST_REASON)})" if mark == "~ " and node.proof.how else ""
+    return f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}{why}"
+
+
+def _taken_anyway(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> frozenset[str]:
+    """Return the parameters of which it is not worth saying that no code is known to take them."""
+    without_code = node.defined is None and set_by_unknown
+    if without_code or (node.defined is not None and node.defined.origin is Origin.CATALOGUE):
+        # What takes them is not read at all, which is said once.
+        return frozenset(one.name for one in node.parameters)
+    return _OF_EVERY_NODE if generation == "ros2" else frozenset()
 
 
 def endpoint_lines(endpoints: Sequence[ConfiguredEndpoint]) -> Iterator[str]:
@@ -200,19 +208,26 @@ def _parameter(one: ConfiguredParameter, *, everywhere: bool) -> tuple[str, ...]
     value = "?" if one.value is None else _value(one.value)
     doubtful = one.proof is not None and one.proof.sure != "certain"
     name = f"{'? ' if '*' in one.name else '~ ' if doubtful else ''}{one.name}"
-    notes = [one.type or one.set_type]
+    notes = ", ".join(note for note in _notes(one, everywhere=everywhere) if note)
+    return name, f"= {value}", notes, _places(one)
+
+
+def _notes(one: ConfiguredParameter, *, everywhere: bool) -> Iterator[str]:
+    yield one.type or one.set_type
     if one.access == "" and one.proof is None and not everywhere:
-        notes.append("set, but no code is known to take it")
+        yield "set, but no code is known to take it"
+    written = one.written_by
+    if one.set_by is None and written is not None and one.access != "declared" and written.how:
+        yield f"{written.sure}: {written.how}"
+
+
+def _places(one: ConfiguredParameter) -> str:
     if one.set_by is not None:
         default = "" if one.default is None else f", default {_value(one.default)}"
-        place = f"set in {one.set_by.place}{_also(one.written_by)}{default}"
-        return name, f"= {value}", ", ".join(n for n in notes if n), place
+        return f"set in {one.set_by.place}{_also(one.written_by)}{default}"
     if one.written_by is not None and one.access == "declared":
-        place = f"{_from(one.proof)} by {one.written_by.place}" if one.proof else one.written_by.place
-        return name, f"= {value}", ", ".join(n for n in notes if n), place
-    if one.written_by is not None and one.written_by.how:
-        notes.append(f"{one.written_by.sure}: {one.written_by.how}")
-    return name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
+        return f"{_from(one.proof)} by {one.written_by.place}" if one.proof else one.written_by.place
+    return _from(one.proof) if one.proof else ""
 
 
 def _value(text: str) -> str:

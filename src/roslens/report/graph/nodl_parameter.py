@@ -75,13 +75,18 @@ def _checks(one: ConfiguredParameter) -> Iterator[tuple[str, str]]:
     if found is not None and one.type in ("int", "double"):
         above, least, under, greatest = found.groups()
         low, high = (_scalar(end, one.type) if end else None for end in (least, greatest))
-        if low is not None and high is not None and not above and not under:
-            yield "bounds<>", f"[{low}, {high}]"
-        else:
-            if low is not None:
-                yield "gt<>" if above else "gt_eq<>", f"[{low}]"
-            if high is not None:
-                yield "lt<>" if under else "lt_eq<>", f"[{high}]"
+        yield from _bounds(low, high, above=bool(above), under=bool(under))
     allowed = [_scalar(text, one.type) for text in one.allowed] if one.type in _SCALARS else []
     if allowed and None not in allowed:
         yield "one_of<>", f"[[{', '.join(text for text in allowed if text is not None)}]]"
+
+
+def _bounds(low: str | None, high: str | None, *, above: bool, under: bool) -> Iterator[tuple[str, str]]:
+    """Yield the validators of a range; ``above`` and ``under`` say that its ends do not belong to it."""
+    if low is not None and high is not None and not above and not under:
+        yield "bounds<>", f"[{low}, {high}]"
+        return
+    if low is not None:
+        yield "gt<>" if above else "gt_eq<>", f"[{low}]"
+    if high is not None:
+        yield "lt<>" if under else "lt_eq<>", f"[{high}]"

@@ -5,7 +5,7 @@ Dotted lines are conditional or unresolved; services are hexagons, actions stadi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration
 from roslens.report.graph.graph_edges import Drawn, namespace_of, things_of
@@ -23,15 +23,7 @@ def _lines(configuration: Configuration) -> Iterator[str]:
     drawn, lines = things_of(configuration)
     names = {(one.kind, one.name): f"{one.kind[0]}{number}" for number, one in enumerate(drawn)}
     yield "flowchart LR"
-    nodes = [one for one in drawn if one.kind == "node"]
-    for number, namespace in enumerate(sorted({namespace_of(one.name) for one in nodes})):
-        if namespace != "/":
-            yield f'  subgraph g{number}["{_escaped(namespace)}"]'
-        for one in nodes:
-            if namespace_of(one.name) == namespace:
-                yield f"  {_drawn(one, names)}"
-        if namespace != "/":
-            yield "  end"
+    yield from _nodes([one for one in drawn if one.kind == "node"], names)
     for one in drawn:
         if one.kind != "node":
             yield f"  {_drawn(one, names)}"
@@ -40,6 +32,19 @@ def _lines(configuration: Configuration) -> Iterator[str]:
         first, second = (node, thing) if line.out else (thing, node)
         arrow = "-.->" if line.conditional or not line.resolved else "-->"
         yield f"  {first} {arrow} {second}"
+
+
+def _nodes(nodes: Sequence[Drawn], names: dict[tuple[str, str], str]) -> Iterator[str]:
+    """Yield the nodes by namespaces, each of which but the root is a box."""
+    for number, namespace in enumerate(sorted({namespace_of(one.name) for one in nodes})):
+        boxed = namespace != "/"
+        if boxed:
+            yield f'  subgraph g{number}["{_escaped(namespace)}"]'
+        for one in nodes:
+            if namespace_of(one.name) == namespace:
+                yield f"  {_drawn(one, names)}"
+        if boxed:
+            yield "  end"
 
 
 def _drawn(one: Drawn, names: dict[tuple[str, str], str]) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, ConfiguredParameter
 from roslens.model.graph import Role
@@ -36,25 +36,33 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
     yield "---"
     yield f"# {_comment(node.name)} ({_comment(node.package)}/{_comment(node.executable)})"
     yield "nodl_version: 2"
-    known = [one for one in node.parameters if one.access and not _unknown(one)]
+    yield from _parameters(node.parameters)
+    for role, field in _FIELDS.items():
+        ends = {(one.endpoint.name, one.endpoint.type): one for one in node.endpoints if one.endpoint.role is role}
+        yield from _endpoints(field, [one for _, one in sorted(ends.items())])
+
+
+def _parameters(parameters: Sequence[ConfiguredParameter]) -> Iterator[str]:
+    known = [one for one in parameters if one.access and not _unknown(one)]
     if known:
         yield "parameters:"
         for one in known:
             yield from nodl_parameter(one)
-    for one in node.parameters:
+    for one in parameters:
         if one.access and (why := _unknown(one)):
             yield f"# parameter {_comment(one.name)}: {why}"
-    for role, field in _FIELDS.items():
-        ends = {(one.endpoint.name, one.endpoint.type): one for one in node.endpoints if one.endpoint.role is role}
-        valid = [one for _, one in sorted(ends.items()) if _valid(one)]
-        if valid:
-            yield f"{field}:"
-            for end in valid:
-                yield from _end(end)
-        for _, end in sorted(ends.items()):
-            if not _valid(end):
-                told = f"{end.endpoint.name} {end.endpoint.type or 'of unknown type'} ({end.given})"
-                yield f"# {field}: {_comment(told)}: unresolved"
+
+
+def _endpoints(field: str, ends: Sequence[ConfiguredEndpoint]) -> Iterator[str]:
+    valid = [one for one in ends if _valid(one)]
+    if valid:
+        yield f"{field}:"
+        for end in valid:
+            yield from _end(end)
+    for end in ends:
+        if not _valid(end):
+            words = f"{end.endpoint.name} {end.endpoint.type or 'of unknown type'} ({end.given})"
+            yield f"# {field}: {_comment(words)}: unresolved"
 
 
 def _unknown(one: ConfiguredParameter) -> str:

@@ -42,10 +42,19 @@ def _lines(trend: Trend, terminal: Terminal, decimals: int, most: int) -> Iterat
     packages = sorted(
         {**repositories, **trend.packages}.items(), key=lambda item: (-abs(_change(item[1]) or 0), item[0])
     )
-    rows += packages[:most]
-    names = max((len(name) for name, _ in rows), default=0)
-    names = min(names, 40)
-    room = max(8, min(len(trend.points), terminal.width - names - 40))
+    yield from _rows([*rows, *packages[:most]], terminal, decimals)
+    if len(packages) > most:
+        yield f"  {len(packages) - most} packages that changed less: --format csv has all"
+    if trend.events:
+        yield ""
+        yield from _events(trend, terminal)
+
+
+def _rows(rows: Sequence[tuple[str, Sequence[float | None]]], terminal: Terminal, decimals: int) -> Iterator[str]:
+    """Yield a line for each row of which a value is known: name, bars, first and last value, change."""
+    names = min(max((len(name) for name, _ in rows), default=0), 40)
+    points = max((len(values) for _, values in rows), default=0)
+    room = max(8, min(points, terminal.width - names - 40))
     for name, values in rows:
         known = [one for one in values if one is not None]
         if known:
@@ -56,16 +65,15 @@ def _lines(trend: Trend, terminal: Terminal, decimals: int, most: int) -> Iterat
                 f"  {left(terminal.cut(terminal.clean(name), names), names)} "
                 f"{sparkbars(values, room, unicode=terminal.unicode)} {' '.join(cells)} {right(signed, 10)}"
             )
-    if len(packages) > most:
-        yield f"  {len(packages) - most} packages that changed less: --format csv has all"
-    if trend.events:
-        yield ""
-        for event in trend.events[-_MOST_EVENTS:]:
-            point = trend.points[event.point]
-            warned = "" if event.kind in ("release", "moved") else "  (a step here may not come from the source)"
-            yield f"  {date_of(point)}  {event.kind:<8}  {terminal.clean(event.text)}{warned}"
-        if len(trend.events) > _MOST_EVENTS:
-            yield f"  {len(trend.events) - _MOST_EVENTS} earlier events: --format json has all"
+
+
+def _events(trend: Trend, terminal: Terminal) -> Iterator[str]:
+    for event in trend.events[-_MOST_EVENTS:]:
+        point = trend.points[event.point]
+        warned = "" if event.kind in ("release", "moved") else "  (a step here may not come from the source)"
+        yield f"  {date_of(point)}  {event.kind:<8}  {terminal.clean(event.text)}{warned}"
+    if len(trend.events) > _MOST_EVENTS:
+        yield f"  {len(trend.events) - _MOST_EVENTS} earlier events: --format json has all"
 
 
 def sparkbars(values: Sequence[float | None], width: int, *, unicode: bool) -> str:

@@ -9,15 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
 
-import msgspec
-
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
-from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
+from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.run.fix_first import METRICS, first_to_fix, is_listed, new_before_others, urgency
+from roslens.report.run.fix_first import first_to_fix, new_before_others
 from roslens.report.run.package_table import PackageCounts, count_packages, package_table
+from roslens.report.run.rule_groups import RuleGroup, listing, rule_groups
 from roslens.report.writing.terminal import Terminal, columns, left, right
 
 PACKAGES = 15
@@ -27,25 +26,6 @@ PLACES = 3
 RULE_WIDTH = 36
 LEAST_WIDTH = 60
 ALL = "All: roslens report"
-
-
-class _Group(msgspec.Struct):
-    """The findings of a rule, of one severity."""
-
-    rule: str
-    severity: Severity
-    count: int = 0
-    packages: int = 0
-    example: str = ""
-    excess: float = 0.0
-    tags: tuple[str, ...] = ()
-    path: str = ""
-
-    def counted(self) -> RuleCount:
-        """Return the group as the count of a rule."""
-        return RuleCount(
-            self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess, path=self.path
-        )
 
 
 def to_text(
@@ -86,7 +66,7 @@ def to_text(
     counted = count_packages(packages, wanted)
     of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
     about = {rule.id: rule for rule in rules}
-    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about, changes or {})
+    groups = rule_groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about, changes or {})
     aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
@@ -149,7 +129,7 @@ def _packages(terminal: Terminal, counted: Sequence[PackageCounts]) -> Iterator[
 
 def _findings(
     terminal: Terminal,
-    groups: Sequence[_Group],
+    groups: Sequence[RuleGroup],
     rules: dict[str, RuleInfo],
     tags: TagFilter,
     aside: int,
@@ -158,21 +138,31 @@ def _findings(
 ) -> Iterator[str]:
     with_tags = f" with the tags {tags}" if tags else ""
     if groups:
-        totals = dict.fromkeys(reversed(Severity), 0)
-        for group in groups:
-            totals[group.severity] += group.count
-        amounts = ", ".join(_plural(count, severity.value) for severity, count in totals.items() if count)
-        yield terminal.paint(terminal.cut(f"Findings{with_tags}: {amounts}", terminal.width), "title")
+        yield terminal.paint(terminal.cut(f"Findings{with_tags}: {_amounts(groups)}", terminal.width), "title")
     elif analysed:
         fine = terminal.paint(f"{terminal.glyph('fine')} No findings{with_tags}", "fine")
         yield f"{fine} in what was analysed"
-    notes = [group for group in groups if group.severity is Severity.NOTE]
-    # Notes say where to look, not what to mend: they are listed where there is nothing else.
-    groups = [group for group in groups if group.severity is not Severity.NOTE] or groups
-    # Limits that are little exceeded say where to look as well, where there are mistakes to mend.
-    worth = [group for group in groups if is_listed(group.counted())]
-    limits = [group for group in groups if group not in worth] if len(worth) < len(groups) and worth else []
-    groups = worth or groups
+    found = listing(groups)
+    yield from _rules(terminal, found.listed, rules)
+    if found.limits:
+        yield from _quiet(terminal, terminal.clean(f"{_limits_text(found.limits)}. {ALL}"))
+    if found.notes:
+        yield from _quiet(terminal, terminal.clean(f"{_notes_text(found.notes)}. {ALL}"))
+    if aside:
+        verb = "does" if aside == 1 else "do"
+        yield from _quiet(
+            terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
+        )
+
+
+def _amounts(groups: Iterable[RuleGroup]) -> str:
+    totals = dict.fromkeys(reversed(Severity), 0)
+    for group in groups:
+        totals[group.severity] += group.count
+    return ", ".join(_plural(count, severity.value) for severity, count in totals.items() if count)
+
+
+def _rules(terminal: Terminal, groups: Sequence[RuleGroup], rules: Mapping[str, RuleInfo]) -> Iterator[str]:
     shown = groups[:RULES]
     count_width = max((len(f"{group.count:,}") for group in shown), default=0)
     rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
@@ -183,15 +173,6 @@ def _findings(
         others = _plural(rest, "finding")
         text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
-    if limits:
-        yield from _quiet(terminal, terminal.clean(f"{_limits_text(limits)}. {ALL}"))
-    if notes and groups[0].severity is not Severity.NOTE:
-        yield from _quiet(terminal, terminal.clean(f"{_notes_text(notes)}. {ALL}"))
-    if aside:
-        verb = "does" if aside == 1 else "do"
-        yield from _quiet(
-            terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
-        )
 
 
 def _set_aside(terminal: Terminal, counts: Mapping[str, int]) -> Iterator[str]:
@@ -209,14 +190,14 @@ _STATES = {
 }
 
 
-def _limits_text(limits: Sequence[_Group]) -> str:
+def _limits_text(limits: Sequence[RuleGroup]) -> str:
     count = sum(group.count for group in limits)
     most = max(limits, key=lambda group: group.count)
     rules = _plural(len({group.rule for group in limits}), "rule")
     return f"{_plural(count, 'limit')} of metrics of {rules}, none far exceeded, most of {most.rule} ({most.count:,})"
 
 
-def _notes_text(notes: Sequence[_Group]) -> str:
+def _notes_text(notes: Sequence[RuleGroup]) -> str:
     count = sum(group.count for group in notes)
     most = max(notes, key=lambda group: group.count)
     rules = _plural(len({group.rule for group in notes}), "rule")
@@ -241,7 +222,9 @@ def _fix_first(
         yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
 
 
-def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:
+def _rule(
+    terminal: Terminal, group: RuleGroup, rule: RuleInfo | None, count_width: int, rule_width: int
+) -> Iterator[str]:
     severity = group.severity.value
     mark = terminal.paint(f"{terminal.glyph(severity)} {left(severity, 7)}", severity)
     count = right(f"{group.count:,}", count_width)
@@ -301,7 +284,7 @@ def _what(failure: Failure) -> str:
 
 
 def _next(
-    terminal: Terminal, groups: Sequence[_Group], failures: Sequence[Failure], packages: Sequence[PackageSummary]
+    terminal: Terminal, groups: Sequence[RuleGroup], failures: Sequence[Failure], packages: Sequence[PackageSummary]
 ) -> Iterator[str]:
     steps = []
     if not packages:
@@ -318,43 +301,6 @@ def _next(
     for command, why in steps:
         fits = 2 + width + 2 + len(why) <= terminal.width
         yield f"  {left(command, width)}  {terminal.paint(why, 'quiet') if fits else ''}".rstrip()
-
-
-def _groups(
-    packages: Iterable[PackageSummary],
-    findings: Iterable[Finding],
-    tags: TagFilter,
-    rules: Mapping[str, RuleInfo],
-    changes: Mapping[str, int],
-) -> list[_Group]:
-    """Return the findings that count, by rule and severity: most severe first, mistakes before limits, most urgent."""
-    groups: dict[tuple[str, Severity], _Group] = {}
-    for package in packages:
-        seen: set[tuple[str, Severity]] = set()
-        for rule in package.rules:
-            if not rule.gated or not tags.matches(rule.tags):
-                continue
-            key = (rule.rule, rule.severity)
-            group = groups.setdefault(key, _Group(*key))
-            group.count += rule.gated
-            group.tags = rule.tags
-            group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
-            if not group.example or rule.excess > group.excess:
-                group.example, group.excess, group.path = rule.example, rule.excess, rule.path
-            seen.add(key)
-    for finding in findings:
-        key = (finding.rule, finding.severity)
-        group = groups.setdefault(key, _Group(*key))
-        group.count += 1
-        place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
-        if not group.example:
-            group.example, group.path = (f"{place}: {finding.message}" if place else finding.message), finding.path
-
-    def order(group: _Group) -> tuple[int, bool, float, int, str]:
-        soon = urgency(group.counted(), rules.get(group.rule), changes.get(group.path, 0))
-        return -group.severity.rank, METRICS in group.tags, -soon, -group.count, group.rule
-
-    return sorted(groups.values(), key=order)
 
 
 def _fixable(terminal: Terminal, packages: Iterable[PackageSummary], tags: TagFilter) -> Iterator[str]:

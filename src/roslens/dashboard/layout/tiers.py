@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from roslens.model.relations.strongly_connected import strongly_connected
+
 Edge = tuple[int, int]
 
 
@@ -23,45 +25,12 @@ def needs_of(count: int, edges: Sequence[Edge]) -> list[list[int]]:
 def cycles_of(needs: Sequence[Sequence[int]]) -> list[int]:
     """Return for each node the number of its strongly connected component.
 
-    Components are numbered so that what is needed comes before what needs it (Tarjan 1972, without recursion).
+    Components are numbered so that what is needed comes before what needs it.
     """
-    count = len(needs)
-    index = [-1] * count
-    low = [0] * count
-    component = [-1] * count
-    on_stack = [False] * count
-    stack: list[int] = []
-    step = found = 0
-    for root in range(count):
-        if index[root] >= 0:
-            continue
-        work = [(root, 0)]
-        while work:
-            node, position = work.pop()
-            if position == 0:
-                index[node] = low[node] = step
-                step += 1
-                stack.append(node)
-                on_stack[node] = True
-            for place in range(position, len(needs[node])):
-                target = needs[node][place]
-                if index[target] < 0:
-                    work += [(node, place + 1), (target, 0)]
-                    break
-                if on_stack[target]:
-                    low[node] = min(low[node], index[target])
-            else:
-                if low[node] == index[node]:
-                    while True:
-                        member = stack.pop()
-                        on_stack[member] = False
-                        component[member] = found
-                        if member == node:
-                            break
-                    found += 1
-                if work:
-                    parent = work[-1][0]
-                    low[parent] = min(low[parent], low[node])
+    component = [-1] * len(needs)
+    for number, members in enumerate(strongly_connected(range(len(needs)), needs.__getitem__)):
+        for node in members:
+            component[node] = number
     return component
 
 

@@ -189,17 +189,7 @@ class ProcessSampler:
 
     def _dear(self, one: _Watched, now: float) -> None:
         folder = self._proc / str(one.pid)
-        counters: dict[str, int] = {}
-        for line in _bytes_of(folder / "status").splitlines():
-            if line.startswith((b"voluntary_ctxt_switches:", b"nonvoluntary_ctxt_switches:")):
-                counters["context_switches"] = counters.get("context_switches", 0) + int(line.split()[1])
-        for line in _bytes_of(folder / "io").splitlines():
-            for key, start in (("disk_read", b"read_bytes:"), ("disk_write", b"write_bytes:")):
-                if line.startswith(start):
-                    counters[key] = int(line.split()[1])
-        waited = _waited(folder)
-        if waited is not None:
-            counters["cpu_wait"] = waited
+        counters = _counters_of(folder)
         passed = now - one.slow_seen
         if one.slow_seen != NEVER and passed > 0:
             for key, value in counters.items():
@@ -224,6 +214,22 @@ class ProcessSampler:
             if line.startswith(b"btime "):
                 return int(line.split()[1]) + ticks / self._hertz
         return 0.0
+
+
+def _counters_of(folder: Path) -> dict[str, int]:
+    """Return what the system counts of a process beside its CPU time, as far as it may be read."""
+    counters: dict[str, int] = {}
+    for line in _bytes_of(folder / "status").splitlines():
+        if line.startswith((b"voluntary_ctxt_switches:", b"nonvoluntary_ctxt_switches:")):
+            counters["context_switches"] = counters.get("context_switches", 0) + int(line.split()[1])
+    for line in _bytes_of(folder / "io").splitlines():
+        for key, start in (("disk_read", b"read_bytes:"), ("disk_write", b"write_bytes:")):
+            if line.startswith(start):
+                counters[key] = int(line.split()[1])
+    waited = _waited(folder)
+    if waited is not None:
+        counters["cpu_wait"] = waited
+    return counters
 
 
 def _waited(folder: Path) -> int | None:

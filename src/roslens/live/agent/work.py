@@ -104,23 +104,33 @@ class Agent:
         if self._counters is not None and self._is_due("count", now, self._count_every_s):
             self._count(self._counters)
         if self._is_due("sample", now, self._period_s):
-            wall = self._wall()
-            samples = [self._with_clock(self._host.sample(wall)), *self._processes.sample(wall)]
-            self._tell(samples=samples, graph=self._graph())
-            for place, calls in self._counters.calls(wall) if self._counters is not None else ():
-                self._tell(samples=calls, counted_at=place)
+            self._take_sample()
         if self._socket is None and now >= self._due["connect"]:
             self._connect(now)
         if self._channel is not None and self._channel.ready:
-            if self._is_due("time", now, ASK_TIME_EVERY_S):
-                self._sending += self._channel.message("T", asked_time(self._wall()))
-            while not self._sending and (body := self._outbox.take()) is not None:
-                self._sending += self._channel.message("F", body)
-        ready = self._channel is not None and self._channel.ready
-        dues = [self._due["sample"], self._due["find"]]
-        dues += [self._due["time"]] if ready else []
-        dues += [self._due["count"]] if self._counters is not None else []
-        self._wait(max(min(dues) - self._steady(), 0.0))
+            self._fill(self._channel, now)
+        self._wait(max(self._next_due() - self._steady(), 0.0))
+
+    def _take_sample(self) -> None:
+        wall = self._wall()
+        samples = [self._with_clock(self._host.sample(wall)), *self._processes.sample(wall)]
+        self._tell(samples=samples, graph=self._graph())
+        for place, calls in self._counters.calls(wall) if self._counters is not None else ():
+            self._tell(samples=calls, counted_at=place)
+
+    def _fill(self, channel: Channel, now: float) -> None:
+        """Put into the line what it can take: a question for the time where it is due, and one frame."""
+        if self._is_due("time", now, ASK_TIME_EVERY_S):
+            self._sending += channel.message("T", asked_time(self._wall()))
+        while not self._sending and (body := self._outbox.take()) is not None:
+            self._sending += channel.message("F", body)
+
+    def _next_due(self) -> float:
+        """Return when there is something to do again, whatever comes in."""
+        dues = ["sample", "find"]
+        dues += ["time"] if self._channel is not None and self._channel.ready else []
+        dues += ["count"] if self._counters is not None else []
+        return min(self._due[one] for one in dues)
 
     def close(self) -> None:
         """Let the line and all files go."""

@@ -9,9 +9,10 @@ of these the first. Tarjan's strongly connected components make one pass enough.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.relations.strongly_connected import strongly_connected
 
 LATE_S = 2.0
 """A cause may be noticed so much later than what it causes, since windows differ."""
@@ -39,78 +40,59 @@ def first_causes(
     """
     causes: dict[EntityId, EntityId] = {}
     carried: dict[EntityId, _Roots] = {}
-    weight_of = {entity: (weights or {}).get(entity, 0) for entity in bad}
-    levels = sorted(set(weight_of.values()))
+    links: dict[EntityId, list[EntityId]] = {}
+    faults = _Faults(bad, weights or {}, until or {})
 
     def open_upstream(entity: EntityId) -> list[EntityId]:
-        return sorted(
+        links[entity] = sorted(
             one
             for one in upstream(entity)
             if one in bad or not (one.kind in (EntityKind.TOPIC, EntityKind.CONNECTION) and fine(one))
         )
+        return links[entity]
 
-    def order(entity: EntityId) -> tuple[float, EntityId]:
-        return bad[entity], entity
-
-    def explains(cause: EntityId | None, fault: EntityId) -> bool:
-        latest = (until or {}).get(cause, float("inf")) if cause is not None else 0.0
-        return cause is not None and bad[cause] - LATE_S <= bad[fault] <= latest
-
-    for component, links in _components(sorted(bad), open_upstream):
+    for component in strongly_connected(sorted(bad), open_upstream):
         members = set(component)
         sources = [carried[one] for entity in component for one in links[entity] if one not in members]
-        inside = sorted((entity for entity in component if entity in bad), key=order)
-        roots: _Roots = {}
-        graver: list[EntityId] = []
-        for level in reversed(levels):
-            outside = min((found[level] for found in sources if level in found), key=order, default=None)
-            graver += [outside] if outside is not None else []
-            first = next((entity for entity in inside if weight_of[entity] >= level), None)
-            root = outside if first is None else next((one for one in graver if explains(one, first)), first)
-            if root is not None:
-                roots[level] = root
+        inside = sorted((entity for entity in component if entity in bad), key=faults.order)
+        roots = faults.roots(sources, inside)
         for entity in component:
             carried[entity] = roots
         for entity in inside:
-            root = roots[weight_of[entity]]
+            root = roots[faults.weight_of[entity]]
             if entity != root:
                 causes[entity] = root
     return causes
 
 
-def _components(
-    starts: Iterable[EntityId], upstream: Callable[[EntityId], list[EntityId]]
-) -> Iterable[tuple[list[EntityId], dict[EntityId, list[EntityId]]]]:
-    """Yield strongly connected components, upstream ones first, without recursion."""
-    links: dict[EntityId, list[EntityId]] = {}
-    number: dict[EntityId, int] = {}
-    low: dict[EntityId, int] = {}
-    open_: list[EntityId] = []
-    waiting: set[EntityId] = set()
-    for start in starts:
-        if start in number:
-            continue
-        path: list[tuple[EntityId, int]] = [(start, 0)]
-        while path:
-            entity, at = path.pop()
-            if at == 0:
-                number[entity] = low[entity] = len(number)
-                links[entity] = upstream(entity)
-                open_.append(entity)
-                waiting.add(entity)
-            else:
-                low[entity] = min(low[entity], low[links[entity][at - 1]])
-            for place in range(at, len(links[entity])):
-                one = links[entity][place]
-                if one not in number:
-                    path += [(entity, place + 1), (one, 0)]
-                    break
-                if one in waiting:
-                    low[entity] = min(low[entity], number[one])
-            else:
-                if low[entity] == number[entity]:
-                    component = [open_.pop()]
-                    while component[-1] != entity:
-                        component.append(open_.pop())
-                    waiting.difference_update(component)
-                    yield component, links
+class _Faults:
+    """Bad entities: since when, how much each matters, and what may have caused which."""
+
+    def __init__(
+        self, since: Mapping[EntityId, float], weights: Mapping[EntityId, int], until: Mapping[EntityId, float]
+    ) -> None:
+        self.weight_of = {entity: weights.get(entity, 0) for entity in since}
+        self._levels = sorted(set(self.weight_of.values()), reverse=True)
+        self._since = since
+        self._until = until
+
+    def order(self, entity: EntityId) -> tuple[float, EntityId]:
+        """Return by what the first of several is found."""
+        return self._since[entity], entity
+
+    def roots(self, sources: Sequence[_Roots], inside: Sequence[EntityId]) -> _Roots:
+        """Return the roots of a component: those of its sources, or the first of what is bad inside."""
+        roots: _Roots = {}
+        graver: list[EntityId] = []
+        for level in self._levels:
+            outside = min((found[level] for found in sources if level in found), key=self.order, default=None)
+            graver += [outside] if outside is not None else []
+            first = next((entity for entity in inside if self.weight_of[entity] >= level), None)
+            root = outside if first is None else next((one for one in graver if self._explains(one, first)), first)
+            if root is not None:
+                roots[level] = root
+        return roots
+
+    def _explains(self, cause: EntityId, fault: EntityId) -> bool:
+        latest = self._until.get(cause, float("inf"))
+        return self._since[cause] - LATE_S <= self._since[fault] <= latest

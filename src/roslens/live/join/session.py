@@ -265,6 +265,16 @@ class Session:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True
         self._graph_changed |= self._graphs.places.happened(frame.events)
+        self._take_samples(frame, voice, mine=mine)
+        for event in frame.events:
+            self.monitor.add_event(event)
+        self._events += frame.events
+        for failure in frame.failures:
+            self._fail(failure)
+        self.monitor.shed += max(frame.shed, 0)
+
+    def _take_samples(self, frame: Frame, voice: Voice, *, mine: bool) -> None:
+        """Take the samples of a frame; those of services only where what it counted is ``mine`` to take."""
         for sample in frame.samples:
             if sample.entity.kind is EntityKind.SERVICE:
                 if mine:
@@ -274,12 +284,6 @@ class Session:
             self.monitor.add_sample(sample, voice)
             for of_node in self._processes.of(sample):
                 self.monitor.add_sample(of_node, voice)
-        for event in frame.events:
-            self.monitor.add_event(event)
-        self._events += frame.events
-        for failure in frame.failures:
-            self._fail(failure)
-        self.monitor.shed += max(frame.shed, 0)
 
     def _take_counted(self, tallies: Iterable[Tally], voice: Voice) -> None:
         """Take what was read from counters without ROS: publishers may have no name, hosts other clocks."""

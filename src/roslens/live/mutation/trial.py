@@ -71,24 +71,31 @@ def planned(
         before_s: how much of it has to be there before a fault.
         after_s: how much after it.
     """
-    every, told = sorted(lanes), set[Fault]()
-    # A node vanishes once, not with each of its topics.
-    of_node = {publisher: topic for topic, publisher in reversed(every) if publisher}
+    planned_before = set[Fault]()
     room = end - start - before_s - LENGTH_S - after_s
     places = max(int(room // LENGTH_S) + 1, 1) if room >= 0 else 0
     for turn in range(places):
-        for number, (topic, publisher) in enumerate(every):
-            for place, kind in enumerate(FaultKind):
-                if kind is FaultKind.VANISHED_NODE and of_node.get(publisher) != topic:
-                    continue
-                # Neighbours in the plan are far apart in the recording.
-                begin = start + before_s + LENGTH_S * ((turn + 7 * number + 3 * place) % places)
-                length = min(max(LENGTH_S, LEAST_PERIODS * lanes[topic, publisher]), LENGTH_S + room)
-                begin = min(begin, end - after_s - length)
-                fault = Fault(kind, topic, publisher, begin, begin + length)
-                if fault not in told:
-                    told.add(fault)
-                    yield fault
+        for shift, kind, topic, publisher in _of_one_turn(sorted(lanes)):
+            begin = start + before_s + LENGTH_S * ((turn + shift) % places)
+            length = min(max(LENGTH_S, LEAST_PERIODS * lanes[topic, publisher]), LENGTH_S + room)
+            begin = min(begin, end - after_s - length)
+            fault = Fault(kind, topic, publisher, begin, begin + length)
+            if fault not in planned_before:
+                planned_before.add(fault)
+                yield fault
+
+
+def _of_one_turn(lanes: Sequence[tuple[str, str]]) -> Iterator[tuple[int, FaultKind, str, str]]:
+    """Yield each kind for each topic and publisher, behind by how many places it is shifted.
+
+    Neighbours in the plan are far apart in the recording.
+    """
+    # A node vanishes once, not with each of its topics.
+    of_node = {publisher: topic for topic, publisher in reversed(lanes) if publisher}
+    for number, (topic, publisher) in enumerate(lanes):
+        for place, kind in enumerate(FaultKind):
+            if kind is not FaultKind.VANISHED_NODE or of_node.get(publisher) == topic:
+                yield 7 * number + 3 * place, kind, topic, publisher
 
 
 class Trials:

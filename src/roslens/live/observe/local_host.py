@@ -53,18 +53,10 @@ class LocalHost:
 
     def poll(self, seconds: float = 0.0) -> list[Frame]:
         """Return a frame where one is due, or where a process ended; waits for nothing but that."""
-        events = []
-        handles = self._processes.handles()
-        if handles:
-            for handle in select.select([*handles], [], [], seconds)[0]:
-                ended = self._processes.ended(handles[handle], self._wall())
-                events += [ended] if ended is not None else []
-        now = self._steady()
-        samples = []
-        frames = []
-        if now >= self._due:
-            late = now - self._due
-            self._due = now + self._period_s - (late if late < self._period_s else 0.0)
+        events = self._ended(seconds)
+        samples: list[Sample] = []
+        frames: list[Frame] = []
+        if self._is_due():
             wall = self._wall()
             if self._sequence % 2 == 0:
                 events += self._processes.find(wall)
@@ -73,15 +65,34 @@ class LocalHost:
                 frames = self._counted(self._counters, wall)
         if not events and not samples:
             return []
+        return [self._frame(samples, events, self._graph()), *frames]
+
+    def _ended(self, seconds: float) -> list[Event]:
+        """Wait so long for processes to end; return those that did."""
+        handles = self._processes.handles()
+        if not handles:
+            return []
+        readable = select.select([*handles], [], [], seconds)[0]
+        ended = [self._processes.ended(handles[handle], self._wall()) for handle in readable]
+        return [one for one in ended if one is not None]
+
+    def _is_due(self) -> bool:
+        now = self._steady()
+        if now < self._due:
+            return False
+        late = now - self._due
+        self._due = now + self._period_s - (late if late < self._period_s else 0.0)
+        return True
+
+    def _graph(self) -> Graph:
         identities = self._identities()
         nodes = self._counters.nodes() if self._counters is not None else {}
-        graph = Graph(
+        return Graph(
             "",
             hosts=(self._name,),
             processes=with_nodes(self._processes.processes(), nodes),
             identities={self._name: identities} if identities else {},
         )
-        return [self._frame(samples, events, graph), *frames]
 
     def _counted(self, counters: Counters, wall: float) -> list[Frame]:
         """Return a frame for each place where is counted, which says at least that it is told of from here."""

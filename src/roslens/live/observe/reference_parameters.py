@@ -49,18 +49,34 @@ def _documents(name: str, value: Any, where: str, depth: int) -> Iterator[GivenT
         raise _wrong(name, value, where)
     if isinstance(value, str) and value.strip():
         yield GivenText(_shown(name, where), value.encode())
-    elif isinstance(value, Mapping) and any(key in value for key in _SAYS):
-        yield _written(name, value, where)
-    elif isinstance(value, Mapping) and value:
-        for key in sorted(value, key=str):
-            yield from _documents(f"{name.rstrip('/')}/{key}", value[key], where, depth + 1)
-    elif isinstance(value, list) and value and all(_is_constraint(one) for one in value):
-        yield _written(name, {"constraints": value}, where)
-    elif isinstance(value, list) and value:
-        for number, one in enumerate(value):
-            yield from _documents(f"{name}[{number}]", one, where, depth + 1)
-    else:
+        return
+    document = _document_in(value)
+    if document is not None:
+        yield _written(name, document, where)
+        return
+    parts = _parts(name, value)
+    if not parts:
         raise _wrong(name, value, where)
+    for part_name, part in parts:
+        yield from _documents(part_name, part, where, depth + 1)
+
+
+def _document_in(value: Any) -> Mapping[str, Any] | None:
+    """Return the document that a value is by itself, if it is one."""
+    if isinstance(value, Mapping) and any(key in value for key in _SAYS):
+        return value
+    if isinstance(value, list) and value and all(_is_constraint(one) for one in value):
+        return {"constraints": value}
+    return None
+
+
+def _parts(name: str, value: Any) -> list[tuple[str, Any]]:
+    """Return what a value is made of, each part with its name; nothing of one that has no parts."""
+    if isinstance(value, Mapping):
+        return [(f"{name.rstrip('/')}/{key}", value[key]) for key in sorted(value, key=str)]
+    if isinstance(value, list):
+        return [(f"{name}[{number}]", one) for number, one in enumerate(value)]
+    return []
 
 
 def _is_constraint(value: Any) -> bool:

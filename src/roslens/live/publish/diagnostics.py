@@ -69,20 +69,29 @@ def sentence(verdict: Verdict) -> str:
         return f"{verdict.evidence} → {verdict.leads_to}" if verdict.leads_to else verdict.evidence
     if verdict.quantity in _STATES and verdict.state is State.ABSENT:
         said = f"{verdict.quantity} {verdict.evidence}, expected {verdict.range}"
-        return f"{said}; {verdict.text}" if verdict.text else said
+    else:
+        said = f"{_judged(verdict)}{_explained(verdict)}"
+    return f"{said}; {verdict.text}" if verdict.text else said
+
+
+def _judged(verdict: Verdict) -> str:
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
-    if verdict.state is State.ABSENT:
-        said = "is silent" if verdict.quantity in _SILENT else f"{subject} is absent" if signal else "is absent"
-    else:
-        said = f"{subject} is {verdict.state.value}: {_shown(verdict)}"
-    if verdict.range:
-        said += f", expected {verdict.range}"
+    if verdict.state is not State.ABSENT:
+        return f"{subject} is {verdict.state.value}: {_shown(verdict)}"
+    if verdict.quantity in _SILENT:
+        return "is silent"
+    return f"{subject} is absent" if signal else "is absent"
+
+
+def _explained(verdict: Verdict) -> str:
+    """Return what was expected, and what goes with it."""
+    words = f", expected {verdict.range}" if verdict.range else ""
     if verdict.leads_to:
-        said += f" → {verdict.leads_to}"
+        words += f" → {verdict.leads_to}"
     if verdict.cause:
-        said += f" (because of {verdict.cause})"
-    return f"{said}; {verdict.text}" if verdict.text else said
+        words += f" (because of {verdict.cause})"
+    return words
 
 
 def _level(verdict: Verdict) -> int:

@@ -18,7 +18,7 @@ from roslens.live.react.ros_line import RosLine
 from roslens.live.react.rosout_beside import RosoutBeside
 from roslens.model.acting.action_kind import ActionKind, By, action_kind
 from roslens.model.acting.host_request import HostRequest
-from roslens.model.acting.order import Verb
+from roslens.model.acting.order import Reply, Verb
 from roslens.model.acting.reaction import ActionCall, Decision, Reaction
 from roslens.model.entity import EntityKind
 from roslens.model.errors import RoslensError
@@ -148,27 +148,36 @@ class AllHands:
 
     def poll(self) -> list[CarriedOut]:
         """Return what was carried out since the last time."""
+        found = self._done_here()
+        for line in self._lines:
+            for reply in line.poll():
+                found += self._replied(line.generation, reply)
+        if self._far is not None:
+            found += self._far.poll()
+        return found
+
+    def _done_here(self) -> list[CarriedOut]:
+        """Return what threads of this process carried out; a snapshot comes when all of it is there."""
         found: list[CarriedOut] = []
         while True:
             try:
                 came = self._came.get_nowait()
             except queue.Empty:
-                break
+                return found
             folder = self._snapshots.pop(came.decision, None)
             if folder is None or not self._rosout.add(came, folder):
                 found.append(came)
-        for line in self._lines:
-            for reply in line.poll():
-                if reply.verb is Verb.PREPARE:
-                    for prepared in filter(None, (self._prepared, self._next)):
-                        prepared.take(line.generation, reply)
-                    continue
-                of_rosout, snapshot = self._rosout.take(reply)
-                found += [snapshot] if snapshot is not None else []
-                if not of_rosout and reply.id != "journal":
-                    found += self._of_line(CarriedOut(reply.id, reply.done, reply.text, reply.duration_s))
-        if self._far is not None:
-            found += self._far.poll()
+
+    def _replied(self, generation: int, reply: Reply) -> list[CarriedOut]:
+        """Take a reply of a line; return what was carried out by that."""
+        if reply.verb is Verb.PREPARE:
+            for prepared in filter(None, (self._prepared, self._next)):
+                prepared.take(generation, reply)
+            return []
+        of_rosout, snapshot = self._rosout.take(reply)
+        found = [snapshot] if snapshot is not None else []
+        if not of_rosout and reply.id != "journal":
+            found += self._of_line(CarriedOut(reply.id, reply.done, reply.text, reply.duration_s))
         return found
 
     def clear(self, decision: str) -> None:

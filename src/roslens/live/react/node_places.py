@@ -28,6 +28,13 @@ class NodePlaces:
 
     def take(self, graph: Graph) -> None:
         """Take what is there now."""
+        self._take_homes(graph)
+        self._take_generations(graph)
+        for kept in (self._homes, self._generations):
+            while len(kept) > _MOST:
+                del kept[next(iter(kept))]
+
+    def _take_homes(self, graph: Graph) -> None:
         within: dict[tuple[str, int], list[str]] = {}
         for node in graph.nodes:
             if node.host and node.pid:
@@ -38,15 +45,14 @@ class NodePlaces:
         for node in graph.nodes:
             if node.host and not node.pid and node.name not in self._homes:
                 self._homes[node.name] = Home(node.host, 0)
+
+    def _take_generations(self, graph: Graph) -> None:
         # Nodes of a union are of one generation or the other; the types of their ends are written differently.
         seen: dict[str, set[int]] = {}
         for end in graph.endpoints:
             if end.type.count("/") in _BY_SLASHES:
                 seen.setdefault(end.node, set()).add(_BY_SLASHES[end.type.count("/")])
         self._generations.update((name, frozenset(found)) for name, found in seen.items())
-        for kept in (self._homes, self._generations):
-            while len(kept) > _MOST:
-                del kept[next(iter(kept))]
 
     def of(self, node: str) -> Home | None:
         """Return where a node lives, or lived last; None where nobody saw that."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslens.live.react.ros_line import RosLine
-from roslens.model.acting.action_kind import By, action_kind
+from roslens.model.acting.action_kind import ActionKind, By, action_kind
 from roslens.model.acting.order import Reply
-from roslens.model.acting.reaction import Decision, Reaction
+from roslens.model.acting.reaction import ActionCall, Decision, Reaction
 
 NO_ROS = "no ROS that has it is observed. Start it in a shell where ROS is set up, or give --ros1 or --ros2 --python"
 _SILENT = "not answered yet"
@@ -26,17 +26,17 @@ class Prepared:
         """Have every line get ready for what it may have to do."""
         for reaction in reactions:
             for number, step in enumerate(reaction.steps):
-                call = step.action
-                kind = action_kind(call.kind)
-                if kind is None or kind.by is not By.ROS:
-                    continue
-                id_ = self._id(reaction.name, number)
-                self._places[id_] = call.place
-                target = call.target.name if call.target is not None else ""
-                for line in lines:
-                    if line.generation in kind.ros:
-                        self._unfit[line.generation, id_] = _SILENT
-                        line.prepare(id_, call.kind, target, kind.filled(call.arguments))
+                kind = action_kind(step.action.kind)
+                if kind is not None and kind.by is By.ROS:
+                    self._ask_for(lines, self._id(reaction.name, number), step.action, kind)
+
+    def _ask_for(self, lines: Sequence[RosLine], id_: str, call: ActionCall, kind: ActionKind) -> None:
+        self._places[id_] = call.place
+        target = call.target.name if call.target is not None else ""
+        for line in lines:
+            if line.generation in kind.ros:
+                self._unfit[line.generation, id_] = _SILENT
+                line.prepare(id_, call.kind, target, kind.filled(call.arguments))
 
     def take(self, generation: int, reply: Reply) -> None:
         """Take what a line says of an action; those of another reading are left alone."""

@@ -75,18 +75,23 @@ class _System:
             node, _, name = entity.name.rpartition("/")
             self._parameters.setdefault(node, {})[name] = given.value
         elif entity.kind is EntityKind.NODE:
-            before = self._nodes.get(entity.name)
-            self._pids += before is None
-            host = given.host or (before.host if before else "")
-            lifecycle = given.lifecycle or (before.lifecycle if before else "")
-            self._nodes[entity.name] = Node(
-                entity.name, host, before.pid if before else self._pids, lifecycle=lifecycle
-            )
+            self._take_node(given)
         elif entity.kind is EntityKind.TOPIC:
             self._misfits[entity.name] = being is Being.MISFIT
         else:
             self._others[entity] = None
         return True
+
+    def _take_node(self, given: Given) -> None:
+        """Take a node that is there: what is not given of it is as before."""
+        name = given.entity.name
+        before = self._nodes.get(name)
+        if before is None:
+            self._pids += 1
+            before = Node(name, "", self._pids)
+        self._nodes[name] = Node(
+            name, given.host or before.host, before.pid, lifecycle=given.lifecycle or before.lifecycle
+        )
 
     def _graph(self) -> Graph:
         ends = []

@@ -8,7 +8,7 @@ from typing import Protocol
 import msgspec
 
 from roslens.judge.patterns.pattern import Pattern
-from roslens.judge.reference.expectation import Reference, Selector
+from roslens.judge.reference.expectation import FieldCheck, Reference, Selector
 from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.join.session import Session, Step
 from roslens.model.entity import EntityKind
@@ -139,18 +139,25 @@ def wanted_stamps(reference: Reference, topics: Iterable[RecordedTopic]) -> list
 def wanted_fields(reference: Reference, topics: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
     """Return the paths of fields that the reference asks for, by topic that is there; of ``topics`` name and type."""
     known = sorted(set(topics))
+    names = {name for name, _ in known}
     wanted: dict[str, set[str]] = {}
     for check in reference.field_checks:
-        selector = CompiledSelector(check.selector)
-        chosen = [name for name, type_ in known if selector.matches(name, ("", type_, "", ""))]
-        for topic in chosen:
-            wanted.setdefault(topic, set()).add(check.field)
-        for part in (check.condition, check.other):
-            if part is not None:
-                for topic in [part.topic] if part.topic else chosen:
-                    wanted.setdefault(topic, set()).add(part.field)
-    names = {name for name, _ in known}
-    return {topic: sorted(paths) for topic, paths in sorted(wanted.items()) if topic in names}
+        for topic, path in _fields_of(check, known):
+            if topic in names:
+                wanted.setdefault(topic, set()).add(path)
+    return {topic: sorted(paths) for topic, paths in sorted(wanted.items())}
+
+
+def _fields_of(check: FieldCheck, topics: Iterable[tuple[str, str]]) -> Iterator[tuple[str, str]]:
+    """Yield the fields that a constraint looks at, as topic and path; of ``topics`` name and type."""
+    selector = CompiledSelector(check.selector)
+    chosen = [name for name, type_ in topics if selector.matches(name, ("", type_, "", ""))]
+    for topic in chosen:
+        yield topic, check.field
+    for part in (check.condition, check.other):
+        if part is not None:
+            for topic in [part.topic] if part.topic else chosen:
+                yield topic, part.field
 
 
 def _of_traffic(selector: Selector) -> bool:

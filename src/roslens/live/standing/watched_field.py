@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.judge.reference.expectation import FieldCheck, FieldMeasure
+from roslens.judge.reference.expectation import FieldCheck, FieldCondition, FieldMeasure
 from roslens.live.standing.ready_constraint import Bounds
 from roslens.live.standing.standing import Standing
 from roslens.model.entity import EntityId, EntityKind
@@ -83,14 +83,18 @@ class WatchedField(Standing):
         if raw is State.UNKNOWN:
             evidence = evidence if own else self._latest.evidence
         if condition is not None:
-            place = condition.topic or self.topic
-            now_it_is = values.get(place, {}).get(condition.field)
-            said = f"{condition.field} of {place} is {'unknown' if now_it_is is None else now_it_is}"
-            if now_it_is is None:
-                raw, evidence = State.UNKNOWN, said
-            elif now_it_is not in condition.range:
-                raw, evidence = State.SUSPENDED, f"{said}, its condition is {condition.range}"
+            raw, evidence = self._while(condition, values) or (raw, evidence)
         self._take(raw, measured, evidence, time)
+
+    def _while(self, condition: FieldCondition, values: Values) -> tuple[State, str] | None:
+        """Return the state and its evidence where a condition is not met or not known; None where it is met."""
+        place = condition.topic or self.topic
+        value = values.get(place, {}).get(condition.field)
+        if value is None:
+            return State.UNKNOWN, f"{condition.field} of {place} is unknown"
+        if value not in condition.range:
+            return State.SUSPENDED, f"{condition.field} of {place} is {value}, its condition is {condition.range}"
+        return None
 
     def judge(self, now: float, appeared: float) -> bool:
         """Judge what came since the last look; return whether the state changed."""

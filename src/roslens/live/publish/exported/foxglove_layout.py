@@ -9,6 +9,7 @@ import msgspec
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import Expectation, FieldCheck, FieldMeasure
 from roslens.judge.reference.merge_references import constraints_of
+from roslens.judge.reference.reference_document import ReferenceConstraint
 from roslens.live.publish.exported.constraints import words_of
 
 if TYPE_CHECKING:
@@ -39,13 +40,7 @@ def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tupl
     plots: list[str] = []
     left: list[str] = []
     for constraint in constraints_of(reference):
-        paths: list[str] = []
-        if isinstance(constraint, Expectation):
-            chosen = f'{rated}.signals[:]{{sentence=="{constraint.told.id}"}}'
-            paths = [f"{chosen}.{field}" for field in ("value", "low", "high")] if '"' not in constraint.told.id else []
-        elif isinstance(constraint, FieldCheck) and constraint.measure is FieldMeasure.VALUE:
-            topic = Pattern.parse(constraint.topic).literal
-            paths = [f"{topic}.{constraint.field}", *_bounds(constraint.range)] if topic else []
+        paths = _plotted(constraint, rated)
         if not paths or len(plots) >= MOST_PLOTS:
             left.append(f"{constraint.told.where or constraint.told.id}: no plot of {words_of(constraint)}")
             continue
@@ -59,6 +54,19 @@ def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tupl
         "layout": layout,
     }  # fmt: skip
     return msgspec.json.format(msgspec.json.encode(document), indent=2).decode() + "\n", tuple(left)
+
+
+def _plotted(constraint: ReferenceConstraint, rated: str) -> list[str]:
+    """Return the paths of what a plot of a constraint shows; none where there can be no plot of it."""
+    if isinstance(constraint, Expectation):
+        if '"' in constraint.told.id:
+            return []
+        chosen = f'{rated}.signals[:]{{sentence=="{constraint.told.id}"}}'
+        return [f"{chosen}.{field}" for field in ("value", "low", "high")]
+    if isinstance(constraint, FieldCheck) and constraint.measure is FieldMeasure.VALUE:
+        topic = Pattern.parse(constraint.topic).literal
+        return [f"{topic}.{constraint.field}", *_bounds(constraint.range)] if topic else []
+    return []
 
 
 def _plot(title: str, paths: Sequence[str]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from roslens.judge.patterns.pattern import Pattern
-from roslens.judge.reference.expectation import Expectation
+from roslens.judge.reference.expectation import Expectation, Selector
 from roslens.judge.reference.pattern_expression import expression_of
 from roslens.live.publish.exported.constraints import ALARMS, by_group, of_reference, quoted, words_of
 from roslens.live.publish.prometheus import metric_name
@@ -186,22 +186,14 @@ def matchers_of(constraint: Expectation) -> list[str] | None:
     """Return the matchers of the metric of a constraint; None where one of its patterns is none of RE2."""
     selector = constraint.selector
     kind = selector.kind
-    asked = {"publisher": selector.publisher, "subscriber": selector.subscriber}
-    if kind is EntityKind.CONNECTION:
-        asked["topic"] = selector.name
-    elif kind is EntityKind.PROCESS:
+    if kind is EntityKind.PROCESS:
         return [f"host=~{quoted('.+')}", f"pid=~{quoted('.+')}"]
-    else:
-        asked[kind.value] = selector.name
     found = []
-    for label, pattern in sorted(asked.items()):
-        if not pattern:
-            continue
-        literal = Pattern.parse(pattern).literal
-        expression = quoted(literal) if literal is not None else expression_of(pattern)
-        if expression is None:
+    for label, pattern in _patterns(selector):
+        matcher = _matcher(label, pattern)
+        if matcher is None:
             return None
-        found.append(f"{label}={expression}" if literal is not None else f"{label}=~{quoted(expression)}")
+        found.append(matcher)
     if kind is EntityKind.TOPIC:
         # A topic and its connections have metrics of one name; those of a topic name nobody.
         found = [one for one in found if one.startswith("topic")] + ['publisher=""']
@@ -210,8 +202,27 @@ def matchers_of(constraint: Expectation) -> list[str] | None:
     for pattern in selector.without:
         without = expression_of(pattern)
         if without is not None:
-            found.append(f"{'topic' if kind is EntityKind.CONNECTION else kind.value}!~{quoted(without)}")
+            found.append(f"{_label(kind)}!~{quoted(without)}")
     return found
+
+
+def _label(kind: EntityKind) -> str:
+    """Return the label that has the name of entities; a connection is called after its topic."""
+    return "topic" if kind is EntityKind.CONNECTION else kind.value
+
+
+def _patterns(selector: Selector) -> list[tuple[str, str]]:
+    """Return the patterns of a selector by the label that they are about."""
+    asked = {"publisher": selector.publisher, "subscriber": selector.subscriber, _label(selector.kind): selector.name}
+    return sorted((label, pattern) for label, pattern in asked.items() if pattern)
+
+
+def _matcher(label: str, pattern: str) -> str | None:
+    literal = Pattern.parse(pattern).literal
+    if literal is not None:
+        return f"{label}={quoted(literal)}"
+    expression = expression_of(pattern)
+    return None if expression is None else f"{label}=~{quoted(expression)}"
 
 
 def _steps(range_: Range) -> Iterator[dict[str, Any]]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
+from roslens.model.relations.strongly_connected import strongly_connected
 from roslens.model.source import OUTSIDE_PACKAGES, Dependency, Package
 
 _NO_DEPENDENCY = frozenset({"conflict", "replace", "doc", "group"})
@@ -50,58 +51,9 @@ def dependency_graph(packages: Sequence[Package]) -> DependencyGraph:
         package.id: tuple(sorted(one for name in declared[package.id] for one in by_name.get(name, ())))
         for package in packages
     }
-    return DependencyGraph(below, declared, strongly_connected(below))
+    components = tuple(tuple(sorted(one)) for one in strongly_connected(below, below.__getitem__))
+    return DependencyGraph(below, declared, components)
 
 
 def _active(dependencies: Iterable[Dependency]) -> list[Dependency]:
     return [one for one in dependencies if one.active]
-
-
-def strongly_connected(below: dict[str, tuple[str, ...]]) -> tuple[tuple[str, ...], ...]:
-    """Return the strongly connected components, each after all that it depends on.
-
-    Tarjan, Depth-First Search and Linear Graph Algorithms, SIAM J. Computing 1(2), 1972, with a stack
-    of its own in place of recursion, so that a long chain of packages cannot exhaust Python's.
-
-    Args:
-        below: every node with the nodes it leads to.
-    """
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    path: list[str] = []
-    on_path: set[str] = set()
-    components: list[tuple[str, ...]] = []
-    for root in below:
-        if root in index:
-            continue
-        work = [(root, iter(below[root]))]
-        index[root] = low[root] = len(index)
-        path.append(root)
-        on_path.add(root)
-        while work:
-            node, targets = work[-1]
-            for target in targets:
-                if target not in index:
-                    index[target] = low[target] = len(index)
-                    path.append(target)
-                    on_path.add(target)
-                    work.append((target, iter(below[target])))
-                    break
-                if target in on_path:
-                    low[node] = min(low[node], index[target])
-            else:
-                work.pop()
-                if work:
-                    above = work[-1][0]
-                    low[above] = min(low[above], low[node])
-                if low[node] == index[node]:
-                    components.append(_cut(path, on_path, node))
-    return tuple(components)
-
-
-def _cut(path: list[str], on_path: set[str], node: str) -> tuple[str, ...]:
-    component = [path.pop()]
-    while component[-1] != node:
-        component.append(path.pop())
-    on_path.difference_update(component)
-    return tuple(sorted(component))

@@ -1,0 +1,1 @@
+"""What follows from which thing leads to which, whatever the things are."""

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from roslens.cli.check.check_scope import Scope
+    from roslens.cli.workplace.configuration import Configuration
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
@@ -113,21 +114,14 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.check.analysed import analysed
     from roslens.cli.workplace.configuration import find_configuration
     from roslens.cli.workplace.shared_store import store_for
-    from roslens.model.errors import UsageError
     from roslens.model.tags import parse_tags
-    from roslens.report.run.reported import Wanted
     from roslens.source.workspace.find import root_of
 
     begun = time.monotonic()
     tags = parse_tags(options.tag or "")
     chosen = outputs(options.format or (), options.output or ())
-    if options.jobs is not None and options.jobs < 0:
-        raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
-    missing = 0
-    if options.fetch:
-        missing = fetch_first(options)
-    else:
-        refuse_without_fetch(options)
+    _refuse_jobs(options.jobs)
+    missing = _fetch(options)
     root = root_of(options.paths)
     configuration = admitted_by(options, find_configuration(root, options.config))
     refuse_others(options)
@@ -135,8 +129,8 @@ def run(options: argparse.Namespace) -> int:
     if options.undo_fix:
         return take_back(options, root)
     unchanged = unchanged_files(options, root)
-    kept = None if options.no_store or unchanged is not None else own_folder(root) / STORE
-    with store_for(kept, configuration) as store:
+    folder = None if options.no_store or unchanged is not None else own_folder(root)
+    with store_for(None if folder is None else folder / STORE, configuration) as store:
 
         def look() -> tuple[Answer, Scope]:
             answer = analysed(
@@ -160,41 +154,75 @@ def run(options: argparse.Namespace) -> int:
                 fresh=answer.fresh,
             )
 
-        wanted = Wanted(
-            tags,
-            below_repository(root),
-            options.fail_on or configuration.fail_on,
-            configuration.accept_partial if options.accept_partial is None else options.accept_partial,
-        )
+        wanted = _wanted(options, configuration, tags, root)
         options.each = (options.fix or options.diff) and bool(options.tools or configuration.source.tools.use)
         outcome, scope = look()
         if options.diff:
             return show_diff(options, root, configuration, scope)
         if options.fix:
             scope = fixed_scope(options, root, configuration, scope, lambda: look()[1])
-        scope = _with_changes(gated(scope, configuration.gate), kept.parent if kept is not None else None, options)
+        scope = _with_changes(gated(scope, configuration.gate), folder, options)
         write_outputs(chosen, options, scope.shown, scope.wanted)
-        if kept is not None:
-            new = None if scope.wanted.new is None else new_first(scope.shown, scope.wanted)
-            keep_new(kept.parent, scope.whole.id, scope.wanted.baseline, new)
+        if folder is not None:
+            _keep_new(folder, scope)
         if not options.quiet:
-            tell_not_run(scope.whole.header)
-            if outcome.left_out:
-                print(f"roslens: {left_to_whole_run(outcome.left_out)}", file=sys.stderr)
-            took = time.monotonic() - begun
-            how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
-            print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
-        code = _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
-        if options.baseline and scope.baseline is None:
-            # What was asked is not answered: that there are findings is not what the user wanted to know.
-            print(
-                f"roslens: nothing was compared with --baseline {options.baseline!r}; the result says why",
-                file=sys.stderr,
-            )
-            code = NOT_ANALYSED
+            _tell(scope, outcome, time.monotonic() - begun)
+        code = _code(options, scope, missing)
     if options.watch:
         watch_files(options, root, configuration)
     return code
+
+
+def _refuse_jobs(jobs: int | None) -> None:
+    if jobs is not None and jobs < 0:
+        from roslens.model.errors import UsageError
+
+        raise UsageError(f"--jobs {jobs}", expected="0 (one per processor) or a positive number")
+
+
+def _fetch(options: argparse.Namespace) -> int:
+    """Fetch what is to be fetched first; return how many repositories could not be."""
+    if options.fetch:
+        return fetch_first(options)
+    refuse_without_fetch(options)
+    return 0
+
+
+def _wanted(options: argparse.Namespace, configuration: Configuration, tags: TagFilter, root: Path) -> Wanted:
+    from roslens.report.run.reported import Wanted
+
+    return Wanted(
+        tags,
+        below_repository(root),
+        options.fail_on or configuration.fail_on,
+        configuration.accept_partial if options.accept_partial is None else options.accept_partial,
+    )
+
+
+def _keep_new(folder: Path, scope: Scope) -> None:
+    """Keep which findings are new, for commands that show the run later."""
+    new = None if scope.wanted.new is None else new_first(scope.shown, scope.wanted)
+    keep_new(folder, scope.whole.id, scope.wanted.baseline, new)
+
+
+def _tell(scope: Scope, outcome: Answer, seconds: float) -> None:
+    """Say beside the result how it came about."""
+    tell_not_run(scope.whole.header)
+    if outcome.left_out:
+        print(f"roslens: {left_to_whole_run(outcome.left_out)}", file=sys.stderr)
+    how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
+    print(f"roslens: {how}, {seconds:.1f} s", file=sys.stderr)
+
+
+def _code(options: argparse.Namespace, scope: Scope, missing: int) -> int:
+    """Return the exit code; of a comparison that was asked for and could not be made it says so."""
+    if options.baseline and scope.baseline is None:
+        # What was asked is not answered: that there are findings is not what the user wanted to know.
+        print(
+            f"roslens: nothing was compared with --baseline {options.baseline!r}; the result says why", file=sys.stderr
+        )
+        return NOT_ANALYSED
+    return _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
 
 
 def _with_changes(scope: Scope, folder: Path | None, options: argparse.Namespace) -> Scope:

@@ -72,24 +72,12 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         RoslensError: see :mod:`roslens.cli.terminal.boundary`.
     """
-    from roslens.cli.graph.graph_choice import chosen, require_nodes
-
-    if options.check and (options.diff or options.html):
-        raise UsageError("--check with --diff or --html", expected="one of them")
-    if options.fail_on and not options.check:
-        raise UsageError("--fail-on without --check", expected="both")
-    if options.html and (options.diff or options.output or options.format != "text"):
-        raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
+    _refuse_contradictions(options)
     if options.diff:
         from roslens.cli.graph.graph_diff import diff
 
         return diff(options)
-    if options.format == "markdown":
-        raise UsageError("--format markdown without --diff", expected="--diff A B too, or one of the other formats")
-    if options.arg and not options.launch:
-        raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
-    if options.launch and options.package:
-        raise UsageError("--package with --launch", expected="one of them")
+    from roslens.cli.graph.graph_choice import chosen, require_nodes
     from roslens.cli.graph.graph_linked import with_linked
     from roslens.cli.graph.graph_opened import open_source
 
@@ -114,10 +102,30 @@ def run(options: argparse.Namespace) -> int:
         code = _complete(source, (*found, *unstarted))
         if not found:
             _say_why(source, options)
-    told = (*found, *unstarted) if options.format in _WITH_UNSTARTED and not options.node else found
-    shown = tuple(chosen(one, options.node, implicit=options.all) for one in told)
+    listed = (*found, *unstarted) if options.format in _WITH_UNSTARTED and not options.node else found
+    shown = tuple(chosen(one, options.node, implicit=options.all) for one in listed)
     write_result(_text(shown, options), options.output)
     return code
+
+
+def _refuse_contradictions(options: argparse.Namespace) -> None:
+    if options.check and (options.diff or options.html):
+        raise UsageError("--check with --diff or --html", expected="one of them")
+    if options.fail_on and not options.check:
+        raise UsageError("--fail-on without --check", expected="both")
+    if options.html and (options.diff or options.output or options.format != "text"):
+        raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
+    if not options.diff:
+        _refuse_without_diff(options)
+
+
+def _refuse_without_diff(options: argparse.Namespace) -> None:
+    if options.format == "markdown":
+        raise UsageError("--format markdown without --diff", expected="--diff A B too, or one of the other formats")
+    if options.arg and not options.launch:
+        raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
+    if options.launch and options.package:
+        raise UsageError("--package with --launch", expected="one of them")
 
 
 def _unstarted(

@@ -76,16 +76,7 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
-    several = [f"--{name}" for name in ("live", "bag", "history") if getattr(options, name)]
-    if len(several) > 1:
-        raise UsageError(" with ".join(several), expected="one of them")
-    of_bag = bool(options.bag)
-    if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
-        raise UsageError(
-            f"{option} without --live",
-            expected="both",
-            advice="A reference is compared with a running system: add --live",
-        )
+    _refuse_contradictions(options)
     checked(options)
     from roslens.cli.check.kept_changes import shown_changes
     from roslens.cli.check.kept_new import shown_new
@@ -147,6 +138,21 @@ def run(options: argparse.Namespace) -> int:
                 tls=door.tls,
             )
     return 0
+
+
+def _refuse_contradictions(options: argparse.Namespace) -> None:
+    several = [f"--{name}" for name in ("live", "bag", "history") if getattr(options, name)]
+    if len(several) > 1:
+        raise UsageError(" with ".join(several), expected="one of them")
+    if options.live:
+        return
+    option = "--reference" if options.reference and not options.bag else given(options)
+    if option:
+        raise UsageError(
+            f"{option} without --live",
+            expected="both",
+            advice="A reference is compared with a running system: add --live",
+        )
 
 
 def _named(bag: list[Path] | None) -> str:

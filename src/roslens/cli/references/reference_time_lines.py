@@ -5,6 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roslens.live.react.simulation import Compared, Simulation
 
 ENDING = ".test.yaml"
 
@@ -24,7 +28,6 @@ def run_time_lines(files: Sequence[str], paths: Sequence[Path]) -> bool:
         DocumentError: a document is wrong.
         UsageError: the references have no reaction.
     """
-    from roslens.cli.react.react_simulate import decision_lines
     from roslens.judge.reading.read_reference import load_reference
     from roslens.judge.reading.read_time_line import read_time_lines
     from roslens.live.react.simulation import compare, simulate
@@ -41,20 +44,28 @@ def run_time_lines(files: Sequence[str], paths: Sequence[Path]) -> bool:
         outcome = compare(simulation.decisions, line.expected)
         failed += not outcome.passed
         print(f"{path}: {line.name}: {'as expected' if outcome.passed else 'not as expected'}")
-        for missing in outcome.missing:
-            words = " ".join(filter(None, (missing.reaction, missing.action, missing.entity, missing.target)))
-            print(
-                f"roslens: {missing.place}: not decided: {words or 'an action'} at {missing.at_s:g} s "
-                f"(within {missing.within_s:g} s)",
-                file=sys.stderr,
-            )
-        for surplus in outcome.surplus:
-            print("\n".join(["roslens: not expected:", *decision_lines(surplus, 0.0)]), file=sys.stderr)
+        _print_differences(outcome)
         if not outcome.passed:
-            for (reaction, entity, reason), at in simulation.withheld.items():
-                print(
-                    f"roslens: {at:.2f} s: {reaction} of {entity or 'the system'}: not done: {reason}", file=sys.stderr
-                )
+            _print_withheld(simulation)
     count = f"{len(lines)} time line{'' if len(lines) == 1 else 's'}"
     print(f"{count}, as expected" if not failed else f"{count}, {failed} of them not as expected")
     return not failed
+
+
+def _print_differences(outcome: Compared) -> None:
+    from roslens.cli.react.react_simulate import decision_lines
+
+    for missing in outcome.missing:
+        words = " ".join(filter(None, (missing.reaction, missing.action, missing.entity, missing.target)))
+        print(
+            f"roslens: {missing.place}: not decided: {words or 'an action'} at {missing.at_s:g} s "
+            f"(within {missing.within_s:g} s)",
+            file=sys.stderr,
+        )
+    for surplus in outcome.surplus:
+        print("\n".join(["roslens: not expected:", *decision_lines(surplus, 0.0)]), file=sys.stderr)
+
+
+def _print_withheld(simulation: Simulation) -> None:
+    for (reaction, entity, reason), at in simulation.withheld.items():
+        print(f"roslens: {at:.2f} s: {reaction} of {entity or 'the system'}: not done: {reason}", file=sys.stderr)

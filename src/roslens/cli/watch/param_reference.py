@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.watch.which_ros import is_any_asked, wants_ros1
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -48,27 +49,17 @@ def reference_sources(given: Iterable[str | Path], options: argparse.Namespace) 
 
 def _documents(name: str, options: argparse.Namespace) -> list[GivenText]:
     """Return the documents of a parameter in every ROS that is asked for, or found."""
-    from roslens.live.observe.parameter_source import ros1_parameter, ros2_parameter
-    from roslens.live.observe.reference_parameters import parameter_documents
-
     if options.bag:
         raise UsageError(f"--reference {PREFIX}{name} with --bag", expected="a file", advice="A bag has no parameters")
     if not name.startswith("/"):
         raise UsageError(f"--reference {PREFIX}{name}", expected=f"a name from the root on, {PREFIX}/{name}")
-    asked = options.ros1 or options.ros2
+    readers = [_of_ros1] if wants_ros1(options) else []
+    readers += [_of_ros2] if options.ros2 or not is_any_asked(options) else []
     found: list[GivenText] = []
     errors: list[UsageError] = []
-    if options.ros1 or (not asked and (options.master or os.environ.get("ROS_MASTER_URI"))):
+    for read in readers:
         try:
-            value, where = ros1_parameter(name, options.master or "")
-            found += parameter_documents(name, value, where)
-        except UsageError as error:
-            errors.append(error)
-    if options.ros2 or not asked:
-        try:
-            values, where = ros2_parameter(name, options.python or "", options.domain, os.environ)
-            for parameter, value in sorted(values.items()):
-                found += parameter_documents(parameter, value, where)
+            found += read(name, options)
         except UsageError as error:
             errors.append(error)
     if not found:
@@ -78,3 +69,19 @@ def _documents(name: str, options: argparse.Namespace) -> list[GivenText]:
             f"--reference {PREFIX}{name}: {first.what}{others}", expected=first.expected, advice=first.advice
         )
     return found
+
+
+def _of_ros1(name: str, options: argparse.Namespace) -> list[GivenText]:
+    from roslens.live.observe.parameter_source import ros1_parameter
+    from roslens.live.observe.reference_parameters import parameter_documents
+
+    value, where = ros1_parameter(name, options.master or "")
+    return list(parameter_documents(name, value, where))
+
+
+def _of_ros2(name: str, options: argparse.Namespace) -> list[GivenText]:
+    from roslens.live.observe.parameter_source import ros2_parameter
+    from roslens.live.observe.reference_parameters import parameter_documents
+
+    values, where = ros2_parameter(name, options.python or "", options.domain, os.environ)
+    return [one for parameter, value in sorted(values.items()) for one in parameter_documents(parameter, value, where)]

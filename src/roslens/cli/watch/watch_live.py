@@ -20,6 +20,7 @@ from roslens.cli.watch.graph_file import write_graph
 from roslens.cli.watch.stretch import Stretch, blind, never_saw
 from roslens.cli.watch.watch_output import Teller
 from roslens.cli.watch.watch_publish import publish_through, unpublished, wanted
+from roslens.cli.watch.which_ros import wants_ros1
 from roslens.live.join.session import Session, Source, Step, run
 from roslens.live.past.keeper import Keeper
 from roslens.live.reported.reported_levels import is_reported
@@ -159,15 +160,14 @@ def _of_ros(options: argparse.Namespace, publishes: Publishes | None) -> list[So
     """Return the observers that were asked for; without a word about it, of every ROS that is found here."""
     from roslens.live.observe.child_source import ros1_source, ros2_source
 
-    asked = options.ros1 or options.ros2
     taps = options.tap
     sources: list[Source] = []
-    if options.ros1 or (not asked and (options.master or os.environ.get("ROS_MASTER_URI"))):
+    if wants_ros1(options):
         sources.append(ros1_source(options.master or "", taps, os.environ, steady=time.monotonic, publishes=publishes))
     ros2 = partial(ros2_source, options.python or "", options.domain, taps, os.environ, publishes=publishes)
     if options.ros2:
         sources.append(ros2(steady=time.monotonic))
-    elif not asked:
+    elif not options.ros1:
         try:
             sources.append(ros2(steady=time.monotonic))
         except UsageError as error:

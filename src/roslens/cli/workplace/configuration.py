@@ -8,7 +8,7 @@ from __future__ import annotations
 import difflib
 import re
 import typing
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -172,25 +172,8 @@ class _Reader:
         top: dict[str, Any] = {
             key: self._value((key,), document[key], kind) for key, kind in _TOP.items() if key in document
         }
-        tables: dict[str, Any] = {
-            key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document
-        }
-        if "tools" in document:
-            from roslens.cli.workplace.tools_table import read_tools
-
-            tables["tools"] = read_tools(document["tools"], self._value, self._where)
-        for number, rule in enumerate(top.get("ignore", ()), 1):
-            lacks = (
-                "no reason" if not rule.reason.strip() else "" if rule.paths or rule.rules else "no paths and no rules"
-            )
-            if lacks:
-                raise DocumentError(
-                    f"[[ignore]] {number} has {lacks}",
-                    where=self._where(("ignore",)),
-                    expected='paths = ["…"] or rules = ["…"] or both, and reason = "why"',
-                )
-        if "macros" in tables:
-            self._check_macros(tables["macros"])
+        tables = self._tables(document)
+        self._check_ignored(top.get("ignore", ()))
         gate = self._gate(document["gate"]) if "gate" in document else None
         fail_on = str(top.pop("fail_on", "error" if gate is None else "never"))
         if fail_on not in FAIL_ON:
@@ -208,6 +191,32 @@ class _Reader:
             )
         source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))
         return Configuration(source, fail_on, gate, path=str(self._path), base=str(self._path.parent), **own)
+
+    def _tables(self, document: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the tables of settings of the source half, by their names."""
+        tables: dict[str, Any] = {
+            key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document
+        }
+        if "tools" in document:
+            from roslens.cli.workplace.tools_table import read_tools
+
+            tables["tools"] = read_tools(document["tools"], self._value, self._where)
+        if "macros" in tables:
+            self._check_macros(tables["macros"])
+        return tables
+
+    def _check_ignored(self, rules: Iterable[Any]) -> None:
+        """Tell of an ``[[ignore]]`` that lacks what it is for."""
+        for number, rule in enumerate(rules, 1):
+            lacks = (
+                "no reason" if not rule.reason.strip() else "" if rule.paths or rule.rules else "no paths and no rules"
+            )
+            if lacks:
+                raise DocumentError(
+                    f"[[ignore]] {number} has {lacks}",
+                    where=self._where(("ignore",)),
+                    expected='paths = ["…"] or rules = ["…"] or both, and reason = "why"',
+                )
 
     def _gate(self, table: object) -> GateConditions:
         gate = self._table("gate", table, GateConditions)

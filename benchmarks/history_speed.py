@@ -48,7 +48,9 @@ def main() -> int:
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="roslens-bench-") as scratch:
         folder = Path(scratch, "clone")
-        git(options.clone, "clone", "-q", "--shared", str(options.clone.resolve()), str(folder))
+        git(options.clone, "clone", "-q", "--shared", "--no-checkout", str(options.clone.resolve()), str(folder))
+        # A mirror may be without its largest files, pictures say: the work tree is too, then.
+        subprocess.run(["git", "-C", str(folder), "checkout", "-q", "-f", "HEAD"], capture_output=True, check=False)
         line = git(folder, "rev-list", "--first-parent", f"--max-count={options.revisions}", "HEAD").splitlines()
         # By its commit: dates do not rise along the line.
         wall, spent = run(["history", "--every", "1", "--since", line[-1], "-q"], folder)

@@ -14,6 +14,12 @@ from roslens.cli.main import main
         (["graph", "--lanch", "x"], ["--lanch", "Did you mean --launch?", "`roslens graph --help`"]),
         (["watch", "--taps=x"], ["--taps=x", "Did you mean --tap?", "`roslens watch --help`"]),
         (["check", "--zzz"], ["--zzz", "`roslens check --help`"]),
+        (["reference", "check", "a", "--grph=x"], ["Did you mean --graph?", "`roslens reference check --help`"]),
+        (["--verzion"], ["--verzion", "Did you mean --version?", "`roslens --help`"]),
+        (["chek"], ["there is no command 'chek'. Did you mean check?", "`roslens --help`"]),
+        (["SERVE"], ["there is no command 'SERVE'. Did you mean serve?"]),
+        (["reference", "drft"], ["there is no action 'drft'. Did you mean draft?", "`roslens reference --help`"]),
+        (["check", "--fail-on", "eror"], ["--fail-on", "'eror'", "Did you mean error?"]),
     ],
 )
 def test_an_unknown_argument_is_named_with_what_comes_near(words, said, capsys):
@@ -23,10 +29,13 @@ def test_an_unknown_argument_is_named_with_what_comes_near(words, said, capsys):
     assert [part for part in said if part not in error] == []
 
 
-def test_nothing_near_is_not_guessed(capsys):
-    with pytest.raises(SystemExit):
-        main(["check", "--zzz"])
-    assert "Did you mean" not in capsys.readouterr().err
+@pytest.mark.parametrize("words", [["check", "--zzz"], ["zzz"], ["check", "--fail-on", "zzz"], []])
+def test_nothing_near_is_not_guessed(words, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(words)
+    error = capsys.readouterr().err
+    assert error
+    assert "Did you mean" not in error
 
 
 def test_what_a_command_of_the_user_gets_is_not_ours():

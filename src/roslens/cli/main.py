@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
-from typing import NoReturn
 
 from roslens import __version__
 from roslens.cli.commands import (
@@ -34,6 +33,7 @@ from roslens.cli.commands import (
 )
 from roslens.cli.commands.live import agent, env, journal, react, run, top, watch
 from roslens.cli.terminal.boundary import guarded
+from roslens.cli.terminal.command_parser import CommandParser, refuse
 
 COMMANDS = {
     "check": check,
@@ -81,9 +81,9 @@ exit codes: 0 clean, 1 findings at or above --fail-on, 2 usage or bad input,
 130 interrupted, 141 nobody reads the output"""
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> CommandParser:
     """Return the parser of the whole command line; shell completion is generated from it too."""
-    top = argparse.ArgumentParser(
+    top = CommandParser(
         prog="roslens",
         description="How good is the source of your robot, and does it behave when it runs? Measures and judges ROS 1 "
         "and ROS 2 packages without building or running them, and watches systems that run.",
@@ -91,7 +91,7 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     top.add_argument("--version", action="version", version=f"roslens {__version__}")
-    verbs = top.add_subparsers(title="commands", dest="verb", metavar="COMMAND", required=True)
+    verbs = top.add_subparsers(title="commands", dest="verb", metavar="COMMAND")
     for verb, module in COMMANDS.items():
         one = verbs.add_parser(
             verb,
@@ -101,26 +101,19 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_arguments(one)
-        one.set_defaults(run=module.run, parser=one, top_parser=top)
+        one.set_defaults(run=module.run, top_parser=top)
     return top
-
-
-def _refuse(unknown: Sequence[str], verb: argparse.ArgumentParser) -> NoReturn:
-    """Say what a command does not know, what comes near to it, and where to look."""
-    from difflib import get_close_matches
-
-    words = [word for action in verb._actions for word in action.option_strings]  # noqa: SLF001 - told no other way
-    near = get_close_matches(unknown[0].partition("=")[0], words, n=1)
-    meant = f" Did you mean {near[0]}?" if near else ""
-    verb.error(f"unrecognized arguments: {' '.join(unknown)}.{meant} `{verb.prog} --help` has all with examples")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    options, unknown = parser().parse_known_args(given)
+    top = parser()
+    options, unknown = top.parse_known_args(given)
     if unknown:
-        _refuse(unknown, options.parser)
+        refuse(unknown, top, options)
+    if options.verb is None:
+        top.error("the following arguments are required: COMMAND")
     return guarded(lambda: int(options.run(options)), given)
 
 

@@ -165,27 +165,30 @@ class CounterReader:
         )
 
     def _of(self, file: OpenedFile, now: float, found: list[Counted], *, new: bool) -> None:
-        begun = max(file.started, self._last or 0.0)
         tokens = file.tokens()
         while len(file.known) < len(tokens):
             file.known.append(_Known())
         for number, token in enumerate(tokens):
             known = file.known[number]
-            if token == known.token:
-                if now >= known.due or now < known.until:
-                    self._unchanged(file.pid, known, now, found)
-                continue
-            before = known.snapshot
-            after = file.slot(number, before)
-            if after is None:
-                continue
-            known.token = token
-            if after.kind not in slots.KINDS:
-                self._tell_unknown(file, after.kind)
-                continue
-            if before is None or before.generation != after.generation:
-                before, known.until, known.lost = None, begun, 0
-            self._changed(file.pid, known, before, after, now, None if new and self._last is None else found)
+            if token != known.token:
+                self._anew(file, number, token, now, None if new and self._last is None else found)
+            elif now >= known.due or now < known.until:
+                self._unchanged(file.pid, known, now, found)
+
+    def _anew(self, file: OpenedFile, number: int, token: int, now: float, found: list[Counted] | None) -> None:
+        """Read a slot that was written to; ``found`` is None where what it holds was counted before anybody looked."""
+        known = file.known[number]
+        before = known.snapshot
+        after = file.slot(number, before)
+        if after is None:
+            return
+        known.token = token
+        if after.kind not in slots.KINDS:
+            self._tell_unknown(file, after.kind)
+            return
+        if before is None or before.generation != after.generation:
+            before, known.until, known.lost = None, max(file.started, self._last or 0.0), 0
+        self._changed(file.pid, known, before, after, now, found)
 
     def _unchanged(self, pid: int, known: _Known, now: float, found: list[Counted]) -> None:
         """Tell that nothing was counted; what was missing then may count as lost by now."""

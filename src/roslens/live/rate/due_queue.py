@@ -54,17 +54,7 @@ class DueQueue:
         numbers = self._numbers
         while numbers and numbers[0] <= now * _PER_SECOND:
             number = heapq.heappop(numbers)
-            early: list[Measured] = []
-            for entity in self._stretches.pop(number):
-                planned, due = entity.planned, entity.due
-                if planned == NEVER or _stretch(planned) != number:
-                    continue
-                if due > now and _stretch(due) == number:
-                    entity.planned = due
-                    early.append(entity)
-                    continue
-                entity.planned = NEVER
-                (found if due <= now else moved).append(entity)
+            early = self._sort_out(number, now, found, moved)
             if early:
                 again[number] = early
         for number, early in again.items():
@@ -73,3 +63,18 @@ class DueQueue:
         for entity in moved:
             self.put(entity)
         return found
+
+    def _sort_out(self, number: int, now: float, found: list[Measured], moved: list[Measured]) -> list[Measured]:
+        """Take a stretch apart: what is due is found, what is due in another one moved, and the rest returned."""
+        early: list[Measured] = []
+        for entity in self._stretches.pop(number):
+            planned, due = entity.planned, entity.due
+            if planned == NEVER or _stretch(planned) != number:
+                continue
+            if due > now and _stretch(due) == number:
+                entity.planned = due
+                early.append(entity)
+                continue
+            entity.planned = NEVER
+            (found if due <= now else moved).append(entity)
+        return early

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from roslens.live.standing.measured import Group
 from roslens.live.system.connection import Connection
 from roslens.live.system.envelope import Envelope
@@ -20,8 +18,21 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
     alone = connection.alone
     if alone is None or connection.gone or (topic.judged and not topic.calm):
         return None
+    of_topic = _shares(connection, topic)
+    if of_topic is None:
+        return None
     envelope = Envelope(alone)
-    groups: Iterable[tuple[Group, float]] = [(group, 1.0) for group in connection.groups]
+    for group, share in (*((group, 1.0) for group in connection.groups), *of_topic):
+        if not group.calm or not envelope.narrow(group, alone[group.at], share):
+            return None
+    if all(envelope.holds(bucket) for window in alone for bucket in window.buckets):
+        return envelope
+    return None
+
+
+def _shares(connection: Connection, topic: Topic) -> list[tuple[Group, float]] | None:
+    """Return of which share of each group of a topic a connection may dispose; None where one cannot be told."""
+    groups: list[tuple[Group, float]] = []
     shares: dict[str, float | None] = {}
     for group in topic.groups:
         if group.key in ENDS:
@@ -31,14 +42,8 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
         share = shares.get(group.key, 1.0)
         if share is None:
             return None
-        groups = [*groups, (group, share)]
-    for group, share in groups:
-        window = alone[group.at]
-        if not group.calm or not envelope.narrow(group, window, share):
-            return None
-    if all(envelope.holds(bucket) for window in alone for bucket in window.buckets):
-        return envelope
-    return None
+        groups.append((group, share))
+    return groups
 
 
 def _share(connection: Connection, topic: Topic, group: Group) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from roslens.live.standing.measured import Group, Judged
 from roslens.live.standing.ready_constraint import ReadyConstraint
@@ -29,31 +29,42 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     due = connection.next_due(now)
     changed: list[Judged] = []
     calm = True
-    unheard = connection.unheard
+    if connection.unheard is not None:
+        connection.calm, connection.due = not connection.groups, due
+        return _judge_silent(connection.groups, now, connection.unheard)
     alone = connection.alone
     for group in connection.groups:
-        if alone is not None and group.calm and unheard is None and group.measure is not None and not group.percentile:
+        if alone is not None and group.calm and group.measure is not None and not group.percentile:
             window = alone[group.at]
             value = window.cache[group.key] = group.measure(window)
             if value is not None and group.low <= value <= group.high:
                 group.value, group.window = value, window
-                if group.key == "largest_gap":
-                    due = min(due, _gap_due(group, window, now))
+                due = min(due, _gap_due(group, window, now))
                 continue
-        if unheard is not None:
-            calm = group.calm = False
-            changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
-            continue
         value, seen = connection.value(group.key, group.at, group.percentile)
         if seen is not None and connection.left:
             value, seen = None, None
-            for judged in group.judged:
-                judged.evidence = "an end of it is gone from the graph"
+            _note(group, "an end of it is gone from the graph")
         due = min(due, _judge_group(group, now, value, seen, connection.appeared, changed))
         calm = calm and group.calm
     connection.calm = calm
     connection.due = due
     return changed
+
+
+def _judge_silent(groups: Iterable[Group], now: float, unheard: Voice) -> list[Judged]:
+    """Judge what is known of nothing, because its observer is silent; return what changed."""
+    changed: list[Judged] = []
+    for group in groups:
+        group.calm = False
+        changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
+    return changed
+
+
+def _note(group: Group, evidence: str) -> None:
+    """Say of the constraints of a group why there is no value."""
+    for judged in group.judged:
+        judged.evidence = evidence
 
 
 def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence[Voice] = ()) -> list[Judged]:
@@ -83,8 +94,7 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence
             due = min(due, *(one.state.due for one in group.judged))
             continue
         if window is None:
-            for judged in group.judged:
-                judged.evidence = _ends(topic)
+            _note(group, _ends(topic))
         due = min(due, _judge_group(group, now, value, window, topic.appeared, changed))
         calm = calm and group.calm
     topic.calm = calm
@@ -140,7 +150,7 @@ def _judge_group(
     group: Group, now: float, value: float | None, window: Window | None, appeared: float, changed: list[Judged]
 ) -> float:
     """Judge all constraints that take a value; return when one of them may change without news."""
-    due = _gap_due(group, window, now) if group.key == "largest_gap" else NEVER
+    due = _gap_due(group, window, now)
     if group.calm and value is not None and group.low <= value <= group.high:
         group.value, group.window = value, window
         return due
@@ -169,14 +179,21 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
         moved = state.step(now, State.UNKNOWN, value)
         state.due = now + max(window.length - (window.horizon - window.begun), 0.05)
         return moved
-    began = NEVER
-    if raw is State.HIGH and judged.quantity == "largest_gap" and window is not None:
-        began = longest_gap(window, now)[1]
-    elif window is not None and window.silent and raw is not State.UNKNOWN:
-        began = now - window.quiet - (window.late(now) if window.horizon > window.until else 0.0)
+    began = _began(judged, now, raw, window)
     if raw is State.LOW and value == 0.0 and constraint.silence:
         raw = State.ABSENT
     return state.step(now, raw, value, began=began, grace=grace)
+
+
+def _began(judged: Judged, now: float, raw: State, window: Window | None) -> float:
+    """Return when what is wrong began, where the window says more than the moment of the look."""
+    if window is None:
+        return NEVER
+    if raw is State.HIGH and judged.quantity == "largest_gap":
+        return longest_gap(window, now)[1]
+    if window.silent and raw is not State.UNKNOWN:
+        return now - window.quiet - (window.late(now) if window.horizon > window.until else 0.0)
+    return NEVER
 
 
 def _early(constraint: ReadyConstraint, window: Window, raw: State) -> bool:
@@ -208,7 +225,7 @@ def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool
 
 def _gap_due(group: Group, window: Window | None, now: float) -> float:
     """Return when the silence that goes on breaks a bound on gaps that are longer than the window."""
-    if window is None:
+    if group.key != "largest_gap" or window is None:
         return NEVER
     left = [one.constraint.bounds.high - window.quiet for one in group.judged]
     return now + min((one for one in left if one >= 0), default=NEVER) + 1e-6

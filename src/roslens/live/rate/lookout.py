@@ -72,6 +72,20 @@ class Lookout:
             self.round.time = now
             self.round = Round()
             self.heard = False
+        topics, others = self._awake(now)
+        self._plan((*topics, *others), now)
+        changed: list[Judged] = []
+        for one in (*others, *topics):
+            changed += self._judge_one(one, now)
+        for topic in topics:
+            _rest(topic, now)
+        for one in (*others, *topics):
+            if one.due < one.planned:
+                self._queue.put(one)
+        return changed
+
+    def _awake(self, now: float) -> tuple[dict[Topic, None], dict[Measured, None]]:
+        """Return what has to be judged, topics apart; a connection that stays inside its envelope rests on."""
         waiting, self.waiting = self.waiting, []
         topics: dict[Topic, None] = {}
         others: dict[Measured, None] = {}
@@ -90,16 +104,7 @@ class Lookout:
                 topics[one] = None
             else:
                 others[one] = None
-        self._plan((*topics, *others), now)
-        changed: list[Judged] = []
-        for one in (*others, *topics):
-            changed += self._judge_one(one, now)
-        for topic in topics:
-            _rest(topic, now)
-        for one in (*others, *topics):
-            if one.due < one.planned:
-                self._queue.put(one)
-        return changed
+        return topics, others
 
     def look_again(
         self, now: float, topics: Iterable[Topic] | None = None, still: Iterable[Topic] = ()

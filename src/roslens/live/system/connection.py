@@ -6,7 +6,7 @@ from roslens.live.standing.measured import Measured
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection_name import connection_id
 from roslens.live.system.envelope import Envelope
-from roslens.live.window.traffic import MEASURES, percentile_of
+from roslens.live.window.traffic import MEASURES, Measure, percentile_of
 from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.traffic.tally import Observer, Tally
@@ -160,14 +160,18 @@ class Connection(Measured):
         measure = MEASURES.get(key)
         if measure is None:
             return None, None
-        if len(self._order) == 1 and not percentile:
-            window = self._order[0][at]
-            if not window.spacing or window.unheard:
-                return None, None
-            # A topic asks for what its connections were just asked for.
-            if key not in window.cache:
-                window.cache[key] = measure(window)
-            return window.cache[key], window
+        if len(self._order) > 1 or percentile:
+            return self._of_best(measure, key, at, percentile)
+        window = self._order[0][at]
+        if not window.spacing or window.unheard:
+            return None, None
+        # A topic asks for what its connections were just asked for.
+        if key not in window.cache:
+            window.cache[key] = measure(window)
+        return window.cache[key], window
+
+    def _of_best(self, measure: Measure, key: str, at: int, percentile: float) -> tuple[float | None, Window | None]:
+        """Return a signal of the best of several observers; of one that is behind only where nobody else can tell."""
         stale: tuple[float | None, Window | None] = (None, None)
         for windows in self._order:
             window = windows[at]

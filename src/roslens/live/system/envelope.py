@@ -123,14 +123,8 @@ class Envelope:
             return False
         if intervals < self.slow * (span + quiet - gap if quiet > gap else span):
             return False
-        if self.scatter < inf:
-            moments = bucket.period
-            count = moments.count
-            if not count:
-                return False
-            centre = self.centre
-            if moments.squares - centre * (2 * moments.total - centre * count) > self.scatter * count:
-                return False
+        if self.scatter < inf and not self._scatter_holds(bucket.period):
+            return False
         size = self.size
         if size is not None and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
             return False
@@ -139,6 +133,10 @@ class Envelope:
             if bounds is not None and _within(getattr(bucket, field), bounds) == inf:
                 return False
         return self.loss is None or self._loss_holds(bucket)
+
+    def _scatter_holds(self, moments: Series) -> bool:
+        count, centre = moments.count, self.centre
+        return bool(count) and moments.squares - centre * (2 * moments.total - centre * count) <= self.scatter * count
 
     def _loss_within(self, lost: int, count: int) -> bool:
         return self.loss is None or (lost >= 0 and self.loss[0] <= 100 * lost / (lost + count) <= self.loss[1])
@@ -172,11 +170,14 @@ class Envelope:
             self.scatter = min(self.scatter, high * high)
             return low <= 0
         elif key == "loss":
-            known = self.loss or (-inf, inf)
-            self.loss = max(known[0], low), min(known[1], high)
+            self._narrow_loss(low, high)
         else:
             return self._narrow_mean(key, low, high)
         return True
+
+    def _narrow_loss(self, low: float, high: float) -> None:
+        least, most = self.loss or (-inf, inf)
+        self.loss = max(least, low), min(most, high)
 
     def _narrow_rate(self, low: float, high: float) -> None:
         self.slow, self.fast = max(self.slow, low), min(self.fast, high)

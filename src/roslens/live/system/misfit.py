@@ -15,7 +15,8 @@ MOST_PAIRS = 100
 """Of one topic and one reason, which are told."""
 
 _Kind = tuple[str, str, "Qos | None"]
-_Groups = dict[_Kind, dict[str, Endpoint]]
+_Nodes = dict[str, Endpoint]
+_Groups = dict[_Kind, _Nodes]
 
 
 def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
@@ -30,15 +31,22 @@ def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
             groups = by_topic.setdefault(endpoint.name, ({}, {}))[endpoint.role is Role.SUBSCRIPTION]
             groups.setdefault((endpoint.type, endpoint.hash, endpoint.qos), {}).setdefault(endpoint.node, endpoint)
     for topic, (publishers, subscriptions) in sorted(by_topic.items()):
-        told = set()
+        reported = set()
         for sending, receiving in product(publishers.values(), subscriptions.values()):
-            if _misfit(topic, *(next(iter(group.values())) for group in (sending, receiving))) is None:
-                continue
-            for publisher, subscription in islice(product(sending.values(), receiving.values()), MOST_PAIRS):
-                failure = _misfit(topic, publisher, subscription)
-                if failure is not None and failure not in told:
-                    told.add(failure)
+            for failure in _misfits_between(topic, sending, receiving):
+                if failure not in reported:
+                    reported.add(failure)
                     yield failure
+
+
+def _misfits_between(topic: str, sending: _Nodes, receiving: _Nodes) -> Iterator[Failure]:
+    """Yield the misfits of a kind of publishers and a kind of subscriptions: of all their pairs, or of none."""
+    if _misfit(topic, *(next(iter(group.values())) for group in (sending, receiving))) is None:
+        return
+    for publisher, subscription in islice(product(sending.values(), receiving.values()), MOST_PAIRS):
+        failure = _misfit(topic, publisher, subscription)
+        if failure is not None:
+            yield failure
 
 
 def misfits_by_topic(endpoints: Iterable[Endpoint]) -> dict[str, int]:

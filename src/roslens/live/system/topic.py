@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.live.standing.measured import Measured
 from roslens.live.system.connection import Connection
@@ -86,18 +86,11 @@ class Topic(Measured):
         if len(groups) == 1:
             (group,) = groups.values()
             if len(group) == 1:
-                window = group[0].best(at)
-                return [(group[0], window)] if window else []
+                return _best(group, at)
         named = [group for publisher, group in sorted(groups.items()) if publisher]
         found: list[tuple[Connection, Window]] = []
         for group in named or groups.values():
-            if len(group) == 1:
-                window = group[0].best(at)
-                found += [(group[0], window)] if window else []
-                continue
-            seen = [(one, window) for one in group if (window := one.best(at))]
-            if seen:
-                found.append(min(seen, key=_quality))
+            found += _best(group, at)
         if len(found) == 1:
             return found
         there = [(one, window) for one, window in found if not one.left]
@@ -151,6 +144,12 @@ class Topic(Measured):
 
 def _ends(connection: Connection) -> tuple[str, str]:
     return connection.publisher, connection.subscriber
+
+
+def _best(group: Sequence[Connection], at: int) -> list[tuple[Connection, Window]]:
+    """Return where the traffic of a publisher is seen best, if it is seen at all."""
+    seen = [(one, window) for one in group if (window := one.best(at))]
+    return [min(seen, key=_quality)] if len(seen) > 1 else seen
 
 
 def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, float]:

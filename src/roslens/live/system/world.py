@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
+import msgspec
+
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.presence import Key
 from roslens.live.standing.rulebook import Facts
@@ -196,46 +198,46 @@ class World:
 
     def take_graph(self, graph: Graph, now: float) -> Iterator[Connection | Topic | Sampled]:
         """Replace the graph; yield every entity of which something else is known than before."""
-        publishers: dict[str, set[str]] = {}
-        subscribers: dict[str, set[str]] = {}
-        types: dict[str, set[str]] = {}
-        self.published, self.subscribed = {}, {}
-        for end in graph.endpoints:
-            if not end.name:
-                continue
-            if end.role is Role.PUBLISHER:
-                publishers.setdefault(end.name, set()).add(end.node)
-                self.published.setdefault(end.node, set()).add(end.name)
-            elif end.role is Role.SUBSCRIPTION:
-                subscribers.setdefault(end.name, set()).add(end.node)
-                self.subscribed.setdefault(end.node, set()).add(end.name)
-            else:
-                continue
-            if end.type:
-                types.setdefault(end.name, set()).add(end.type)
+        ends = self._ends_of(graph)
         self.graph = graph
         self._take_servers(graph)
         moved = self._take_hosts(graph)
         misfits = misfits_by_topic(graph.endpoints) if graph.generation != "ros1" else {}
-        for name in sorted({*publishers, *subscribers} - self.topics.keys()):
+        for name in sorted(ends.keys() - self.topics.keys()):
             if self.full:
                 self.refused += 1
                 break
             self.topic(name, now)
         for topic in self.topics.values():
-            ends = frozenset(publishers.get(topic.name, ())), frozenset(subscribers.get(topic.name, ()))
+            of_topic = ends.get(topic.name, _NOBODY)
             before, topic.misfits = topic.misfits, misfits.get(topic.name)
-            if (
-                _take_ends(topic, *ends, frozenset(types.get(topic.name, ())))
-                or moved & ends[0]
-                or before != topic.misfits
-            ):
+            if _take_ends(topic, of_topic) or moved & of_topic.publishers or before != topic.misfits:
                 yield topic
                 yield from chain.from_iterable(topic.connections.values())
         for sampled in self.sampled.values():
             if sampled.id.kind is EntityKind.NODE and sampled.id.name in moved:
                 sampled.host = self.host_of(sampled.id.name)
                 yield sampled
+
+    def _ends_of(self, graph: Graph) -> dict[str, _Ends]:
+        """Return who publishes and subscribes to each topic, and keep the same by nodes."""
+        self.published, self.subscribed = {}, {}
+        found: dict[str, _Ends] = {}
+        for end in graph.endpoints:
+            if not end.name or end.role not in _OF_TOPICS:
+                continue
+            ends = found.get(end.name)
+            if ends is None:
+                ends = found[end.name] = _Ends(set(), set(), set())
+            if end.role is Role.PUBLISHER:
+                ends.publishers.add(end.node)
+                self.published.setdefault(end.node, set()).add(end.name)
+            else:
+                ends.subscribers.add(end.node)
+                self.subscribed.setdefault(end.node, set()).add(end.name)
+            if end.type:
+                ends.types.add(end.type)
+        return found
 
     def _take_servers(self, graph: Graph) -> None:
         """Note who serves; what a service depended on that nobody serves any more is who did."""
@@ -336,8 +338,21 @@ class World:
         return []
 
 
-def _take_ends(topic: Topic, publishers: frozenset[str], subscribers: frozenset[str], types: frozenset[str]) -> bool:
+class _Ends(msgspec.Struct):
+    """Who is on a topic, and with which types."""
+
+    publishers: set[str]
+    subscribers: set[str]
+    types: set[str]
+
+
+_OF_TOPICS = (Role.PUBLISHER, Role.SUBSCRIPTION)
+_NOBODY = _Ends(set(), set(), set())
+
+
+def _take_ends(topic: Topic, ends: _Ends) -> bool:
     """Note who is on a topic; return whether that is something else than before."""
+    publishers, subscribers, types = frozenset(ends.publishers), frozenset(ends.subscribers), frozenset(ends.types)
     known = bool(publishers or subscribers)
     if (topic.publishers, topic.subscribers, topic.types, topic.known) == (publishers, subscribers, types, known):
         return False

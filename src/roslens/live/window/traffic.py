@@ -161,22 +161,44 @@ def _per_second(total: float, bucket: Bucket) -> float | None:
 
 def _single(bucket: Bucket, key: str) -> float | None:
     """Return the value of one tally."""
-    if key == "rate":
-        return _per_second(bucket.count, bucket)
-    if key == "bandwidth":
-        return _per_second(bucket.bytes, bucket) if bucket.sized or not bucket.count else None
-    if key == "message_size":
-        return bucket.bytes / bucket.sized if bucket.sized else None
-    if key == "loss":
-        sent = bucket.lost + bucket.losable
-        return 100 * bucket.lost / sent if bucket.losses_counted and sent else None
-    if key == "largest_gap":
-        return bucket.gap if bucket.gap >= 0 else None
+    plain = _OF_ONE.get(key)
+    if plain is not None:
+        return plain(bucket)
     field, _, greatest = key.partition("_")
     moments: Moments = getattr(bucket, "period" if field == "jitter" else field)
     if greatest:
         return moments.greatest if moments.count else None
     return moments.deviation if field == "jitter" else moments.mean
+
+
+def _rate_of_one(bucket: Bucket) -> float | None:
+    return _per_second(bucket.count, bucket)
+
+
+def _bandwidth_of_one(bucket: Bucket) -> float | None:
+    return _per_second(bucket.bytes, bucket) if bucket.sized or not bucket.count else None
+
+
+def _size_of_one(bucket: Bucket) -> float | None:
+    return bucket.bytes / bucket.sized if bucket.sized else None
+
+
+def _loss_of_one(bucket: Bucket) -> float | None:
+    sent = bucket.lost + bucket.losable
+    return 100 * bucket.lost / sent if bucket.losses_counted and sent else None
+
+
+def _gap_of_one(bucket: Bucket) -> float | None:
+    return bucket.gap if bucket.gap >= 0 else None
+
+
+_OF_ONE: dict[str, Callable[[Bucket], float | None]] = {
+    "rate": _rate_of_one,
+    "bandwidth": _bandwidth_of_one,
+    "message_size": _size_of_one,
+    "loss": _loss_of_one,
+    "largest_gap": _gap_of_one,
+}
 
 
 def percentile(values: Sequence[float], share: float) -> float | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bz2
+from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
@@ -49,35 +50,44 @@ def unpack_start(content: bytes, compression: str, size: int) -> tuple[bytes, st
     """Return what can be unpacked from the start of the content, and why it ends early where it does."""
     if compression in {"", "none"}:
         return content, ""
-    if size > LARGEST:
-        return b"", f"a chunk that says it has {size:,} bytes, more than {LARGEST:,}"
-    if size > most_unpacked(len(content)):
-        return (
-            b"",
-            f"{len(content):,} bytes of {compression} that claim to be {size:,}, more than {RATIO:,} times as many",
-        )
-    if compression == "lz4" and size > _LZ4_RATIO * len(content) + _SLACK:
-        return b"", f"{len(content):,} bytes of lz4 that claim to be {size:,}"
+    if why := _unbelievable(len(content), compression, size):
+        return b"", why
     unpack = _unpackers().get(compression)
     if unpack is None:
         return b"", f'chunks compressed with "{compression}", which is not known'
     found = bytearray()
-    rest = content
     try:
-        while rest and len(found) < size:
-            one = unpack()
-            piece = one.decompress(rest, size - len(found))
-            while piece:
-                found += piece
-                piece = one.decompress(b"", size - len(found)) if not one.eof and len(found) < size else b""
-            if not one.eof:
-                break
-            rest = one.unused_data or b""
+        _unpack_into(found, content, unpack, size)
     except ImportError as error:
         return b"", f"a chunk compressed with {compression}, and no {error.name} to unpack it"
     except Exception as error:  # noqa: BLE001 - each library has errors of its own
         return bytes(found), f"a chunk that cannot be unpacked: {error}"
     return bytes(found), ""
+
+
+def _unbelievable(packed: int, compression: str, size: int) -> str:
+    """Return why so many bytes cannot come of so many packed ones; empty where they can."""
+    if size > LARGEST:
+        return f"a chunk that says it has {size:,} bytes, more than {LARGEST:,}"
+    if size > most_unpacked(packed):
+        return f"{packed:,} bytes of {compression} that claim to be {size:,}, more than {RATIO:,} times as many"
+    if compression == "lz4" and size > _LZ4_RATIO * packed + _SLACK:
+        return f"{packed:,} bytes of lz4 that claim to be {size:,}"
+    return ""
+
+
+def _unpack_into(found: bytearray, content: bytes, unpack: Callable[[], Any], size: int) -> None:
+    """Unpack streams that follow each other until there are ``size`` bytes, or one is not complete."""
+    rest = content
+    while rest and len(found) < size:
+        one = unpack()
+        piece = one.decompress(rest, size - len(found))
+        while piece:
+            found += piece
+            piece = one.decompress(b"", size - len(found)) if not one.eof and len(found) < size else b""
+        if not one.eof:
+            return
+        rest = one.unused_data or b""
 
 
 def _unpackers() -> dict[str, Any]:

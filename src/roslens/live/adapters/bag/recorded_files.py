@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -63,18 +63,9 @@ def _files_of(path: Path, failures: FailureLog) -> RecordedFiles:
 def _folder(folder: Path, failures: FailureLog) -> RecordedFiles:
     there = sorted((file for file in folder.iterdir() if file.name.endswith(_SUFFIXES)), key=_natural)
     information = _information(folder / _METADATA, failures)
-    packed = sorted(file.name for file in folder.iterdir() if file.name.endswith(_PACKED))
-    named = []
-    for entry in information.get("relative_file_paths") or []:
-        file = _within(folder, str(entry))
-        if file.suffix in {".zstd", ".lz4"}:
-            file = file.with_suffix("") if file.with_suffix("").is_file() else file
-        if file.is_file():
-            named.append(file)
-        else:
-            what = f'"{entry}", which {_METADATA} names, is not there'
-            failures.add(folder / _METADATA, what, advice="The other files are read.")
+    named = _named(folder, information.get("relative_file_paths") or [], failures)
     if not named and not there:
+        packed = sorted(file.name for file in folder.iterdir() if file.name.endswith(_PACKED))
         if packed:
             raise UsageError(
                 f'"{folder}" holds "{packed[0]}", packed as a whole', expected=_EXPECTED, advice="Unpack it: zstd -d."
@@ -83,6 +74,21 @@ def _folder(folder: Path, failures: FailureLog) -> RecordedFiles:
     mode = str(information.get("compression_mode") or "").lower()
     kind = str(information.get("compression_format") or "").lower()
     return RecordedFiles(named or there, kind if mode == "message" else "")
+
+
+def _named(folder: Path, entries: Iterable[object], failures: FailureLog) -> list[Path]:
+    """Return the files that the metadata name and that are there, unpacked where they are so."""
+    named = []
+    for entry in entries:
+        file = _within(folder, str(entry))
+        if file.suffix in {".zstd", ".lz4"}:
+            file = file.with_suffix("") if file.with_suffix("").is_file() else file
+        if file.is_file():
+            named.append(file)
+        else:
+            what = f'"{entry}", which {_METADATA} names, is not there'
+            failures.add(folder / _METADATA, what, advice="The other files are read.")
+    return named
 
 
 def _within(folder: Path, entry: str) -> Path:

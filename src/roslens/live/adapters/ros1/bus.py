@@ -5,7 +5,7 @@ What the counters do not tell stays empty: there are no instants of messages, th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import msgspec
 
@@ -63,6 +63,13 @@ def grown(before: int, after: int, wraps: bool) -> int | None:
     return after - before if after >= before else None
 
 
+def _key(node: str, counter: Counter, peer: str, homes: Mapping[str, str]) -> _Key:
+    """Return the topic, the publisher and the subscriber of a connection that a node counts."""
+    if counter.sends:
+        return counter.topic, node, peer
+    return counter.topic, homes.get(peer.rstrip("/"), ""), node
+
+
 class Bus:
     """Turns readings into tallies.
 
@@ -90,21 +97,22 @@ class Bus:
         received: dict[_Key, list[Stretch]] = {}
         sent: dict[_Key, list[Stretch]] = {}
         for reading in readings:
-            before = self._before.get(reading.node, {})
-            self._before[reading.node] = {}
-            peers = {(link.id, link.topic, link.sends): link.peer for link in reading.links}
-            for counter in reading.stats.counters:
-                peer = peers.get((counter.id, counter.topic, counter.sends))
-                if peer is None:
-                    continue
-                stretch = self._stretch(reading, counter, before)
-                if counter.sends:
-                    key = (counter.topic, reading.node, peer)
-                else:
-                    key = (counter.topic, homes.get(peer.rstrip("/"), ""), reading.node)
-                if stretch and not (self._hides(key[1]) or self._hides(key[2])):
+            for counter, peer, stretch in self._stretches(reading):
+                key = _key(reading.node, counter, peer, homes)
+                if not (self._hides(key[1]) or self._hides(key[2])):
                     (sent if counter.sends else received).setdefault(key, []).append(stretch)
         return [self._tally(key, received.get(key) or sent[key]) for key in sorted(received.keys() | sent.keys())]
+
+    def _stretches(self, reading: Reading) -> Iterator[tuple[Counter, str, Stretch]]:
+        """Yield what each connection of a node carried since its reading before, with its peer."""
+        before = self._before.get(reading.node, {})
+        self._before[reading.node] = {}
+        peers = {(link.id, link.topic, link.sends): link.peer for link in reading.links}
+        for counter in reading.stats.counters:
+            peer = peers.get((counter.id, counter.topic, counter.sends))
+            stretch = self._stretch(reading, counter, before) if peer is not None else None
+            if peer is not None and stretch:
+                yield counter, peer, stretch
 
     def _hides(self, node: str) -> bool:
         return node in self._hidden or is_observer(node)

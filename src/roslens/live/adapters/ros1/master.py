@@ -35,14 +35,7 @@ def read_registrations(value: Any, oddities: Oddities) -> Registrations:
         return ()
     pairs: set[tuple[str, str]] = set()
     for entry in value:
-        if not (isinstance(entry, list) and len(entry) == 2 and isinstance(entry[1], list)):
-            oddities.add("the registration", entry, "[name, [node, ...]]")
-            continue
-        name, nodes = entry
-        if not sound_name(name):
-            oddities.add("the name", name, "a printable name of at most 1,024 characters")
-            continue
-        for node in nodes:
+        for name, node in _registered(entry, oddities):
             if len(pairs) >= MOST_ENTRIES:
                 oddities.add("registrations after the first 100,000, beginning with", node, "fewer")
                 return tuple(sorted(pairs))
@@ -51,6 +44,18 @@ def read_registrations(value: Any, oddities: Oddities) -> Registrations:
             else:
                 oddities.add("the name of a node", node, "a printable name of at most 1,024 characters")
     return tuple(sorted(pairs))
+
+
+def _registered(entry: Any, oddities: Oddities) -> list[tuple[str, Any]]:
+    """Return the pairs of an entry ``[name, [node, …]]``; none, and a note, where it is not of this form."""
+    if not (isinstance(entry, list) and len(entry) == 2 and isinstance(entry[1], list)):
+        oddities.add("the registration", entry, "[name, [node, ...]]")
+        return []
+    name, nodes = entry
+    if not sound_name(name):
+        oddities.add("the name", name, "a printable name of at most 1,024 characters")
+        return []
+    return [(name, node) for node in nodes]
 
 
 def read_state(value: Any, source: str) -> SystemState:

@@ -152,18 +152,23 @@ class Observation:
             self._part(name)
         for name in names:
             contact = self._contacts.get(name)
-            if not (contact is None or name in moved or self._may_be_back(contact)):
-                continue
-            try:
-                uri = self._follower.home(name, fresh=contact is not None)
-            except CallError as error:
-                if error.trouble is not Trouble.DENIED:  # denied: it unregistered just now
-                    failures.append(Failure("ros1", str(error), "the URI of its API", entity=f"node:{name}"))
-                continue
-            if contact is None or contact.uri != uri:
-                self._part(name)
-                self._contacts[name] = Contact(name, uri, self._caller, self._resolver, self._hostname, self._wait_s)
+            if contact is None or name in moved or self._may_be_back(contact):
+                failures += self._contact(name)
         return failures
+
+    def _contact(self, name: str) -> list[Failure]:
+        """Ask where a node is, and get into contact with it unless it is there already."""
+        contact = self._contacts.get(name)
+        try:
+            uri = self._follower.home(name, fresh=contact is not None)
+        except CallError as error:
+            if error.trouble is Trouble.DENIED:  # it unregistered just now
+                return []
+            return [Failure("ros1", str(error), "the URI of its API", entity=f"node:{name}")]
+        if contact is None or contact.uri != uri:
+            self._part(name)
+            self._contacts[name] = Contact(name, uri, self._caller, self._resolver, self._hostname, self._wait_s)
+        return []
 
     def _may_be_back(self, contact: Contact) -> bool:
         return contact.dead and (contact.refusals <= _SEEK_AT_ONCE or self._rounds % _SEEK_DEAD == 0)

@@ -80,12 +80,7 @@ def _filled(kind: Any, fields: Any, stamp: tuple[int, int], place: str, depth: i
 
 def _value(type_: str, value: Any, stamp: tuple[int, int], place: str, depth: int) -> Any:
     if found := _SEQUENCE.match(type_):
-        of = found["of"] or found["fixed"]
-        if of in ("octet", "uint8") and isinstance(value, (bytes, bytearray)):
-            return [bytes([one]) for one in value] if of == "octet" else value
-        if not isinstance(value, (list, tuple)):
-            raise ActionError(f"{place} is {str(value)[:60]!r}", expected="a list")
-        return [_value(of, one, stamp, f"{place}[{index}]", depth) for index, one in enumerate(value)]
+        return _values(found["of"] or found["fixed"], value, stamp, place, depth)
     if "/" in type_:
         package, _, name = type_.partition("/")
         return _filled(interface(f"{package}/{name}", "msg"), value, stamp, place, depth)
@@ -96,6 +91,14 @@ def _value(type_: str, value: Any, stamp: tuple[int, int], place: str, depth: in
     if type_ == "boolean" and not isinstance(value, bool):
         raise ActionError(f"{place} is {str(value)[:60]!r}", expected="true or false")
     return value
+
+
+def _values(of: str, value: Any, stamp: tuple[int, int], place: str, depth: int) -> Any:
+    if of in ("octet", "uint8") and isinstance(value, (bytes, bytearray)):
+        return [bytes([one]) for one in value] if of == "octet" else value
+    if not isinstance(value, (list, tuple)):
+        raise ActionError(f"{place} is {str(value)[:60]!r}", expected="a list")
+    return [_value(of, one, stamp, f"{place}[{index}]", depth) for index, one in enumerate(value)]
 
 
 def _stamp(message: Any, types: Mapping[str, str], fields: Mapping[str, Any], stamp: tuple[int, int]) -> None:

@@ -50,15 +50,17 @@ def _with_bits(bits: int, proc: Path) -> Iterator[int]:
             status = (entry / "status").read_text("utf-8", "replace")
         except OSError:
             continue
-        for line in status.splitlines():
-            # The last of the numbers is the one of the innermost namespace, which the process itself sees.
-            if line.startswith("NSpid:"):
-                if int(line.split()[-1]) & _BITS == bits:
-                    yield int(entry.name)
-                break
-        else:
-            if int(entry.name) & _BITS == bits:
-                yield int(entry.name)
+        if _innermost(status, int(entry.name)) & _BITS == bits:
+            yield int(entry.name)
+
+
+def _innermost(status: str, pid: int) -> int:
+    """Return the number that a process has for itself; ``pid`` where its status does not say."""
+    for line in status.splitlines():
+        # The last of the numbers is the one of the innermost namespace, which the process itself sees.
+        if line.startswith("NSpid:"):
+            return int(line.split()[-1])
+    return pid
 
 
 def _has_middleware(folder: Path) -> bool:

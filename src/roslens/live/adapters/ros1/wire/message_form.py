@@ -172,10 +172,7 @@ class MessageForms:
             out += _base(of[0], value, place)
         else:
             item, size = of
-            values = [None] * size if value is None and kind is Nodetype.ARRAY else [] if value is None else value
-            if not isinstance(values, (list, tuple)) or (kind is Nodetype.ARRAY and len(values) != size):
-                expected = f"a list of {size}" if kind is Nodetype.ARRAY else "a list"
-                raise ActionError(f"{place} is {str(value)[:60]!r}", expected=expected)
+            values = _items(value, size if kind is Nodetype.ARRAY else None, place)
             if kind is Nodetype.SEQUENCE:
                 out += len(values).to_bytes(4, "little")
             for number, one in enumerate(values):
@@ -218,6 +215,16 @@ class MessageForms:
             one, at = self._unpack(item, body, at)
             values.append(one)
         return values, at
+
+
+def _items(value: Any, size: int | None, place: str) -> Sequence[Any]:
+    """Return the values of a list, which has to be ``size`` long where that is fixed."""
+    if value is None:
+        return [None] * (size or 0)
+    if not isinstance(value, (list, tuple)) or (size is not None and len(value) != size):
+        expected = "a list" if size is None else f"a list of {size}"
+        raise ActionError(f"{place} is {str(value)[:60]!r}", expected=expected)
+    return value
 
 
 def _base(type_: str, value: Any, place: str) -> bytes:

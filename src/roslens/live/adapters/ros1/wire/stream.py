@@ -75,8 +75,8 @@ class Stream:
             TcprosError: the stream is none of TCPROS.
         """
         found = Drained()
-        for _ in range(_AT_ONCE):
-            try:
+        try:
+            for _ in range(_AT_ONCE):
                 if self._taps and self._reader.left > _BIG:
                     size = min(self._reader.left, len(self._waste))
                     got = self.line.recv_into(self._waste, size, socket.MSG_TRUNC)
@@ -85,18 +85,18 @@ class Stream:
                 else:
                     piece = self.line.recv(self._piece)
                     got = len(piece)
-            except BlockingIOError:
-                break
-            except OSError:
-                got = 0
-            if not got:
-                found.open = False
-                break
-            found.bytes += got
-            if piece:
-                found.messages += self._heads(self._reader.feed(piece), clock())
-                if got < self._piece and not self._reader.left:
+                if not got:
+                    found.open = False
                     break
+                found.bytes += got
+                if piece:
+                    found.messages += self._heads(self._reader.feed(piece), clock())
+                    if got < self._piece and not self._reader.left:
+                        break
+        except BlockingIOError:
+            pass
+        except OSError:
+            found.open = False
         return found
 
     def _heads(self, begun: list[tuple[int, bytes]], now: float) -> int:

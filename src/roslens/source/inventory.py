@@ -54,15 +54,11 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
         for entry in found.files:
             stat = known.get(entry.path)
             if stat is None or not _unchanged(stat, entry, rules):
-                try:
-                    stat = _look_into(Path(workspace.root), entry, settings, rules)
-                except TooLargeError as error:
-                    failures.append(_too_large(found, entry, settings, error))
+                looked = _looked_into(workspace.root, found, entry, settings, rules)
+                if isinstance(looked, Failure):
+                    failures.append(looked)
                     continue
-                except OSError as error:
-                    failures.append(_unreadable(found, entry, error))
-                    continue
-                learned[entry.path] = stat
+                stat = learned[entry.path] = looked
             if stat.language == Language.OTHER.value:
                 unnamed.append(entry.path)
                 continue
@@ -70,6 +66,18 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
         others[found.package.id] = tuple(unnamed)
         files[found.package.id] = _with_headers(_with_vendored(found, kept, settings))
     return Inventory(files, tuple(failures), learned, others)
+
+
+def _looked_into(
+    root: str, found: FoundPackage, entry: FoundFile, settings: WorkspaceSettings, rules: str
+) -> FileStat | Failure:
+    """Return what a file is, or why that cannot be said."""
+    try:
+        return _look_into(Path(root), entry, settings, rules)
+    except TooLargeError as error:
+        return _too_large(found, entry, settings, error)
+    except OSError as error:
+        return _unreadable(found, entry, error)
 
 
 def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:

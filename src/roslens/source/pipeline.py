@@ -7,7 +7,7 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from roslens.model.finding import Finding
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.source import SourceFile
+    from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
     from roslens.source.measure.finished_package import FinishedPackage, Finishing
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
+    from roslens.store.writing.write import RunWriter
 
 
 KEPT_RUNS = 50
@@ -118,13 +120,7 @@ def analyse(
         names = [found.package.id for found in workspace.packages]
         left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
     plugins = discover_plugins(settings, base, log)
-    if settings.options:
-        check_options(manifests_of(settings, plugins), settings.options)
-    if settings.rules != RuleSettings():
-        from roslens.source.rules.selection import check_rule_settings
-        from roslens.source.rules.table import native_rules
-
-        check_rule_settings(settings.rules, native_rules())
+    _check_settings(settings, plugins)
     shaping = shaping_key(settings, base, plugins)
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
@@ -193,6 +189,31 @@ def analyse(
     )
 
 
+def _check_settings(settings: SourceSettings, plugins: Discovered) -> None:
+    """Tell of options of plug-ins, and of settings of rules, that there are not."""
+    if settings.options:
+        check_options(manifests_of(settings, plugins), settings.options)
+    if settings.rules != RuleSettings():
+        from roslens.source.rules.selection import check_rule_settings
+        from roslens.source.rules.table import native_rules
+
+        check_rule_settings(settings.rules, native_rules())
+
+
+def _reused(run: Run, store: Store, writer: RunWriter, fresh: Collection[str]) -> set[str]:
+    """Take over the packages that are as they were; return the rules that tools broke in them."""
+    seen: set[str] = set()
+    for found in run.workspace.packages:
+        unit = run.units[found.package.id]
+        if found.package.id in fresh:
+            continue
+        writer.reuse(unit)
+        summary = store.unit_summary(unit) if run.tools is not None else None
+        if summary is not None:
+            seen.update(count.rule for count in summary.rules)
+    return seen
+
+
 def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.judged_process import judged_process, not_judged
@@ -241,12 +262,7 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             key = run.key_kept(run.units[measured.package], lost=measured.lost)
             lost = lost or measured.lost
             writer.add(key, result, brief=run.revision is not None)
-        fresh = {found.package.id for found in changed}
-        for found in run.workspace.packages:
-            if found.package.id not in fresh:
-                writer.reuse(run.units[found.package.id])
-                if run.tools is not None and (summary := store.unit_summary(run.units[found.package.id])) is not None:
-                    seen.update(count.rule for count in summary.rules)
+        seen |= _reused(run, store, writer, fresh={found.package.id for found in changed})
         configurations: tuple[JudgedConfiguration, ...] = ()
         beside: tuple[Finding, ...] = ()
         if run.beyond is not None:

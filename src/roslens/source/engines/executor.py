@@ -10,10 +10,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
 from roslens.source.engines.task_engine import Executor, Result, Task
 from roslens.source.engines.task_limits import TaskLimits, run_limited
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
 
 ENGINES = ("in-process", "processes")
 """Names of engines; besides, the address of a scheduler is one."""
@@ -67,7 +71,7 @@ class ProcessPool:
         self, function: Callable[[Task], Result], tasks: Sequence[Task], lost: list[Task], left: list[Task]
     ) -> Iterator[tuple[Task, Result | BaseException]]:
         """Run tasks in one pool; where it breaks, ``lost`` gets those under way and ``left`` the others."""
-        from concurrent.futures import FIRST_COMPLETED, Future, wait
+        from concurrent.futures import FIRST_COMPLETED, wait
         from concurrent.futures.process import BrokenProcessPool
 
         from roslens.children.worker_pool import worker_pool
@@ -81,15 +85,7 @@ class ProcessPool:
             while True:
                 # A worker that an interrupt catches while it is begun is not known yet, and would not be ended.
                 with held_signals():
-                    while not broken and len(futures) < self.jobs * (1 + _AHEAD):
-                        task = next(coming, None)
-                        if task is None:
-                            break
-                        try:
-                            futures[pool.submit(limited, task)] = task
-                        except BrokenProcessPool:
-                            left.append(task)
-                            broken = True
+                    broken = broken or self._submit(partial(pool.submit, limited), coming, futures, left)
                 if not futures:
                     break
                 for future in wait(futures, return_when=FIRST_COMPLETED).done:
@@ -102,6 +98,27 @@ class ProcessPool:
                     except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
                         yield task, error
             left.extend(coming)
+
+    def _submit(
+        self,
+        submit: Callable[[Task], Future[Result]],
+        coming: Iterator[Task],
+        futures: dict[Future[Result], Task],
+        left: list[Task],
+    ) -> bool:
+        """Keep the workers of a pool busy; return whether it is broken, and ``left`` has the task that it refused."""
+        from concurrent.futures.process import BrokenProcessPool
+
+        while len(futures) < self.jobs * (1 + _AHEAD):
+            task = next(coming, None)
+            if task is None:
+                break
+            try:
+                futures[submit(task)] = task
+            except BrokenProcessPool:
+                left.append(task)
+                return True
+        return False
 
 
 def _bounds(limits: TaskLimits) -> str:

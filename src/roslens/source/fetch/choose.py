@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 
 import msgspec
@@ -27,38 +27,54 @@ def choose(
     if chosen is None and not packages and not repositories:
         whole = (one if distribution.chosen else _whole(one) for one in distribution.repositories)
         return list(whole), []
-    by_name = {one.name: one for one in distribution.repositories}
-    groups: dict[str, list[Wanted]] = {}
-    for one in distribution.repositories:
-        groups.setdefault(one.name.partition("/")[0], []).append(one)
-    picked: dict[str, tuple[str, ...] | None] = {}
-    failures: list[Failure] = []
+    choice = _Choice(distribution)
+    if chosen is not None:
+        for name, names in chosen.packages.items():
+            choice.pick(name, names or None)
+    for name in repositories:
+        choice.pick(name, None)
+    for package in packages:
+        choice.pick_package(package)
+    return choice.wanted(chosen.commits if chosen else {}), choice.failures
 
-    def pick(name: str, names: tuple[str, ...] | None) -> None:
+
+class _Choice:
+    """What was picked of a distribution so far."""
+
+    def __init__(self, distribution: Distribution) -> None:
+        self.failures: list[Failure] = []
+        self._by_name = {one.name: one for one in distribution.repositories}
+        self._groups: dict[str, list[Wanted]] = {}
+        for one in distribution.repositories:
+            self._groups.setdefault(one.name.partition("/")[0], []).append(one)
+        self._homes = {package: one.name for one in distribution.repositories for package in one.packages}
+        self._picked: dict[str, tuple[str, ...] | None] = {}
+
+    def pick(self, name: str, packages: tuple[str, ...] | None) -> None:
+        """Pick a repository, or all of a group; None for all of its packages."""
+        by_name, groups, picked = self._by_name, self._groups, self._picked
         for one in [by_name[name]] if name in by_name else groups.get(name, []):
             before = picked.get(one.name, ())
-            picked[one.name] = None if names is None or before is None else tuple(dict.fromkeys((*before, *names)))
+            whole = packages is None or before is None
+            picked[one.name] = None if whole else tuple(dict.fromkeys((*(before or ()), *(packages or ()))))
         if name not in by_name and name not in groups:
-            failures.append(_unknown("repository", name, {*by_name, *groups}))
+            self.failures.append(_unknown("repository", name, {*by_name, *groups}))
 
-    for name, names in (chosen.packages if chosen else {}).items():
-        pick(name, names or None)
-    for name in repositories:
-        pick(name, None)
-    homes = {package: one.name for one in distribution.repositories for package in one.packages}
-    for package in packages:
+    def pick_package(self, package: str) -> None:
+        """Pick a package of its repository."""
         # A repository of one package often has its name, and no release that would say so.
-        home = homes.get(package) or (package if package in by_name else "")
+        home = self._homes.get(package) or (package if package in self._by_name else "")
         if home:
-            pick(home, (package,))
+            self.pick(home, (package,))
         else:
-            failures.append(_unknown("package", package, homes))
-    commits = chosen.commits if chosen else {}
-    wanted = [
-        msgspec.structs.replace(by_name[name], packages=names or (), commits=commits.get(name, 0))
-        for name, names in sorted(picked.items())
-    ]
-    return wanted, failures
+            self.failures.append(_unknown("package", package, self._homes))
+
+    def wanted(self, commits: Mapping[str, int]) -> list[Wanted]:
+        """Return what was picked, by name; ``commits`` says how much of the history some of it needs."""
+        return [
+            msgspec.structs.replace(self._by_name[name], packages=packages or (), commits=commits.get(name, 0))
+            for name, packages in sorted(self._picked.items())
+        ]
 
 
 def _whole(wanted: Wanted) -> Wanted:

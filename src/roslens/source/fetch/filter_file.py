@@ -51,14 +51,21 @@ def filter_of(data: Mapping[str, Any], place: str) -> Filter:
         if not isinstance(facts, Mapping):
             raise _wrong(place, f"meta.{name} is no table")
         if (count := facts.get("commits")) is not None:
-            if not isinstance(count, int) or isinstance(count, bool) or count < 1:
-                raise _wrong(place, f"meta.{name}.commits is {count!r}")
-            commits[str(name)] = count
-        given = facts.get("levels") or {}
-        if not isinstance(given, Mapping) or not all(isinstance(level, int) for level in given.values()):
-            raise _wrong(place, f"meta.{name}.levels is no table of numbers")
-        levels.update((str(package), level) for package, level in given.items())
+            commits[str(name)] = _commits(count, str(name), place)
+        levels.update(_levels(facts.get("levels") or {}, str(name), place))
     return Filter(wanted, commits, levels)
+
+
+def _commits(count: object, name: str, place: str) -> int:
+    if not isinstance(count, int) or isinstance(count, bool) or count < 1:
+        raise _wrong(place, f"meta.{name}.commits is {count!r}")
+    return count
+
+
+def _levels(given: object, name: str, place: str) -> dict[str, int]:
+    if not isinstance(given, Mapping) or not all(isinstance(level, int) for level in given.values()):
+        raise _wrong(place, f"meta.{name}.levels is no table of numbers")
+    return {str(package): level for package, level in given.items()}
 
 
 def _wrong(place: str, what: str) -> UsageError:

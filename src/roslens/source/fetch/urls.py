@@ -48,13 +48,17 @@ def checked(url: str, *, files: bool) -> str:
         way = "; rewrite it to https in roslens.toml, [fetch.rewrite]" if parts.scheme == "git" else ""
         raise UrlError(f"the URL {url!r} is none of {', '.join(SCHEMES)}{way}")
     if parts.scheme == "file":
-        if not files:
-            raise UrlError(f"the URL {url!r} is a folder of this machine, in a document from elsewhere")
-        if host or not parts.path.startswith("/"):
-            raise UrlError(f"the URL {url!r} names no absolute folder of this machine")
+        _check_folder(url, host, parts.path, files=files)
     elif not host or host.startswith("-") or parts.path.startswith("/-"):
         raise UrlError(f"the URL {url!r} names no host")
     return url
+
+
+def _check_folder(url: str, host: str, path: str, *, files: bool) -> None:
+    if not files:
+        raise UrlError(f"the URL {url!r} is a folder of this machine, in a document from elsewhere")
+    if host or not path.startswith("/"):
+        raise UrlError(f"the URL {url!r} names no absolute folder of this machine")
 
 
 def is_local(url: str) -> bool:

@@ -108,32 +108,34 @@ class ForgeClient:
         """Ask until there is an answer, a few times."""
         said = ""
         for turn in range(TRIES):
-            last = turn == TRIES - 1
             try:
                 status, headers, body = self._once(url, kept)
             except OSError as error:
-                said = str(error)
-                if not last:
-                    self._sleep(2.0**turn)
-                continue
-            if status in (200, 304):
-                return status, headers, body
-            said = f"answers {status}"
-            if status == 429 or (status == 403 and _is_limit(headers)):
-                wait = self._wait(headers)
-                if wait > LONGEST_WAIT_S:
-                    raise ForgeError(
-                        f"{url} answers {status}: its limit of questions is reached for {wait:.0f} s more",
-                        self._advice(),
-                    )
-                if not last:
-                    self._sleep(wait)
-            elif status in _FAULTS:
-                if not last:
-                    self._sleep(2.0**turn)
+                said, wait = str(error), 2.0**turn
             else:
-                raise _refused(url, status, body, self._advice(), has_token=bool(self._token))
+                if status in (200, 304):
+                    return status, headers, body
+                said, wait = f"answers {status}", self._pause(url, status, headers, body, turn)
+            if turn < TRIES - 1:
+                self._sleep(wait)
         raise ForgeError(f"{url} {said}, {TRIES} times", "Try again later; what was answered is not asked again")
+
+    def _pause(self, url: str, status: int, headers: Mapping[str, str], body: bytes, turn: int) -> float:
+        """Return for how many seconds to wait after an answer that is none.
+
+        Raises:
+            ForgeError: it would be too long, or to ask again would not help.
+        """
+        if status == 429 or (status == 403 and _is_limit(headers)):
+            wait = self._wait(headers)
+            if wait > LONGEST_WAIT_S:
+                raise ForgeError(
+                    f"{url} answers {status}: its limit of questions is reached for {wait:.0f} s more", self._advice()
+                )
+            return wait
+        if status in _FAULTS:
+            return 2.0**turn
+        raise _refused(url, status, body, self._advice(), has_token=bool(self._token))
 
     def _once(self, url: str, kept: Answer | None) -> tuple[int, Mapping[str, str], bytes]:
         import httpx

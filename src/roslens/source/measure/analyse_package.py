@@ -193,29 +193,43 @@ def _analyses(
             yield file, one.analysis
             continue
         blob = known.get(key)
-        wanted = task.program_keys.get(file.path)
-        if wanted in lowered:
-            wanted = None
-        if blob is not None and wanted is None:
+        program = _program_to_make(task, file, lowered)
+        if blob is not None and program is None:
             yield file, decoder.decode(blob)
             continue
-        try:
-            text = task.texts.get(file.path)
-            content = read_bounded(f"{task.root}/{file.path}") if text is None else text
-            with time_budget(SOURCE_FILE_S):
-                parsed = parse_file(content, file.language, task.macros)
-                analysis = analyse_parsed(content, parsed, task.wanted) if blob is None else decoder.decode(blob)
-        except OverBudgetError as error:
-            failures.append(over_budget(file, error, package=task.package.id))
+        looked = _looked_at(task, file, blob, decoder)
+        if isinstance(looked, Failure):
+            failures.append(looked)
             continue
-        except Exception as error:  # noqa: BLE001 - a file that breaks the parser must not lose its package
-            failures.append(_broken(file, task.package, error))
-            continue
+        parsed, analysis = looked
         if blob is None:
             new[key] = encoder.encode(analysis)
-        if wanted is not None:
-            _lower(parsed, wanted, new)
+        if program is not None:
+            _lower(parsed, program, new)
         yield file, analysis
+
+
+def _program_to_make(task: PackageTask, file: SourceFile, lowered: frozenset[str]) -> str | None:
+    """Return the key under which the program of a file is wanted and not there yet."""
+    key = task.program_keys.get(file.path)
+    return None if key in lowered else key
+
+
+def _looked_at(
+    task: PackageTask, file: SourceFile, blob: bytes | None, decoder: msgspec.msgpack.Decoder[FileAnalysis]
+) -> tuple[ParsedFile, FileAnalysis] | Failure:
+    """Parse a file, and analyse it unless ``blob`` holds what that gave; what breaks it must not lose its package."""
+    try:
+        text = task.texts.get(file.path)
+        content = read_bounded(f"{task.root}/{file.path}") if text is None else text
+        with time_budget(SOURCE_FILE_S):
+            parsed = parse_file(content, file.language, task.macros)
+            analysis = analyse_parsed(content, parsed, task.wanted) if blob is None else decoder.decode(blob)
+            return parsed, analysis
+    except OverBudgetError as error:
+        return over_budget(file, error, package=task.package.id)
+    except Exception as error:  # noqa: BLE001 - whatever it is, it is this file's
+        return _broken(file, task.package, error)
 
 
 def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:

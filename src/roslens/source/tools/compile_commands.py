@@ -78,21 +78,23 @@ def harmless(entry: Command, file: str) -> Command:
 
 
 def _kept(words: Sequence[str]) -> Iterator[str]:
-    rest = iter(range(len(words)))
-    for at in rest:
-        word = words[at]
-        follower = words[at + 1] if at + 1 < len(words) else ""
-        if at and word == "-Xclang" and follower.startswith(LOADS):
-            next(rest)
-            # What it loads, or the option of a plug-in, comes as a second pair.
-            if at + 3 < len(words) and words[at + 2] == "-Xclang":
-                next(rest, None)
-                next(rest, None)
-        elif at and word.startswith(LOADS):
-            if word in LOADS and word != "@":
-                next(rest, None)
-        else:
-            yield word
+    at = 0
+    while at < len(words):
+        left_out = _left_out(words, at) if at else 0
+        if not left_out:
+            yield words[at]
+        at += left_out or 1
+
+
+def _left_out(words: Sequence[str], at: int) -> int:
+    """Return how many words from one on would load something into the compiler."""
+    word, *after = words[at : at + 3]
+    if word == "-Xclang" and after and after[0].startswith(LOADS):
+        # What it loads, or the option of a plug-in, comes as a second pair.
+        return 4 if after[1:] == ["-Xclang"] and at + 3 < len(words) else 2
+    if not word.startswith(LOADS):
+        return 0
+    return 2 if word in LOADS and word != "@" else 1
 
 
 def as_json(commands: Mapping[str, Command], files: Iterable[str]) -> bytes:

@@ -92,16 +92,16 @@ def joined(findings: Iterable[Finding]) -> tuple[Finding, ...]:
                 for first, others in _join(present, by_rank, all_of_them, witnesses, gone):
                     edits[first] = next((one.edits for one in others if one.edits), edits.get(first, ()))
     return tuple(
-        msgspec.structs.replace(
-            finding,
-            witnesses=(*finding.witnesses, *witnesses[index]),
-            edits=finding.edits or edits.get(index, ()),
-        )
-        if index in witnesses
-        else finding
+        _with(finding, witnesses.get(index), edits.get(index, ()))
         for index, finding in enumerate(all_of_them)
         if index not in gone
     )
+
+
+def _with(finding: Finding, witnesses: tuple[str, ...] | None, edits: tuple[Edit, ...]) -> Finding:
+    if witnesses is None:
+        return finding
+    return msgspec.structs.replace(finding, witnesses=(*finding.witnesses, *witnesses), edits=finding.edits or edits)
 
 
 def _places(

@@ -63,17 +63,23 @@ def _leading_comments(head: bytes) -> bytes:
     at = 3 if head.startswith(b"\xef\xbb\xbf") else 0
     while at < len(head):
         start = len(head) - len(head[at:].lstrip())
-        for opening, closing in _BLOCKS:
-            if head.startswith(opening, start):
-                end = head.find(closing, start + len(opening))
-                at = len(head) if end < 0 else end + len(closing)
-                break
-        else:
-            if not head.startswith((b"#", b"//", b"%", b"--", b";"), start):
-                return head[:start]
-            end = head.find(b"\n", start)
-            at = len(head) if end < 0 else end + 1
+        end = _end_of_comment(head, start)
+        if end is None:
+            return head[:start]
+        at = end
     return head
+
+
+def _end_of_comment(head: bytes, start: int) -> int | None:
+    """Return where the comment that begins at ``start`` ends; None where none begins."""
+    for opening, closing in _BLOCKS:
+        if head.startswith(opening, start):
+            end = head.find(closing, start + len(opening))
+            return len(head) if end < 0 else end + len(closing)
+    if not head.startswith((b"#", b"//", b"%", b"--", b";"), start):
+        return None
+    end = head.find(b"\n", start)
+    return len(head) if end < 0 else end + 1
 
 
 @lru_cache(maxsize=16)

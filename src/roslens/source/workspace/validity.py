@@ -99,17 +99,9 @@ def _required(root: Element, parts: dict[str, list[Element]], *, complete: bool)
 
 def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
     for element in parts.get("name", ())[:1]:
-        if not _NAME.match(element.text()):
-            expected = "lower-case letters, digits, underscores and dashes, a letter first"
-            kind = NAME if element.text() else NAMELESS
-            yield Fault(kind, element, f'the name is "{_short(element.text())}"', expected, "Rename the package.")
+        yield from _name_faults(element)
     for element in parts.get("version", ())[:1]:
-        compatibility = element.attributes.get("compatibility")
-        for text in (element.text(), *([] if compatibility is None else [compatibility])):
-            if not _VERSION.match(text):
-                yield Fault(
-                    VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
-                )
+        yield from _version_faults(element)
     for element in parts.get("description", ())[:1]:
         if not element.markup():
             yield Fault(
@@ -118,6 +110,22 @@ def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
     for element in parts.get("license", ()):
         if not element.text():
             yield Fault(REQUIRED, element, "the licence is empty", "a name like Apache-2.0", "Name the licence.")
+
+
+def _name_faults(element: Element) -> Iterator[Fault]:
+    if not _NAME.match(element.text()):
+        expected = "lower-case letters, digits, underscores and dashes, a letter first"
+        kind = NAME if element.text() else NAMELESS
+        yield Fault(kind, element, f'the name is "{_short(element.text())}"', expected, "Rename the package.")
+
+
+def _version_faults(element: Element) -> Iterator[Fault]:
+    compatibility = element.attributes.get("compatibility")
+    for text in (element.text(), *([] if compatibility is None else [compatibility])):
+        if not _VERSION.match(text):
+            yield Fault(
+                VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
+            )
 
 
 def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import attrgetter
 from pathlib import Path
 from posixpath import basename, dirname
@@ -127,33 +127,41 @@ class _Walker:
         return self._sort_out(visit, entries, names)
 
     def _sort_out(self, visit: _Visit, entries: list[os.DirEntry[str]], names: frozenset[str]) -> list[_Visit]:
-        prefix = f"{visit.path}/" if visit.path else ""
         files = self.seen.packages[visit.owner].files
         folders: list[_Visit] = []
-        for entry in entries:
+        for entry, path in self._looked_at(visit, entries):
             name = entry.name
-            path = prefix + name
-            if name[0] == "." or (self._ignore and self._ignore.fullmatch(path)):
-                continue
-            if not name.isascii() and not self._readable_name(prefix, name):
-                continue
-            if entry.is_symlink():
+            if entry.is_file(follow_symlinks=False):
+                self._take_file(entry, path, files)
+            elif entry.is_symlink():
                 if not never_entered(name):
                     self._links.append((path, f"{visit.folder}/{name}", visit.owner, names))
             elif entry.is_dir(follow_symlinks=False):
                 if not never_entered(name):
                     folders.append(_Visit(f"{visit.folder}/{name}", path, visit.owner, names))
-            elif entry.is_file(follow_symlinks=False):
-                try:
-                    stat = entry.stat(follow_symlinks=False)
-                except OSError as error:
-                    self._fail(path, f"the file cannot be looked at, {error.strerror}", "a file that can be read")
-                    continue
-                files.append(FoundFile(path, stat.st_size, stat.st_mtime_ns, stat.st_ino))
             else:
                 self._skip(path)
         folders.reverse()
         return folders
+
+    def _looked_at(self, visit: _Visit, entries: Iterable[os.DirEntry[str]]) -> Iterator[tuple[os.DirEntry[str], str]]:
+        """Yield the entries of a folder that are neither hidden nor left out, with their paths."""
+        prefix = f"{visit.path}/" if visit.path else ""
+        for entry in entries:
+            name = entry.name
+            path = prefix + name
+            if name[0] == "." or (self._ignore and self._ignore.fullmatch(path)):
+                continue
+            if name.isascii() or self._readable_name(prefix, name):
+                yield entry, path
+
+    def _take_file(self, entry: os.DirEntry[str], path: str, files: list[FoundFile]) -> None:
+        try:
+            stat = entry.stat(follow_symlinks=False)
+        except OSError as error:
+            self._fail(path, f"the file cannot be looked at, {error.strerror}", "a file that can be read")
+            return
+        files.append(FoundFile(path, stat.st_size, stat.st_mtime_ns, stat.st_ino))
 
     def _link_to_file(self, path: str, absolute: str, target: str, owner: int, real_files: set[str]) -> None:
         if target in real_files and basename(path) != MANIFEST_NAME:

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from threading import Lock
 
 import msgspec
@@ -135,12 +135,7 @@ class ToolRunner:
                     raise ToolError(f"started {many} processes, which would go on and on")
                 if not ready and deadline <= time.monotonic():
                     raise ToolHangError(f"did not end within {time_limit_s:g} s")
-                for key, _ in ready:
-                    piece = os.read(key.fd, 1 << 16)
-                    if not piece:
-                        selector.unregister(key.fd)
-                    taken[key.fd].append(piece)
-                    size += len(piece)
+                size += _read([key.fd for key, _ in ready], selector, taken)
                 if size > self._most_bytes:
                     raise ToolError(f"printed more than {self._most_bytes:,} bytes")
         try:
@@ -164,6 +159,18 @@ def _environment(base: Mapping[str, str], *, safe_path: bool) -> dict[str, str]:
     """Return the environment of a tool: plain words without colours, in a fixed language."""
     plain = {**base, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "200"}
     return safe_environment(plain) if safe_path else plain
+
+
+def _read(descriptors: Iterable[int], selector: selectors.BaseSelector, taken: dict[int, list[bytes]]) -> int:
+    """Take what can be read, and leave what ended; return how many bytes came."""
+    size = 0
+    for descriptor in descriptors:
+        piece = os.read(descriptor, 1 << 16)
+        if not piece:
+            selector.unregister(descriptor)
+        taken[descriptor].append(piece)
+        size += len(piece)
+    return size
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

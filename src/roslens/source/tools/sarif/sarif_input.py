@@ -249,15 +249,12 @@ def tool_name(name: str) -> str:
 
 def _address(artifact: _Artifact, run: _Run) -> str | None:
     """Return the path of an artifact, absolute or relative to the workspace; None where it is no file."""
-    if artifact.uri is None and artifact.index is not None:
-        entries = run.artifacts or []
-        entry = entries[artifact.index].location if 0 <= artifact.index < len(entries) else None
-        return _address(entry, run) if entry is not None and entry.uri is not None else None
-    if artifact.uri is None:
+    named = artifact if artifact.uri is not None else _entry(artifact.index, run)
+    if named is None or named.uri is None:
         return None
-    path = _path_of(artifact.uri)
+    path = _path_of(named.uri)
     bases = run.original_uri_base_ids or {}
-    base = artifact.uri_base_id
+    base = named.uri_base_id
     for _ in range(10):
         if path is None or path.startswith("/") or base is None or base not in bases:
             break
@@ -265,6 +262,12 @@ def _address(artifact: _Artifact, run: _Run) -> str | None:
         path = f"{above.rstrip('/')}/{path}" if above else path
         base = bases[base].uri_base_id
     return path
+
+
+def _entry(index: int | None, run: _Run) -> _Artifact | None:
+    """Return the artifact that a run lists under an index."""
+    entries = run.artifacts or []
+    return entries[index].location if index is not None and 0 <= index < len(entries) else None
 
 
 def _path_of(uri: str) -> str | None:

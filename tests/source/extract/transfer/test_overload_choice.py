@@ -4,7 +4,7 @@ from roslens.source.extract.domain.abstract_value import Handle, NodeBuilder, Ob
 from roslens.source.extract.interpreter.vocabulary_index import indexed
 from roslens.source.extract.ir.program import Function, Literal, Parameter
 from roslens.source.extract.symbolic.text import Text
-from roslens.source.extract.symbols.symbol_table import Defined
+from roslens.source.extract.symbols.symbol_table import DefinedFunction
 from roslens.source.extract.transfer.overload_choice import overload, taking
 
 INDEX = indexed({})
@@ -17,7 +17,7 @@ def function(*types, defaults=0, body=()):
         Parameter(f"p{place}", one, Literal("") if place >= len(types) - defaults else None)
         for place, one in enumerate(types)
     ]
-    return Defined("a.cpp", Function("f", "f", 1, parameters=tuple(parameters), body=body))
+    return DefinedFunction("a.cpp", Function("f", "f", 1, parameters=tuple(parameters), body=body))
 
 
 BY_TEXT = function("const std::string &", "int", defaults=2)

@@ -21,13 +21,11 @@ _QOS = Qos("reliable", "volatile", "keep_last", 10)
 def bridged(words: Iterable[Text], evidence: Evidence) -> Iterator[EndpointFact]:
     """Yield the endpoints that the words of a bridge's command line make; others are passed over."""
     for word in words:
-        if not word.parts or not isinstance(last := word.parts[-1], str):
-            continue
-        before, at, types = last.partition("@")
+        before, at, types = word.tail.partition("@")
         match = _TYPES.match(types) if at else None
         if match is None:
             continue
-        name = Text.of(*word.parts[:-1], before)
+        name = Text.of(*word.before, before)
         roles = _WAYS[match[2]] if match[2] else (Role.SERVICE_SERVER,)
         for role in roles:
             qos = None if role is Role.SERVICE_SERVER else _QOS

@@ -22,8 +22,9 @@ _EACH, _ANY = "[].", ".*."
 
 def each_item(fact: EndpointFact, values: Values) -> Iterator[EndpointFact]:
     """Yield an endpoint for each item that its name comes from: itself where it comes from none."""
-    for place, part in enumerate(fact.name.parts):
-        if isinstance(part, Hole) and (_EACH in part.parameter or _ANY in part.parameter):
+    for part in fact.name.holes:
+        if _EACH in part.parameter or _ANY in part.parameter:
+            place = fact.name.parts.index(part)
             items = _of_list(part.parameter, values) if _EACH in part.parameter else _side_by_side(part, values)
             for one in items:
                 name = Text.of(*fact.name.parts[:place], one, *fact.name.parts[place + 1 :])

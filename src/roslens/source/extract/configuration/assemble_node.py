@@ -53,7 +53,7 @@ from roslens.source.extract.parameters.assemble_parameters import Values, declar
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.symbolic.condition import as_written, clauses_of, under_either
 from roslens.source.extract.symbolic.reason import NamePart, OfNode, RandomEnd
-from roslens.source.extract.symbolic.text import Conditions, Hole, IsSet, Text, unknown
+from roslens.source.extract.symbolic.text import Conditions, IsSet, Text, unknown
 from roslens.source.settings import NodeHint
 
 _ITSELF = Alternative(Text())
@@ -112,9 +112,7 @@ def place_of(given: Given, facts: NodeFacts) -> Place:
 
 
 def _usual(text: Text) -> Text:
-    return Text.of(
-        *(part.default if isinstance(part, Hole) and part.default is not None else part for part in text.parts)
-    )
+    return text.with_holes(lambda hole: hole if hole.default is None else hole.default)
 
 
 def own_line(facts: NodeFacts) -> CommandLine:

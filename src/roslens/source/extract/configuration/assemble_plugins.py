@@ -72,17 +72,15 @@ def _asked(text: Text, values: Values) -> Iterator[str]:
 
 def _named(name: Text, values: Values) -> Iterator[str]:
     """Yield the names that a name with items of a list in it stands for."""
-    place = next((number for number, one in enumerate(name.parts) if isinstance(one, Hole)), None)
-    if place is None:
+    if not name.holes:
         yield name.pattern
         return
-    for item in _items(name.parts[place], values):
+    place = name.parts.index(name.holes[0])
+    for item in _items(name.holes[0], values):
         yield from _named(Text.of(*name.parts[:place], item, *name.parts[place + 1 :]), values)
 
 
-def _items(hole: str | Hole, values: Values) -> list[str]:
-    if isinstance(hole, str):
-        return [hole]
+def _items(hole: Hole, values: Values) -> list[str]:
     found = values.value(Text.of(hole.parameter)) if hole.parameter else None
     value = (hole.among or hole.default) if found is None else found.value.known
     if value is None:

@@ -5,7 +5,7 @@ Numbers, truth values and None are themselves; texts are :class:`~roslens.source
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 import msgspec
 
@@ -38,6 +38,9 @@ from roslens.source.extract.symbolic.reason import (
 )
 from roslens.source.extract.symbolic.text import Condition, Conditions, Hole, IsTrue, Text
 from roslens.source.extract.symbols.symbol_table import Defined
+
+_Kind = TypeVar("_Kind")
+_TypeOf: TypeAlias = type[_Kind]
 
 
 class Unknown(msgspec.Struct, frozen=True):
@@ -132,6 +135,11 @@ class Obj(msgspec.Struct, eq=False):
     base_templates: dict[str, dict[str, str]] = {}
     ways: tuple[tuple[Conditions, Obj], ...] = ()
 
+    def held(self, name: str, kind: _TypeOf[_Kind]) -> _Kind | None:
+        """Return what a member holds where that is of a kind; None where it holds anything else."""
+        value = self.fields.get(name)
+        return value if isinstance(value, kind) else None
+
     def templates_of(self, class_name: str) -> dict[str, str]:
         """Return what the template parameters stand for in its class, or in a base of it."""
         return self.base_templates.get(class_name, self.templates)
@@ -191,6 +199,11 @@ class Class(msgspec.Struct, frozen=True, eq=False):
 
     defined: Defined
 
+    @property
+    def name(self) -> str:
+        """Its qualified name."""
+        return self.defined.what.qualified_name
+
 
 class Foreign(msgspec.Struct, frozen=True):
     """A value that one part of the interpreter or one overlay keeps; to others it is one of which nothing is known."""
@@ -212,9 +225,12 @@ Names: TypeAlias = "dict[str, Value]"
 
 def test_of(value: Value) -> Condition | None:
     """Return what decides whether a value is true; None where nothing that is known does."""
-    if isinstance(value, Unknown):
-        return value.test
-    return IsTrue(value) if isinstance(value, Text) and value.holes else None
+    match value:
+        case Unknown():
+            return value.test
+        case Text() if value.holes:
+            return IsTrue(value)
+    return None
 
 
 def as_text(value: Value) -> Text:

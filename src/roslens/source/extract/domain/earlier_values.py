@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Value, as_text
-from roslens.source.extract.domain.kinds import is_number
-from roslens.source.extract.symbolic.text import And, Condition, IsSet, Not, Or, Text
+from roslens.source.extract.symbolic.text import And, Condition, Hole, IsSet, Not, Or, Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.frame import Frame
@@ -20,12 +19,13 @@ def else_before(value: Value, before: Value) -> Value:
 
     A value before that is empty, or of which a part is unknown, says nothing of names.
     """
-    number = is_number(before)
-    earlier = as_text(before).known if number or isinstance(before, Text) else None
-    hole = value.only if isinstance(value, Text) else None
-    if not earlier or hole is None or not hole.parameter or hole.default is not None:
-        return value
-    return Text((msgspec.structs.replace(hole, default=earlier),))
+    match value, before:
+        case _, bool():
+            return value
+        case Text(only=Hole(default=None) as hole), (Text() | int() | float()) if hole.parameter:
+            earlier = as_text(before).known
+            return Text((msgspec.structs.replace(hole, default=earlier),)) if earlier else value
+    return value
 
 
 def forget_defaults(frame: Frame, test: Condition | None) -> None:
@@ -33,8 +33,9 @@ def forget_defaults(frame: Frame, test: Condition | None) -> None:
     there = frozenset(() if test is None else _set(test, holds=True))
     for held in (frame.names, frame.members or {}) if there else ():
         for name, value in held.items():
-            if isinstance(value, Text) and value.holes:
-                held[name] = _without(value, there)
+            match value:
+                case Text() if value.holes:
+                    held[name] = _without(value, there)
 
 
 def without_defaults(name: Text, asked: Iterable[tuple[Condition, Condition]]) -> Text:

@@ -11,7 +11,7 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Class, Made, Named, Names, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.disjuncts import one_object
 from roslens.source.extract.domain.guarded import guarded
-from roslens.source.extract.domain.kinds import all_of_kind, has_kind
+from roslens.source.extract.domain.kinds import all_of_kind, has_kind, object_of, reason_of
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.ir.program import Expression, Function
@@ -26,7 +26,6 @@ from roslens.source.extract.symbolic.text import (
     NoException,
     Or,
     Text,
-    unknown,
 )
 from roslens.source.extract.symbolic.widening import of_many
 
@@ -34,8 +33,6 @@ Held = tuple[Names, Names]
 """What names and members of the object hold."""
 
 
-_PLAIN = (Unknown, Text, bool, int, float)
-_DECIDES = (Unknown, bool, int, float)
 _LONG = 400
 """So much of the words for a choice is kept; one of few texts has fewer."""
 
@@ -80,7 +77,9 @@ class Frame:
     Attributes:
         path: of its file.
         scope: its qualified name, in which names are looked up.
-        self: object it is called on; None of none.
+        self: what it is called on; None of nothing.
+        object: that where it is one; None of none.
+        members: what the members of the object hold; None of none.
         names: its parameters and variables.
         templates: what template parameters stand for.
         returned: whether it returned for sure.
@@ -103,6 +102,8 @@ class Frame:
         self.path = path
         self.scope = scope
         self.self = self_
+        self.object = object_of(self_)
+        self.members = None if self.object is None else self.object.fields
         self.names: Names = names if names is not None else {}
         self.templates: dict[str, str] = {}
         self.returned = False
@@ -164,26 +165,24 @@ class Frame:
         before = self.result
         if before is None or value is None:
             return one_or_none(before, value, given, self._given_test)
-        texts = [unknown(one.reason) if isinstance(one, Unknown) else one for one in (before, value)]
-        one, other = texts
-        if isinstance(one, Text) and isinstance(other, Text):
-            known = isinstance(before, Text) or isinstance(value, Text)
-            return either(one, other, given, self._given_test) if known else before
+        match before, value:
+            case Unknown(), Unknown():
+                return before
+            case Text() | Unknown(), Text() | Unknown():
+                return either(as_text(before), as_text(value), given, self._given_test)
         both = one_of(before, value, given, self._given_test)
         if both is not None:
             return both
-        if isinstance(before, _DECIDES) and isinstance(value, _DECIDES) and value != before:
-            return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {given}")
-        return value if isinstance(before, Unknown) else before
+        match before, value:
+            case (Unknown() | bool() | int() | float(), Unknown() | bool() | int() | float()) if value != before:
+                return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {given}")
+            case Unknown(), _:
+                return value
+        return before
 
     def snapshot(self) -> Held:
         """Return what names and members of the object hold."""
-        return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
-
-    @property
-    def members(self) -> Names | None:
-        """What the members of the object hold; None of none."""
-        return self.self.fields if isinstance(self.self, Obj) else None
+        return dict(self.names), dict(self.members or {})
 
     def leave(self, fields: Names, before: Names, condition: Condition) -> None:
         """Remember what members of the object a way that leaves the function came to, for when it has ended."""
@@ -196,7 +195,7 @@ class Frame:
         names, held = self.names, before[0]
         if len(names) != len(held) or not all(map(is_, names.values(), held.values())):
             return False
-        fields, held = self.self.fields if isinstance(self.self, Obj) else {}, before[1]
+        fields, held = self.members or {}, before[1]
         return len(fields) == len(held) and all(map(is_, fields.values(), held.values()))
 
     def restore(self, before: Held) -> None:
@@ -205,17 +204,16 @@ class Frame:
         names = self.names
         names.clear()
         names |= before[0]
-        if isinstance(self.self, Obj):
-            fields = self.self.fields
-            fields.clear()
-            fields |= before[1]
+        if self.members is not None:
+            self.members.clear()
+            self.members |= before[1]
 
     def join(self, other: Held, condition: Condition) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""
         test = self.tests.get(condition)
         join(self.names, other[0], condition, test)
-        if isinstance(self.self, Obj):
-            join(self.self.fields, other[1], condition, test)
+        if self.members is not None:
+            join(self.members, other[1], condition, test)
 
 
 def join(names: Names, other: Names, condition: Condition, test: Condition | None = None) -> None:
@@ -225,18 +223,38 @@ def join(names: Names, other: Names, condition: Condition, test: Condition | Non
         before = known(name)
         if value == before:
             continue
-        if (before is None and name in names) or (value is None and isinstance(before, _PLAIN)):
+        if before is None and name in names:
             names[name] = one_or_none(value, before, condition, test)
         elif before is None:
-            names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
-        elif (both := one_of(value, before, condition, test)) is not None:
-            names[name] = both
-        elif isinstance(value, _PLAIN) and isinstance(before, _PLAIN):
-            names[name] = _one_of(value, before, condition, test)
-        elif isinstance(before, Unknown):
-            names[name] = value
-        elif isinstance(before, Text) and value is not None:
-            names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
+            names[name] = _perhaps_made(value)
+        else:
+            names[name] = _joined(value, before, condition, test)
+
+
+def _joined(value: Value, before: Value, condition: Condition, test: Condition | None) -> Value:
+    """Return what a name holds that held something before, and holds ``value`` where a condition is true."""
+    match value, before:
+        case None, (Unknown() | Text() | bool() | int() | float()):
+            return one_or_none(value, before, condition, test)
+    both = one_of(value, before, condition, test)
+    if both is not None:
+        return both
+    match value, before:
+        case (Unknown() | Text() | bool() | int() | float(), Unknown() | Text() | bool() | int() | float()):
+            return _one_of(value, before, condition, test)
+        case _, Unknown():
+            return value
+        case _, Text():
+            return _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
+    return before
+
+
+def _perhaps_made(value: Value) -> Value:
+    """Return what is there, an endpoint perhaps not for sure."""
+    match value:
+        case Made():
+            return msgspec.structs.replace(value, certain=False)
+    return value
 
 
 def one_or_none(value: Value, other: Value, condition: Condition, test: Condition | None = None) -> Value:
@@ -245,11 +263,12 @@ def one_or_none(value: Value, other: Value, condition: Condition, test: Conditio
     Of an object it is taken that it is there where it is used; an endpoint is there, but perhaps not for sure.
     """
     found = other if value is None else value
-    if isinstance(found, Text):
-        return either(Text() if value is None else found, Text() if other is None else found, condition, test)
-    if isinstance(found, _DECIDES):
-        return Unknown(f"{as_text(found)} or nothing, by {condition}"[:200])
-    return msgspec.structs.replace(found, certain=False) if isinstance(found, Made) else found
+    match found:
+        case Text():
+            return either(Text() if value is None else found, Text() if other is None else found, condition, test)
+        case Unknown() | bool() | int() | float():
+            return Unknown(f"{as_text(found)} or nothing, by {condition}"[:200])
+    return _perhaps_made(found)
 
 
 def one_of(value: Value, other: Value, condition: Condition, test: Condition | None = None) -> Value:
@@ -260,17 +279,16 @@ def one_of(value: Value, other: Value, condition: Condition, test: Condition | N
     quality = one_quality(value, other, condition)
     if quality is not None:
         return quality
-    match value:
-        case list() if isinstance(other, list):
-            return _one_list(value, other, condition, test)
-        case Obj() if isinstance(other, Obj):
-            return one_object(value, other, condition)
-        case Named() | Class() if isinstance(other, Named | Class) and value != other:
-            names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
-            return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
-    for one, two in ((value, other), (other, value)):
-        if isinstance(one, Unknown) and isinstance(two, list) and has_kind(two, Text):
-            return one
+    match value, other:
+        case list(one), list(two):
+            return _one_list(one, two, condition, test)
+        case Obj() as thing, Obj() as second:
+            return one_object(thing, second, condition)
+        case (Named() | Class() as kind, Named() | Class() as instead) if kind != instead:
+            same = kind.name == instead.name
+            return None if same else Unknown(f"one of {kind.name} and {instead.name}, by {condition}"[:200])
+        case (Unknown() as reason, list(items)) | (list(items), Unknown() as reason) if has_kind(items, Text):
+            return reason
     return None
 
 
@@ -292,14 +310,10 @@ def _one_list(value: list[Value], other: list[Value], condition: Condition, test
 
 def _one_of(value: Value, before: Value, condition: Condition, test: Condition | None) -> Value:
     """Return what is known of a value that is one thing where a condition holds, and another one else."""
-    match value:
-        case Text() if isinstance(before, Text):
-            return either(value, before, condition, test)
-        case Text() if isinstance(before, Unknown):
-            return either(value, unknown(before.reason), condition, test)
-    if isinstance(before, Text) and isinstance(value, Unknown):
-        return either(unknown(value.reason), before, condition, test)
-    reasons = [str(one.reason if isinstance(one, Unknown) else as_text(one)) for one in (value, before)]
+    match value, before:
+        case (Text(), Text() | Unknown()) | (Unknown(), Text()):
+            return either(as_text(value), as_text(before), condition, test)
+    reasons = [str(reason_of(one, str(as_text(one)))) for one in (value, before)]
     return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
 
 
@@ -312,29 +326,31 @@ def _but_for_slashes(one: Text, other: Text) -> Text | None:
         return None
     most = max(one, other, key=lambda text: len(text.pattern))
     least = other if most is one else one
-    for place, part in enumerate(most.parts[:-1]):
-        rest = most.parts[place + 1]
-        if is_namespace(part) and isinstance(rest, str) and rest.startswith("/"):
-            without = Text.of(*most.parts[: place + 1], rest[1:], *most.parts[place + 2 :])
-            if without == least or Text.of("/", without) == least:
-                return most
+    for place in range(len(most.parts) - 1):
+        match most.parts[place : place + 2]:
+            case (part, str(rest)) if is_namespace(part) and rest.startswith("/"):
+                without = Text.of(*most.parts[: place + 1], rest[1:], *most.parts[place + 2 :])
+                if without == least or Text.of("/", without) == least:
+                    return most
     return None
 
 
 def _below(one: Text, other: Text, condition: Condition) -> Text | None:
     """Return a name that is below a namespace where it is relative: ``topic[0] != '/' ? ns + "/" + topic : topic``."""
-    if len(other.parts) != 1 or len(one.parts) != 3 or one.parts[1] != "/" or one.parts[2] != other.parts[0]:
-        return None
-    space, name = one.parts[0], other.parts[0]
-    if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in str(condition):
-        return None
-    if not isinstance(space.reason, OfNode | OfHandle | OfController) or _is_no_namespace(space.reason):
-        return None
-    return Text((msgspec.structs.replace(name, below=space.reason),))
+    match one.parts, other.parts:
+        case (Hole(reason=above), "/", Hole() as last), (Hole() as name,) if name == last:
+            possible = _may_be_namespace(above) and "/" in str(condition)
+            return Text((msgspec.structs.replace(name, below=above),)) if possible else None
+    return None
 
 
-def _is_no_namespace(reason: Reason) -> bool:
-    return isinstance(reason, OfNode) and reason.what not in (NamePart.NAMESPACE, NamePart.ABOVE)
+def _may_be_namespace(reason: Reason) -> bool:
+    match reason:
+        case OfNode(what=what):
+            return what in (NamePart.NAMESPACE, NamePart.ABOVE)
+        case OfHandle() | OfController():
+            return True
+    return False
 
 
 def _deciding(text: Text) -> list[str]:

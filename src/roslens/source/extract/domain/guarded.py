@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import msgspec
+
 from roslens.source.extract.domain.abstract_value import Foreign, Value
 from roslens.source.extract.symbolic.condition import all_of
 from roslens.source.extract.symbolic.text import And, Condition
@@ -29,6 +31,16 @@ def guarded(items: list[Value], condition: Condition, test: Condition | None) ->
             case _:
                 found.append(Guarded(one, condition, test))
     return found
+
+
+def unguarded(item: Value) -> Value:
+    """Return an item of a list, whatever it depends on."""
+    return item.value if isinstance(item, Guarded) else item
+
+
+def in_place_of(item: Value, value: Value) -> Value:
+    """Return a value that a list has instead of an item: under the same condition, if that has one."""
+    return msgspec.structs.replace(item, value=value) if isinstance(item, Guarded) else value
 
 
 def is_counted(items: list[Value]) -> bool:

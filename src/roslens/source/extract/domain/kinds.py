@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TypeGuard, TypeVar
 
-from roslens.source.extract.domain.abstract_value import Value
+from roslens.source.extract.domain.abstract_value import (
+    Handle,
+    Named,
+    Names,
+    NodeBuilder,
+    Obj,
+    Table,
+    Unknown,
+    Value,
+)
+from roslens.source.extract.symbolic.reason import Reason
 from roslens.source.extract.symbolic.text import Text
 
 _Kind = TypeVar("_Kind")
@@ -19,6 +29,41 @@ def is_number(value: object) -> TypeGuard[int | float]:
 def is_whole(value: object) -> TypeGuard[int]:
     """Return whether a value is a whole number, which a truth value is not."""
     return isinstance(value, int) and not isinstance(value, bool)
+
+
+def text_of(value: Value) -> Text | None:
+    """Return a text; None of any other value."""
+    return value if isinstance(value, Text) else None
+
+
+def object_of(value: Value) -> Obj | None:
+    """Return an object; None of any other value."""
+    return value if isinstance(value, Obj) else None
+
+
+def fields_of(value: Value) -> Names:
+    """Return the members of an object; none of any other value."""
+    return value.fields if isinstance(value, Obj) else {}
+
+
+def node_in(value: Value) -> NodeBuilder | None:
+    """Return the node that an object is, or that names are resolved against by a handle; None of any other value."""
+    return value.node if isinstance(value, Obj | Handle) else None
+
+
+def table_of(value: Value) -> Table:
+    """Return what a table holds; nothing of any other value."""
+    return value if isinstance(value, dict) else {}
+
+
+def reason_of(value: Value, otherwise: Reason) -> Reason:
+    """Return why a value is unknown; something else of one that is not."""
+    return value.reason if isinstance(value, Unknown) else otherwise
+
+
+def name_of(value: Value) -> str:
+    """Return the whole name of something outside of the workspace; an empty one of any other value."""
+    return value.name if isinstance(value, Named) else ""
 
 
 def known_text(value: Value) -> str | None:

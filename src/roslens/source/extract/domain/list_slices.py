@@ -22,13 +22,16 @@ def part_of(value: Value, written: str) -> Value:
     """Return a part of a list or text; what is unknown of it is a hole, or unknown."""
     found = _SLICE.fullmatch(written.strip())
     ends = None if found is None else [int(one) if one not in ("", "-") else None for one in found.groups()]
-    if ends is not None and isinstance(value, Words):
-        part = value.part(*ends)
-        return part if part is not None else Unknown(f"words [{written}]")
-    if ends is not None and isinstance(value, list) and (is_counted(value) or ends == [None, None]):
-        return value[ends[0] : ends[1]]
-    if isinstance(value, Text):
-        if ends is not None and value.known is not None:
-            return Text.of(value.known[ends[0] : ends[1]])
-        return unknown(said("a part of ", value), parameter=next((hole.parameter for hole in value.holes), ""))
-    return value if isinstance(value, Unknown) else Unknown(f"a part of what is not known [{written}]")
+    match value:
+        case Words() if ends is not None:
+            part = value.part(*ends)
+            return part if part is not None else Unknown(f"words [{written}]")
+        case list() if ends is not None and (is_counted(value) or ends == [None, None]):
+            return value[ends[0] : ends[1]]
+        case Text(known=str(known)) if ends is not None:
+            return Text.of(known[ends[0] : ends[1]])
+        case Text():
+            return unknown(said("a part of ", value), parameter=next((hole.parameter for hole in value.holes), ""))
+        case Unknown():
+            return value
+    return Unknown(f"a part of what is not known [{written}]")

@@ -22,8 +22,9 @@ def text_made(name: str, arguments: list[Value]) -> Text:
         return as_text(first)
     whole, known = as_text(first), known_text(first)
     second, third = (*arguments[1:3], None)[:2]
-    if type(first) is int and isinstance(second, Text) and second.known and 0 <= first <= _MOST_LENGTH:
-        return Text.of(second.known[:1] * first)
+    sign = known_text(second)
+    if type(first) is int and sign and 0 <= first <= _MOST_LENGTH:
+        return Text.of(sign[:1] * first)
     if known is not None and type(second) is int and second >= 0:
         if len(arguments) == 2:
             # Of a literal so many signs are taken; of a std::string the rest from there on.

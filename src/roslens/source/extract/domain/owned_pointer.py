@@ -12,7 +12,10 @@ OWNERS = frozenset(f"{space}{kind}_ptr" for space in ("std.", "boost.", "") for 
 
 def owns_first(arguments: Sequence[Value]) -> bool:
     """Return whether a pointer points to the first thing it is made of: alone, or with a function that deletes it."""
-    return len(arguments) == 1 or (len(arguments) == 2 and isinstance(arguments[1], Callable))
+    match arguments:
+        case [_] | [_, Callable()]:
+            return True
+    return False
 
 
 def is_owner(name: str) -> bool:

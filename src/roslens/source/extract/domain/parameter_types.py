@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslens.source.extract.domain.abstract_value import Named, Obj, Value
+from roslens.source.extract.domain.abstract_value import Obj, Value
+from roslens.source.extract.domain.kinds import name_of
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.ir.type_names import type_arguments, type_name
 from roslens.source.extract.parameters.ros2_values import LIST
@@ -58,7 +59,7 @@ def _one(written: str) -> str:
 
 def type_of_constant(value: Value) -> str | None:
     """Return the type that a constant names, empty of ``PARAMETER_NOT_SET``; None where it names none."""
-    found = _CONSTANT.fullmatch(value.name) if isinstance(value, Named) else None
+    found = _CONSTANT.fullmatch(name_of(value))
     return None if found is None else _CONSTANTS.get(found[1] or found[2], "")
 
 

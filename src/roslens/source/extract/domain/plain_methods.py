@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import msgspec
-
 from roslens.source.extract.domain.abstract_value import Foreign, Table, Unknown, Value, as_text
-from roslens.source.extract.domain.guarded import Guarded, is_counted
+from roslens.source.extract.domain.guarded import in_place_of, is_counted, unguarded
 from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.domain.table_key import hashable
-from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.domain.word_list import length_of
 from roslens.source.extract.symbolic.reason import NamePart, OfNode, node_of_reason
 from roslens.source.extract.symbolic.text import AreEqual, Hole, Text, said, unknown
 
@@ -39,16 +37,18 @@ class LastSlash(Foreign, frozen=True):
 
 def plain_method(of: Value, name: str, arguments: list[Value]) -> Value:
     """Return the result of a method of a value that is no object of the workspace and none of ROS."""
-    if name in SAME and not isinstance(of, list | dict):
-        return of
     match of:
-        case Text():
-            return _of_text(of, name, arguments)
         case list():
             return _of_list(of, name, arguments)
         case dict():
             return _of_dict(of, name, arguments)
-    return of if isinstance(of, Unknown) else Unknown(f"result of {name}()")
+        case Unknown():
+            return of
+        case _ if name in SAME:
+            return of
+        case Text():
+            return _of_text(of, name, arguments)
+    return Unknown(f"result of {name}()")
 
 
 def _of_text(of: Text, name: str, arguments: list[Value]) -> Value:
@@ -64,8 +64,9 @@ def _of_text(of: Text, name: str, arguments: list[Value]) -> Value:
         return len(of.known)
     if name in ("as_bool", "as_int", "as_double") and of.holes:
         return of
-    if name == "join" and arguments and isinstance(arguments[0], list):
-        return _joined(of, arguments[0])
+    match name, arguments:
+        case "join", [list(items), *_]:
+            return _joined(of, items)
     if name in _OF_PYTHON:
         return _of_python(of, name, arguments)
     return Unknown(f"{name} of a text")
@@ -73,9 +74,9 @@ def _of_text(of: Text, name: str, arguments: list[Value]) -> Value:
 
 def _of_python(of: Text, name: str, arguments: list[Value]) -> Value:
     """Return the result of a method of a text of Python that says the same wherever it runs."""
-    given = [one.known if isinstance(one, Text) else one if type(one) is int else None for one in arguments]
+    given = [one if type(one) is int else known_text(one) for one in arguments]
     parameter = next((hole.parameter for hole in of.holes), "")
-    longest = max((len(one) for one in given if isinstance(one, str)), default=1)
+    longest = max((len(one) for one in map(known_text, arguments) if one is not None), default=1)
     if of.known is None or None in given or len(of.known) * longest > _MOST_LENGTH:
         if name in ("strip", "lstrip", "rstrip") and not arguments:
             return of
@@ -84,28 +85,32 @@ def _of_python(of: Text, name: str, arguments: list[Value]) -> Value:
         found = getattr(of.known, name)(*given)
     except (TypeError, ValueError):
         return Unknown(f"{name} of a text")
-    if isinstance(found, list | tuple):
-        return [Text.of(one) for one in found[:_MOST_ITEMS]]
+    match found:
+        case list() | tuple():
+            return [Text.of(one) for one in found[:_MOST_ITEMS]]
     return Text.of(found[:_MOST_LENGTH])
 
 
 def _of_edge(of: Text, name: str) -> Value:
     """Return the first or last sign of a text, or whether it is empty."""
     if name == "empty":
-        if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
+        if len(of.holes) < len(of.parts) or any(map(is_namespace, of.holes)):
             return False
         return Unknown(f"whether {of} is empty", AreEqual(of, Text())) if of.parts else True
-    edge = of.parts[0 if name in ("front", "begin") else -1] if of.parts else ""
-    if isinstance(edge, str) and edge:
+    edge = of.head if name in ("front", "begin") else of.tail
+    if edge:
         return Text.of(edge[0 if name == "front" else -1])
-    if name == "front" and isinstance(edge, Hole) and is_namespace(edge):
+    if name == "front" and of.parts and is_namespace(of.parts[0]):
         return Text.of("/")
     return Unknown(f"{name} of {of}")
 
 
 def is_namespace(part: str | Hole) -> bool:
     """Whether a part of a text is the namespace of a node: never empty, beginning with ``/``."""
-    return isinstance(part, Hole) and isinstance(part.reason, OfNode) and part.reason.what is NamePart.NAMESPACE
+    match part:
+        case Hole(reason=OfNode(what=NamePart.NAMESPACE)):
+            return True
+    return False
 
 
 def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
@@ -132,8 +137,9 @@ def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
 
 def _cut(of: Text, arguments: list[Value]) -> Value:
     begin, count = (*arguments, None, None)[:2]
-    if begin == 0 and isinstance(count, LastSlash) and count.of == of and isinstance(hole := of.parts[0], Hole):
-        return Text((Hole(OfNode(NamePart.ABOVE, node_of_reason(hole.reason)), default=""),))
+    match count:
+        case LastSlash() if begin == 0 and count.of == of and not of.head:
+            return Text((Hole(OfNode(NamePart.ABOVE, node_of_reason(of.holes[0].reason)), default=""),))
     if not is_whole(begin) or begin < 0 or not (count is None or is_whole(count)) or not all(map(is_whole, arguments)):
         return unknown(said("a part of ", of), parameter=next((hole.parameter for hole in of.holes), ""))
     if of.known is not None:
@@ -150,7 +156,7 @@ def _of_list(of: list[Value], name: str, arguments: list[Value]) -> Value:
     if name in ("size", "length", "empty"):
         if not is_counted(of):
             return Unknown(f"{name} of a list")
-        return not of if name == "empty" else of.length if isinstance(of, Words) else len(of)
+        return not of if name == "empty" else length_of(of)
     if name in ("front", "back") and of and is_counted(of):
         return of[0 if name == "front" else -1]
     return Unknown(f"{name} of a list")
@@ -158,17 +164,21 @@ def _of_list(of: list[Value], name: str, arguments: list[Value]) -> Value:
 
 def _are_known(key: Value, of: Table) -> bool:
     """Whether a key and all keys of a table are known, so that it is sure that the table does not have it."""
-    return all(
-        one.known is not None if isinstance(one, Text) else not isinstance(one, Unknown | str) for one in (key, *of)
-    )
+    return all(map(_is_known_key, (key, *of)))
+
+
+def _is_known_key(key: Value) -> bool:
+    match key:
+        case Text():
+            return key.known is not None
+        case Unknown() | str():
+            return False
+    return True
 
 
 def _of_dict(of: Table, name: str, arguments: list[Value]) -> Value:
     if name == "items":
-        return [
-            msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Guarded) else [key, value]
-            for key, value in of.items()
-        ]
+        return [in_place_of(value, [key, unguarded(value)]) for key, value in of.items()]
     if name in ("get", "at") and arguments and hashable(arguments[0]) not in of and not _are_known(arguments[0], of):
         return Unknown("an item of a table")
     if name in ("get", "at") and arguments:
@@ -183,20 +193,28 @@ def formatted(pattern: Text, values: list[Value]) -> Text:
     parts: list[str | Hole | Text] = []
     waiting = list(values)
     for part in pattern.parts:
-        if not isinstance(part, str):
-            parts.append(part)
-            continue
+        match part:
+            case Hole():
+                parts.append(part)
+                continue
         pieces = part.replace("%d", "%s").replace("{}", "%s").split("%s")
         for place, piece in enumerate(pieces):
             parts.append(piece)
             if place < len(pieces) - 1:
-                one = waiting.pop(0) if waiting else None
-                # A truth value is written ``True`` in Python, ``1`` in C++.
-                shown = Text((Hole("a truth value"),)) if isinstance(one, bool) else as_text(one)
-                parts.append(Text((Hole("a value that is missing"),)) if one is None else shown)
+                parts.append(_as_formatted(waiting.pop(0) if waiting else None))
             if any(sign in piece for sign in "{}%"):
                 return unknown(said("the format ", pattern, most=200))
     return Text.of(*parts)
+
+
+def _as_formatted(value: Value) -> Text:
+    match value:
+        case None:
+            return unknown("a value that is missing")
+        case bool():
+            # It is written ``True`` in Python, ``1`` in C++.
+            return unknown("a truth value")
+    return as_text(value)
 
 
 def _joined(separator: Text, values: list[Value]) -> Text:

@@ -8,7 +8,15 @@ import msgspec
 
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown, Value
-from roslens.source.extract.domain.kinds import is_number, is_whole
+from roslens.source.extract.domain.kinds import (
+    all_of_kind,
+    has_kind,
+    is_number,
+    is_whole,
+    known_text,
+    name_of,
+    reason_of,
+)
 from roslens.source.extract.symbolic.text import Condition, Text
 
 PRESETS = {
@@ -75,23 +83,27 @@ def quality_of(value: Value) -> QosValue | None:
             return None
         case int():
             return QosValue(Qos("reliable", "volatile", "keep_last", value))
-        case Obj() if isinstance(held := value.fields.get("qos"), QosValue):
-            return held
+        case Obj():
+            return value.held("qos", QosValue)
         case Named() if ".QoSPresetProfiles." in value.name:
             known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
             return QosValue(known) if known is not None else None
         case Named() if value.name.rpartition(".")[2] in PRESETS:
             return QosValue(PRESETS[value.name.rpartition(".")[2]])
-        case list() if value and isinstance(value[0], Named) and _OF_MIDDLEWARE.match(_last(value[0])):
+        case list([Named() as first, *_]) if _OF_MIDDLEWARE.match(_last(first)):
             return profile_of(value)
-        case Text() | Unknown():
-            return QosValue(Qos(), str(value.reason if isinstance(value, Unknown) else value))
-    return value if isinstance(value, QosValue) else None
+        case Text():
+            return QosValue(Qos(), str(value))
+        case Unknown():
+            return QosValue(Qos(), str(value.reason))
+        case QosValue():
+            return value
+    return None
 
 
 def quality_by_key(key: Value) -> QosValue:
     """Return the preset of rclpy that has a short name, as ``sensor_data``."""
-    known = _OF_RCLPY.get(key.known.upper()) if isinstance(key, Text) and key.known else None
+    known = _OF_RCLPY.get((known_text(key) or "").upper())
     return QosValue(Qos(), f"the preset {key}") if known is None else QosValue(known)
 
 
@@ -103,7 +115,7 @@ def keeping(base: QosValue, kept: QosValue) -> QosValue:
 
 def lasting(base: QosValue, name: str, value: Value) -> QosValue:
     """Return a quality of service with a duration that is given."""
-    if isinstance(value, Named) and value.name in _ENDLESS:
+    if name_of(value) in _ENDLESS:
         value = 0
     if is_number(value):
         return QosValue(msgspec.structs.replace(base.qos, **{DURATIONS[name]: float(value)}), base.unknown)
@@ -112,7 +124,11 @@ def lasting(base: QosValue, name: str, value: Value) -> QosValue:
 
 def with_policy(base: QosValue, name: str, value: Value) -> QosValue:
     """Return a quality of service with a policy that is given by its enumerator."""
-    word = _WORDS.get(_enumerator(value), "") if isinstance(value, Named) else ""
+    match value:
+        case Named():
+            word = _WORDS.get(_enumerator(value), "")
+        case _:
+            word = ""
     if not word:
         return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
     return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
@@ -137,8 +153,7 @@ def changed(base: QosValue, name: str, value: Value) -> QosValue:
         return base
     if is_whole(value):
         return QosValue(msgspec.structs.replace(base.qos, depth=value), base.unknown)
-    reason = value.reason if isinstance(value, Unknown) else str(value)
-    return QosValue(msgspec.structs.replace(base.qos, depth=0), f"its depth is {reason}")
+    return QosValue(msgspec.structs.replace(base.qos, depth=0), f"its depth is {reason_of(value, str(value))}")
 
 
 def profile_of(policies: list[Value]) -> QosValue:
@@ -147,8 +162,7 @@ def profile_of(policies: list[Value]) -> QosValue:
              "liveliness_lease_duration")  # fmt: skip
     found = QosValue(Qos())
     for name, value in zip(names, policies, strict=False):
-        usual = isinstance(value, Named) and value.name.endswith("_DEFAULT")
-        found = found if usual else changed(found, name, value)
+        found = found if name_of(value).endswith("_DEFAULT") else changed(found, name, value)
     return found
 
 
@@ -159,7 +173,7 @@ def history_of(history: Value, depth: Value) -> QosValue:
 
 def one_of(value: Value, other: Value, condition: Condition) -> QosValue | None:
     """Return what two qualities of service have in common, of which a condition chooses; None where neither is one."""
-    if not isinstance(value, QosValue) and not isinstance(other, QosValue) and not _presets(value, other):
+    if not has_kind((value, other), QosValue) and not _presets(value, other):
         return None
     first, second = quality_of(value), quality_of(other)
     if first is None or second is None:
@@ -174,4 +188,4 @@ def one_of(value: Value, other: Value, condition: Condition) -> QosValue | None:
 
 def _presets(value: Value, other: Value) -> bool:
     # A number is a depth only beside a quality of service.
-    return any(isinstance(one, Named) and quality_of(one) is not None for one in (value, other))
+    return any(quality_of(one) is not None for one in all_of_kind((value, other), Named))

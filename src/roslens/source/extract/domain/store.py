@@ -122,9 +122,10 @@ class Store:
         if other == held:
             return
         reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
-        if isinstance(held, dict):
-            _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
-            return
+        match held:
+            case dict():
+                _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
+                return
         both = reason if lost else self.joined(other, held, condition, test)
         match both:
             case Unknown():

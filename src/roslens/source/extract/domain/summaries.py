@@ -11,8 +11,9 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.kinds import fields_of
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import Assign, Function, Member, Name
@@ -71,7 +72,7 @@ class Summary:
         self.names = frame.names
         # What is asked of few calls is found out when it is asked.
         self._function, self._before = function, before
-        self._after = dict(thing.fields) if isinstance(thing, Obj) else {}
+        self._after = dict(fields_of(thing))
         self._seen: dict[str, Any] | None = None
         self.cuts = cuts
         self.site = site
@@ -102,7 +103,7 @@ class Summary:
         if self._seen is None:
             named = _names(self._function.body)
             self._seen = {name: value for name, value in self._before.items() if name in named}
-        fields = thing.fields if isinstance(thing, Obj) else {}
+        fields = fields_of(thing)
         return all(name in fields and same(value, fields[name]) for name, value in self._seen.items())
 
 
@@ -153,14 +154,17 @@ def _names(one: Any) -> set[str]:
                 waiting += one
             case Assign(target=Name()) if one.operator == "=":
                 waiting.append(one.value)
+            case Name() | Member():
+                found.add(one.name)
+                waiting += msgspec.structs.astuple(one)
             case msgspec.Struct():
-                found.update({one.name} if isinstance(one, Name | Member) else ())
-                waiting += [getattr(one, field) for field in one.__struct_fields__]
+                waiting += msgspec.structs.astuple(one)
     return found
 
 
 def same(one: Any, other: Any) -> bool:
     """Whether values make the same: why they are unknown does not matter."""
-    if isinstance(one, Unknown):
-        return isinstance(other, Unknown)
+    match one, other:
+        case Unknown(), Unknown():
+            return True
     return one is other or (type(one) is type(other) and bool(one == other))

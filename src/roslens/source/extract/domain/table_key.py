@@ -41,9 +41,9 @@ class ObjectKey(str):
 
 def hashable(value: Value) -> Key:
     """Return a value as a key of a dictionary."""
-    if isinstance(value, _PLAIN):
-        return value
     match value:
+        case Text() | str() | int() | float() | None:
+            return value
         case Obj():
             return ObjectKey(f"a {value.type}", value)
         case Callable():

@@ -30,7 +30,9 @@ def each_of(value: Value) -> Value:
                 )
             among = hole.default if is_list(hole) and hole.default else ""
             return Text((Hole(EachOf(hole.reason), hole.parameter, among=among, named=hole.named),))
-    return Unknown(EachOf(value.reason) if isinstance(value, Unknown) else "an item")
+        case Unknown():
+            return Unknown(EachOf(value.reason))
+    return Unknown("an item")
 
 
 def _each(choice: Choice) -> Choice:
@@ -43,17 +45,21 @@ def _each(choice: Choice) -> Choice:
 
 def item_of(value: Value, key: Value) -> Value:
     """Return the item at a place of an unknown list; None where it is none that is known to be a list."""
-    if isinstance(value, Each):
-        return value.item
-    hole = value.only if isinstance(value, Text) else None
-    if hole is None or not hole.parameter:
-        return None
-    match key:
-        case Unknown():
-            return each_of(value)
-        case Text() if key.known and isinstance(hole.reason, EachOf):
+    match value:
+        case Each():
+            return value.item
+        case Text(only=Hole() as hole) if hole.parameter:
+            return _item_of_parameter(hole, key)
+    return None
+
+
+def _item_of_parameter(hole: Hole, key: Value) -> Value:
+    match key, hole.reason:
+        case Unknown(), _:
+            return each_of(Text((hole,)))
+        case Text(known=str(known)), EachOf() if known:
             # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
-            return Text((Hole(PartOf(key.known, hole.reason), hole.parameter, named=hole.named),))
+            return Text((Hole(PartOf(known, hole.reason), hole.parameter, named=hole.named),))
     if not is_list(hole) or not is_whole(key):
         return None
     items = listed(hole.default or "")

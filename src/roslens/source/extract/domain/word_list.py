@@ -42,6 +42,11 @@ class Words(list[Value]):
         return AtLeast(len(self)) if self.goes_on else len(self)
 
 
+def length_of(items: list[Value]) -> int | AtLeast:
+    """Return how many items a list has, which may go on where it is one of words."""
+    return items.length if isinstance(items, Words) else len(items)
+
+
 class AtLeast(Foreign, frozen=True):
     """A number of which only the least is known."""
 

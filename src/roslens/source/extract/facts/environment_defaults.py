@@ -17,23 +17,24 @@ def supposed(text: Text) -> tuple[Text, tuple[str, ...]]:
     parts: list[str | Hole] = []
     words: list[str] = []
     for part in text.parts:
-        default = part.default if isinstance(part, Hole) and _has_default(part) else None
-        if isinstance(part, str) or default is None or (default.startswith("/") and parts not in ([], ["/"])):
-            parts.append(part)
-            continue
-        parts.append(default)
-        words.append(f"default of {part.reason}")
+        match part:
+            case Hole(default=str(default)) if _has_default(part) and (
+                not default.startswith("/") or parts in ([], ["/"])
+            ):
+                parts.append(default)
+                words.append(f"default of {part.reason}")
+            case _:
+                parts.append(part)
     return Text.of(*parts), tuple(dict.fromkeys(words))
 
 
 def with_defaults(text: Text) -> str:
     """Return a text in words, with what stands there where a variable of the environment is not set."""
-    return "".join(
-        f"{{{part.reason}, {part.default!r} where that is not set}}"
-        if isinstance(part, Hole) and _has_default(part)
-        else str(Text((part,)))
-        for part in text.parts
-    )
+    return str(text.with_holes(lambda hole: _or_default(hole) if _has_default(hole) else hole))
+
+
+def _or_default(hole: Hole) -> str:
+    return f"{{{hole.reason}, {hole.default!r} where that is not set}}"
 
 
 def supposed_name(name: Text) -> Text:
@@ -44,9 +45,8 @@ def supposed_name(name: Text) -> Text:
 def supposed_place(place: Place) -> Place:
     """Return where a node is with defaults of the environment."""
     namespace, of_namespace = supposed(place.namespace)
-    last = place.node.parts[-1] if place.node.parts else ""
     # A node without a name is none: what the default of its name says is not what it is.
-    nameless = isinstance(last, Hole) and not last.default
+    nameless = bool(place.node.parts) and not place.node.tail and not place.node.holes[-1].default
     node, of_node = (place.node, ()) if nameless else supposed(place.node)
     words = tuple(dict.fromkeys((*of_namespace, *of_node)))
     return Place(tidy(namespace), tidy(node), place.generation, words) if words else place

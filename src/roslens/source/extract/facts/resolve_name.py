@@ -53,11 +53,12 @@ class Place(msgspec.Struct, frozen=True):
 def rule(source: Text, target: Text, evidence: Evidence) -> Rule:
     """Return a remapping as written, the name of a node in front of it taken apart."""
     node = ""
-    if source.parts and isinstance(first := source.parts[0], str):
+    first = source.head
+    if first:
         match = _OF_NODE.fullmatch(first)
         if match:
             node, first = match[1], match[2]
-        source = Text.of(_SCHEME.sub("", first, count=1), *source.parts[1:])
+        source = Text.of(_SCHEME.sub("", first, count=1), *source.behind)
     return Rule(source, target, evidence, node)
 
 
@@ -77,15 +78,12 @@ def absolute(namespace: Text, given: Text) -> Text:
 
 def tidy(name: Text) -> Text:
     """Return a name without doubled separators and without one at its end."""
-    whole = name.parts[0] if len(name.parts) == 1 else None
-    if isinstance(whole, str) and "//" not in whole and not whole.endswith("/"):
+    whole = name.known
+    if whole is not None and "//" not in whole and not whole.endswith("/"):
         return name
-    parts = [_SLASHES.sub("/", part) if isinstance(part, str) else part for part in name.parts]
-    if len(parts) > 1 and isinstance(last := parts[-1], str):
-        parts[-1] = last.rstrip("/")
-    elif len(parts) == 1 and isinstance(only := parts[0], str) and len(only) > 1:
-        parts[0] = only.rstrip("/") or "/"
-    return Text.of(*parts)
+    single = name.with_known(lambda part: _SLASHES.sub("/", part))
+    last = single.tail.rstrip("/")
+    return Text.of(*single.before, last if single.holes else last or single.tail[:1])
 
 
 def expand(name: Text, place: Place) -> Text:
@@ -97,26 +95,27 @@ def expand(name: Text, place: Place) -> Text:
         name = _substituted(name, place)
     if not name.parts:
         return place.namespace
-    first, *rest = name.parts
-    if not isinstance(first, str):
+    first = name.head
+    if not first:
         return name
     if first.startswith("~"):
-        return tidy(below(place.node, Text.of(first[1:].lstrip("/"), *rest)))
+        return tidy(below(place.node, Text.of(first[1:].lstrip("/"), *name.behind)))
     return tidy(name if first.startswith("/") else below(place.namespace, name))
 
 
 def _substituted(name: Text, place: Place) -> Text:
-    if not any(isinstance(part, str) and "{" in part for part in name.parts):
+    if "{" not in name.pattern:
         return name
     whole = place.node.known
     values = {"namespace": place.namespace, "ns": place.namespace, "node": Text.of(base_name(whole) if whole else "*")}
     pieces: list[Text] = []
     for part in name.parts:
-        if not isinstance(part, str):
-            pieces.append(Text((part,)))
-            continue
-        for number, piece in enumerate(re.split(r"\{(namespace|ns|node)\}", part)):
-            pieces.append(values[piece] if number % 2 else Text.of(piece))
+        match part:
+            case str():
+                for number, piece in enumerate(re.split(r"\{(namespace|ns|node)\}", part)):
+                    pieces.append(values[piece] if number % 2 else Text.of(piece))
+            case _:
+                pieces.append(Text((part,)))
     return Text.of(*pieces)
 
 

@@ -156,7 +156,7 @@ class Calls:
         ctx = self.ctx
         several = ctx.index.functions_of(name, ctx.state.frame.path, ctx.state.frame.scope)
         chosen = overload(ctx.index, several, len(arguments), arguments) if len(several) > 1 else None
-        if chosen is None or not isinstance(chosen.what, Function):
+        if chosen is None:
             return found
         return Callable(chosen.what, chosen.path, found.self, found.names, found.arguments)
 
@@ -327,7 +327,7 @@ class Calls:
             return None
         for one in rest:
             found = ctx.index.methods(one, name)
-            if found and isinstance(found[0].what, Function):
+            if found:
                 return ctx.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
         called = CallSite(name, arguments, keywords, (), (), ctx.state.site)
         known = find_method(ctx, thing, called)
@@ -340,7 +340,7 @@ class Calls:
         if name == "__init__" and arguments and isinstance(arguments[0], Obj):
             ctx.objects.construct_as(arguments[0], of.defined, arguments[1:], keywords)
             return None
-        if found and isinstance(found[0].what, Function):
+        if found:
             what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
             if arguments and _takes_object(what) and ctx.index.programs[path].dialect.methods_take_objects:
                 # What the class is asked for gets the object as its first argument, which parameters leave out.

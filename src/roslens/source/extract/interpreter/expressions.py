@@ -30,7 +30,6 @@ from roslens.source.extract.ir.program import (
     Call,
     Expression,
     Format,
-    Function,
     Item,
     Lambda,
     Literal,
@@ -183,7 +182,7 @@ class Expressions:
                 if constant is not None:
                     return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
                 found = ctx.index.methods(of.defined, name)
-                if found and isinstance(found[0].what, Function):
+                if found:
                     return Callable(found[0].what, found[0].path)
         if isinstance(of, Text) and name in SAME:
             return of
@@ -352,7 +351,7 @@ def _defined(ctx: Context, of: Defined | None, name: str) -> tuple[str, Any, Any
         return "class", found, None
     functions = index.functions_of(name, frame.path, frame.scope)
     chosen = known_function(index, functions, (frame.path, ctx.emitter.first.path))
-    if chosen is not None and isinstance(chosen.what, Function):
+    if chosen is not None:
         return "function", chosen.what, chosen.path
     return "", None, None
 

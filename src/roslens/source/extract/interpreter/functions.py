@@ -168,4 +168,4 @@ class Functions:
         if not function.function.class_name:
             return 0
         found = self.ctx.index.class_of(function.function.class_name, function.path, "")
-        return len(getattr(found.what, "templates", ())) if found is not None else 0
+        return len(found.what.templates) if found is not None else 0

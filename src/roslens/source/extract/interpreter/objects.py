@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, Unknown, Value
@@ -60,7 +61,7 @@ class Objects:
             name, word = known
             return word(ctx, None, CallSite(name, arguments, keywords, templates, (), ctx.state.site))
         thing = Obj(defined.what.qualified_name, defined, {})
-        names = getattr(defined.what, "templates", ())
+        names = defined.what.templates
         thing.templates.update(zip(names, templates, strict=False))
         site, written, since = ctx.state.site, ctx.state.written, ctx.state.store.count
         self.prepare(thing)
@@ -110,14 +111,13 @@ class Objects:
         if found is None:
             initialised = {
                 # Constructors of C++ initialise them: they are not made twice.
-                statement.target.name
+                name
                 for method in ctx.index.methods(defined, defined.what.name)
-                for statement in getattr(method.what, "initialisers", ())
-                if isinstance(statement, Assign) and isinstance(statement.target, Member)
+                for name in _initialised(method.what)
             }
             given = [
                 field
-                for field in getattr(defined.what, "fields", ())
+                for field in defined.what.fields
                 if field.name in initialised
                 or field.value is not None
                 # A static member has its value where it is defined, outside of the class.
@@ -135,7 +135,7 @@ class Objects:
         name = dialect.constructor or defined.what.name
         found = ctx.index.methods(defined, name)
         chosen = overload(ctx.index, found, len(arguments) + len(keywords), arguments)
-        if chosen is not None and isinstance(chosen.what, Function):
+        if chosen is not None:
             whole = thing.defined
             if dialect.bases_are_constructed:
                 for base in bases_by_default(ctx.index, defined, chosen.what):
@@ -228,6 +228,13 @@ def plain(name: str, arguments: list[Value]) -> Value:
     if not arguments:
         return Unknown("a value that is not set")
     return arguments[0]
+
+
+def _initialised(constructor: Function) -> Iterator[str]:
+    for statement in constructor.initialisers:
+        match statement:
+            case Assign(target=Member(name=name)):
+                yield name
 
 
 def _at_first(field: Field) -> Value:

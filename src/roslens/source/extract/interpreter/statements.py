@@ -103,7 +103,7 @@ def _initialise_base(ctx: Context, call: Call, arguments: list[Value], keywords:
     written = _base_named(ctx, thing, written)
     base = ctx.index.class_of(written, ctx.state.frame.path, ctx.state.frame.scope)
     if base is not None:
-        names = getattr(base.what, "templates", ())
+        names = base.what.templates
         if call.templates:
             given = dict(zip(names, (ctx.calls.template(one) for one in call.templates), strict=False))
             thing.base_templates[base.what.qualified_name] = given
@@ -121,7 +121,7 @@ def _base_named(ctx: Context, thing: Obj, written: str) -> str:
     inside = ctx.state.frame.scope.rpartition(".")[0]
     for one in ctx.index.chain(thing.defined) if thing.defined is not None and "." not in written else ():
         if one.what.qualified_name == inside:
-            bases = getattr(one.what, "bases", ())
+            bases = one.what.bases
             return next((base for base in bases if base.rpartition(".")[2] == written), written)
     return written
 

@@ -10,6 +10,8 @@ assignments, returns, and the control structure around them, not arithmetic for 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import msgspec
 
 from roslens.source.extract.ir.dialect import DIALECTS, Dialect
@@ -293,3 +295,10 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
     def dialect(self) -> Dialect:
         """The rules of its language."""
         return DIALECTS[self.language]
+
+    def variables(self) -> Iterator[tuple[str, Expression | None]]:
+        """Yield the variables that are declared or set outside of functions, each with its value as often as it is."""
+        for statement in self.body:
+            match statement:
+                case Assign(target=Name(name=name)):
+                    yield name, statement.value

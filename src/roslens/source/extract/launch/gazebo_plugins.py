@@ -183,7 +183,7 @@ def _below(*pieces: Text) -> Text:
         if number == len(given) > 1 and piece.is_global:
             return piece
         whole = Text.of(whole, "/" if whole.parts else "", piece)
-    return Text.of(*(_SLASHES.sub("/", part) if isinstance(part, str) else part for part in whole.parts))
+    return whole.with_known(lambda part: _SLASHES.sub("/", part))
 
 
 def _filled(pattern: str, values: Mapping[str, Text]) -> Text | None:

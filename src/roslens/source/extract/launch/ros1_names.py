@@ -16,10 +16,8 @@ def remap_also(remaps: list[Remap], one: Remap) -> None:
 
 def private(setting: Setting) -> Setting:
     """Return a parameter of a node; roslaunch takes ``/`` in front of its name for nothing."""
-    first, *rest = setting.name.parts or ("",)
-    if isinstance(first, str):
-        return msgspec.structs.replace(setting, name=Text.of("~" + first.lstrip("~/"), *rest))
-    return msgspec.structs.replace(setting, name=Text.of("~", setting.name))
+    name = setting.name
+    return msgspec.structs.replace(setting, name=Text.of("~" + name.head.lstrip("~/"), *name.behind))
 
 
 def without_end(text: Text) -> Text:

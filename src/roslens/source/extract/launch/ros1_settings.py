@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import msgspec
 
@@ -20,7 +20,7 @@ from roslens.source.extract.launch.ros1_substitution import (
 )
 from roslens.source.extract.parameters.parameter_file import ros1_parameters
 from roslens.source.extract.parameters.ros1_values import AUTO, converted, type_of_value
-from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
 from roslens.source.workspace.elements import Element
 
 _SOURCES = ("value", "textfile", "binfile", "command")
@@ -183,19 +183,21 @@ def _below(prefix: Text, name: Text) -> Text:
 
 
 def _stripped(text: Text) -> Text:
-    parts = list(text.parts)
-    if parts and isinstance(first := parts[0], str):
-        parts[0] = first.lstrip()
-    if parts and isinstance(last := parts[-1], str):
-        parts[-1] = last.rstrip()
-    return Text.of(*parts)
+    begun = Text.of(text.head.lstrip(), *text.behind)
+    return Text.of(*begun.before, begun.tail.rstrip())
 
 
 def _split(text: Text) -> tuple[Text, ...]:
     """Return the words of a command line; what is unknown is part of a word."""
     words = [Text()]
     for part in text.parts:
-        for number, piece in enumerate(re.split(r"\s+", part) if isinstance(part, str) else (part,)):
+        pieces: Iterable[str | Hole]
+        match part:
+            case str():
+                pieces = re.split(r"\s+", part)
+            case _:
+                pieces = (part,)
+        for number, piece in enumerate(pieces):
             if number and words[-1].parts:
                 words.append(Text())
             words[-1] = Text.of(words[-1], piece)

@@ -42,4 +42,11 @@ def words_of(text: Text) -> tuple[Text, ...]:
 
 
 def _signs(text: Text) -> list[str | Hole]:
-    return [sign for part in text.parts for sign in (part if isinstance(part, str) else (part,))]
+    found: list[str | Hole] = []
+    for part in text.parts:
+        match part:
+            case str():
+                found += part
+            case _:
+                found.append(part)
+    return found

@@ -16,7 +16,6 @@ from roslens.source.extract.symbolic.text import (
     Choice,
     Condition,
     Conditions,
-    Hole,
     IsSet,
     IsTrue,
     NoException,
@@ -132,13 +131,11 @@ def _is_of_many(text: Text) -> bool:
 
 
 def _expanded(text: Text, values: Values) -> Iterator[Alternative]:
-    place = next((number for number, part in enumerate(text.parts) if isinstance(part, Hole) and part.choice), None)
-    if place is None:
+    hole = next((one for one in text.holes if one.choice), None)
+    if hole is None:
         yield Alternative(text)
         return
-    hole = text.parts[place]
-    if not isinstance(hole, Hole):
-        return
+    place = text.parts.index(hole)
     choice = hole.choice[0]
     decided = decided_by(choice, values)
     for holds in (True, False):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 
 import msgspec
 
@@ -55,10 +55,7 @@ def _holes(text: Text) -> Iterator[Hole]:
 def _with(text: Text, hole: Hole, item: str | Hole) -> Text:
     if not text.holes:
         return text
-    parts: Iterable[str | Hole] = (
-        part if isinstance(part, str) else item if part == hole else _renamed(part, hole, item) for part in text.parts
-    )
-    return Text.of(*parts)
+    return text.with_holes(lambda part: item if part == hole else _renamed(part, hole, item))
 
 
 def _renamed(part: Hole, hole: Hole, item: str | Hole) -> Hole:

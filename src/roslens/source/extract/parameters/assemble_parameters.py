@@ -107,9 +107,10 @@ class Values:
         sure = Sure.CERTAIN
         how: list[Why] = []
         for part in text.parts:
-            if isinstance(part, str):
-                parts.append(Text((part,)))
-                continue
+            match part:
+                case str():
+                    parts.append(Text((part,)))
+                    continue
             found, less, notes = self._of_hole(part)
             if found.is_global and len(parts) == 1 and _is_private_space(parts[0]):
                 # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.

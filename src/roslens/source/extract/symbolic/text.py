@@ -102,15 +102,33 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
         return self.head.startswith("/")
 
     @property
+    def behind(self) -> tuple[str | Hole, ...]:
+        """What stands behind the known text that it begins with."""
+        return self.parts[1:] if self.head else self.parts
+
+    @property
+    def before(self) -> tuple[str | Hole, ...]:
+        """What stands before the known text that it ends with."""
+        return self.parts[:-1] if self.tail else self.parts
+
+    @property
     def pattern(self) -> str:
         """The text with ``*`` for each hole."""
         return "".join(part if isinstance(part, str) else "*" for part in self.parts)
+
+    def with_known(self, change: Callable[[str], str]) -> Text:
+        """Return a text with each of its known pieces changed."""
+        return Text.of(*(change(part) if isinstance(part, str) else part for part in self.parts))
+
+    def with_holes(self, change: Callable[[Hole], str | Hole | Text]) -> Text:
+        """Return a text with something in place of each of its holes."""
+        return Text.of(*(part if isinstance(part, str) else change(part) for part in self.parts))
 
     def mapped(self, change: Callable[[Hole], Hole | Text]) -> Text:
         """Return a text with each of its holes changed, those of its choices too."""
         if not self.holes:
             return self
-        return Text.of(*(part if isinstance(part, str) else _mapped(part, change) for part in self.parts))
+        return self.with_holes(lambda hole: _mapped(hole, change))
 
     def __bool__(self) -> bool:
         """Whether there is anything in it, known or not."""

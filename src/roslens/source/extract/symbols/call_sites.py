@@ -82,7 +82,10 @@ def places_of(facts: NodeFacts) -> Iterator[tuple[str, int]]:
 
 
 def _is_timer(call: Call) -> bool:
-    return isinstance(call.function, Name | Member) and call.function.name.rpartition(".")[2] in _TIMERS
+    match call.function:
+        case Name(name=name) | Member(name=name):
+            return name.rpartition(".")[2] in _TIMERS
+    return False
 
 
 def _shown(call: Call) -> str:

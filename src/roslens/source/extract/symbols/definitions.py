@@ -6,17 +6,24 @@ from collections.abc import Callable, Mapping
 
 import msgspec
 
-from roslens.source.extract.ir.program import Assign, Class, Function, Name, Program
+from roslens.source.extract.ir.program import Class, Function, Program
 from roslens.source.extract.ir.type_names import dotted
 from roslens.source.extract.symbols.outside_values import OutsideValues
 from roslens.source.extract.symbols.python_modules import PythonModules
 
 
 class Defined(msgspec.Struct, frozen=True):
-    """A class or function and the file it is in."""
+    """A class and the file it is in."""
 
     path: str
-    what: Class | Function
+    what: Class
+
+
+class DefinedFunction(msgspec.Struct, frozen=True):
+    """A function with a body and the file it is in."""
+
+    path: str
+    what: Function
 
 
 class Definitions:
@@ -55,10 +62,10 @@ class Definitions:
             package: says to which package a file belongs.
         """
         self.classes: dict[str, list[Defined]] = {}
-        self.functions: dict[str, list[Defined]] = {}
-        self.methods: dict[str, list[Defined]] = {}
+        self.functions: dict[str, list[DefinedFunction]] = {}
+        self.methods: dict[str, list[DefinedFunction]] = {}
         self.classes_by_last: dict[str, list[Defined]] = {}
-        self.functions_by_last: dict[str, list[Defined]] = {}
+        self.functions_by_last: dict[str, list[DefinedFunction]] = {}
         self.aliases: dict[str, str] = {}
         self.header_aliases: dict[tuple[str, str], set[str]] = {}
         self.last_aliases: set[str] = set()
@@ -67,7 +74,7 @@ class Definitions:
         self._programs, self._outer, self._own = programs, outer, own
         self._modules, self._package = modules, package
         # By identity, which is a lot cheaper than by value; what is kept beside it keeps it from being given again.
-        self._keys: dict[int, tuple[Class | Function, str]] = {}
+        self._keys: dict[int, tuple[Class, str]] = {}
         for path in sorted(programs):
             self._add(path, programs[path])
         for path in sorted(programs):
@@ -79,14 +86,12 @@ class Definitions:
         if before:
             self._modules.add(path)
         self._add_classes(path, program)
-        for statement in program.body:
-            if not isinstance(statement, Assign) or not isinstance(statement.target, Name):
-                continue
-            whole = self._before(path, statement.target.name) + statement.target.name
+        for name, value in program.variables():
+            whole = self._before(path, name) + name
             if not before:
                 self.globals.add(whole)
-            if statement.value is not None:
-                self.outside.add(whole, path, statement.value)
+            if value is not None:
+                self.outside.add(whole, path, value)
         self.last_aliases.update(alias.rpartition(".")[2] for alias in program.imports)
         for alias, meaning in program.imports.items() if not before else ():
             if "." not in alias and path.endswith((".h", ".hpp", ".hh", ".hxx")):
@@ -116,7 +121,7 @@ class Definitions:
                 function = self._of_class_elsewhere(function, program)
             if function.name == "lambda" or not self._outer.isdisjoint((function.qualified_name, function.class_name)):
                 continue
-            defined = Defined(path, function)
+            defined = DefinedFunction(path, function)
             self.functions.setdefault(before + function.qualified_name, []).append(defined)
             if function.class_name:
                 self.methods.setdefault(before + function.class_name, []).append(defined)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from roslens.source.extract.ir.program import Assign, Name, Program
+from roslens.source.extract.ir.program import Program
 from roslens.source.extract.symbols.included_files import HEADERS, Needs, Packages, including, reached
 
 
@@ -26,9 +26,8 @@ def own_names(
         if program.language != "python":
             for one in program.classes:
                 classes.setdefault(one.qualified_name, set()).add(path)
-            for statement in program.body:
-                if isinstance(statement, Assign) and isinstance(statement.target, Name):
-                    variables.setdefault(statement.target.name, set()).add(path)
+            for name, _ in program.variables():
+                variables.setdefault(name, set()).add(path)
     found: dict[str, dict[str, str]] = {}
     for name, paths in (*classes.items(), *variables.items()):
         sources = [path for path in paths if not path.endswith(HEADERS) and path.rpartition("/")[2] not in included]

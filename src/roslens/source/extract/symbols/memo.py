@@ -86,16 +86,14 @@ class Memo:
     def _condition(self, expression: Expression) -> Condition:
         if expression == NO_EXCEPTION:
             return NoException()
-        if not isinstance(expression, Operation):
-            return Written(self.text(expression).strip("`"))
-        parts = [self._condition(one) for one in expression.operands] if expression.operator in _LOGIC else []
-        match expression.operator, parts:
-            case "not", [one]:
-                return negated(one)
-            case "and", [_, _, *_]:
-                return all_of(parts)
-            case "or", [_, _, *_]:
-                return any_of(*parts)
-            case _:
+        match expression:
+            case Operation(operator="not", operands=(one,)):
+                return negated(self._condition(one))
+            case Operation(operator="and", operands=(_, _, *_)):
+                return all_of([self._condition(one) for one in expression.operands])
+            case Operation(operator="or", operands=(_, _, *_)):
+                return any_of(*(self._condition(one) for one in expression.operands))
+            case Operation():
                 # Without the brackets around.
                 return Written(self.text(expression)[1:-1])
+        return Written(self.text(expression).strip("`"))

@@ -55,8 +55,8 @@ class PackageContents:
         found: dict[str, str] = {}
         for program in self._programs.values():
             for one in program.body:
-                call = one.expression if isinstance(one, Evaluate) else None
-                if isinstance(call, Call) and call.function == _CUSTOM and len(call.arguments) == 2:
-                    custom, message = (getattr(two, "name", "") for two in call.arguments)
-                    found[custom] = message.replace(".", "::")
+                match one:
+                    case Evaluate(expression=Call() as call) if call.function == _CUSTOM and len(call.arguments) == 2:
+                        custom, message = (getattr(two, "name", "") for two in call.arguments)
+                        found[custom] = message.replace(".", "::")
         return found

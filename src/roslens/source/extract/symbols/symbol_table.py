@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 from roslens.source.extract.interfaces.interfaces_by_package import InterfacesByPackage
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import (
-    Class,
     Expression,
     Function,
     Program,
 )
 from roslens.source.extract.ir.type_names import dotted, scopes, type_arguments, type_name
-from roslens.source.extract.symbols.definitions import Defined, Definitions
+from roslens.source.extract.symbols.definitions import Defined, DefinedFunction, Definitions
 from roslens.source.extract.symbols.included_files import Needs, Packages
 from roslens.source.extract.symbols.internal_linkage import own_names
 from roslens.source.extract.symbols.linkage import Linkage
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.parameters.parameter_library import ParameterLibrary
     from roslens.source.extract.symbols.reached_functions import Reached
 
-__all__ = ["Defined", "SymbolTable", "dotted", "type_arguments", "type_name"]
+__all__ = ["Defined", "DefinedFunction", "SymbolTable", "dotted", "type_arguments", "type_name"]
 
 
 class SymbolTable:
@@ -85,7 +84,7 @@ class SymbolTable:
         self._chains_of: dict[int, list[Defined]] = {}
         self._outer_bases: dict[str, list[str]] = {}
         self._found_classes: dict[tuple[str, str, str], Defined | None] = {}
-        self._found_functions: dict[tuple[str, str, str], list[Defined]] = {}
+        self._found_functions: dict[tuple[str, str, str], list[DefinedFunction]] = {}
         self._found_aliases: dict[tuple[str, str, str], str] = {}
         self._found_meanings: dict[tuple[str, str, str], str] = {}
         self._last_named: tuple[tuple[str, str, str], tuple[str, ...]] = (("", "", ""), ())
@@ -226,14 +225,14 @@ class SymbolTable:
             return found[0]
         return next((one for one in found if self.linkage.may_know(path, one.path)), None)
 
-    def functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
+    def functions_of(self, name: str, path: str, scope: str) -> list[DefinedFunction]:
         """Return the functions that a name means, those of the same file first."""
         key = (name, path, scope)
         if key not in self._found_functions:
             self._found_functions[key] = self._functions_of(name, path, scope)
         return self._found_functions[key]
 
-    def _functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
+    def _functions_of(self, name: str, path: str, scope: str) -> list[DefinedFunction]:
         for one in self.named(name, path, scope):
             if one in self._definitions.functions:
                 return sorted(self._definitions.functions[one], key=lambda found: found.path != path)
@@ -247,11 +246,11 @@ class SymbolTable:
         program = self.programs.get(path)
         return program is not None and program.language == "python"
 
-    def methods(self, defined: Defined, name: str) -> list[Defined]:
+    def methods(self, defined: Defined, name: str) -> list[DefinedFunction]:
         """Return the methods of a class by name; several where it is overloaded."""
         return self._definitions.functions.get(f"{self.key(defined)}.{name}", [])
 
-    def methods_of(self, defined: Defined) -> list[Defined]:
+    def methods_of(self, defined: Defined) -> list[DefinedFunction]:
         """Return all methods of a class, in whatever file."""
         return self._definitions.methods.get(self.key(defined), [])
 
@@ -262,7 +261,7 @@ class SymbolTable:
             found: set[str] = set()
             for one in self.chain(defined):
                 for method in self.methods_of(one):
-                    if isinstance(method.what, Function) and method.what.name not in (one.what.name, "__init__"):
+                    if method.what.name not in (one.what.name, "__init__"):
                         found |= assigned_names(method.what.body)
             self._changed[key] = frozenset(found)
         return self._changed[key]
@@ -324,7 +323,7 @@ class SymbolTable:
                 continue
             found.append(one)
             keys.add(self.key(one))
-            waiting += [base for name in self._bases(one) if (base := self.class_of(name, one.path, _around(one)))]
+            waiting += [base for name in one.what.bases if (base := self.class_of(name, one.path, _around(one)))]
         self._chains[first] = found
         return found
 
@@ -335,21 +334,17 @@ class SymbolTable:
             self._outer_bases[key] = [
                 self.meaning(name, one.path, _around(one))
                 for one in self.chain(defined)
-                for name in self._bases(one)
+                for name in one.what.bases
                 if self.class_of(name, one.path, _around(one)) is None
             ]
         return self._outer_bases[key]
 
-    @staticmethod
-    def _bases(defined: Defined) -> tuple[str, ...]:
-        return defined.what.bases if isinstance(defined.what, Class) else ()
 
-
-def _around(defined: Defined) -> str:
+def _around(defined: Defined | DefinedFunction) -> str:
     return defined.what.qualified_name.rpartition(".")[0]
 
 
-def _fits(name: str, defined: Defined) -> bool:
+def _fits(name: str, defined: Defined | DefinedFunction) -> bool:
     """Whether a qualified name may mean this: a scope that is written has to be the end of its scope."""
     scope = name.rpartition(".")[0]
     around = _around(defined)

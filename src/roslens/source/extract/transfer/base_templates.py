@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 def bind_bases(ctx: Context, thing: Obj) -> None:
     """Note what the classes of an object give their bases as template arguments: ``class A : public Base<String>``."""
     for one in ctx.index.chain(thing.defined) if thing.defined is not None else ():
-        arguments = getattr(one.what, "base_templates", ())
+        arguments = one.what.base_templates
         if not arguments:
             continue
         name = one.what.qualified_name
         outer, ctx.state.frame = ctx.state.frame, Frame(one.path, name, thing)
         ctx.state.frame.templates.update(thing.templates_of(name))
-        for written, given in zip(getattr(one.what, "bases", ()), arguments, strict=False):
+        for written, given in zip(one.what.bases, arguments, strict=False):
             base = ctx.index.class_of(written, one.path, name.rpartition(".")[0])
             if base is not None and given:
-                names = getattr(base.what, "templates", ())
+                names = base.what.templates
                 bound = dict(zip(names, (_whole(ctx, each) for each in given), strict=False))
                 thing.base_templates.setdefault(base.what.qualified_name, bound)
         ctx.state.frame = outer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.source.extract.ir.program import Call, Class, Evaluate, Function, Name
+from roslens.source.extract.ir.program import Call, Evaluate, Function, Name, Statement
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.overload_choice import taking
 
@@ -14,13 +14,9 @@ def bases_by_default(index: SymbolTable, defined: Defined, constructor: Function
 
     None where it delegates to another constructor, or a base has none that takes no arguments: it is named otherwise.
     """
-    if not isinstance(defined.what, Class) or not defined.what.bases:
+    if not defined.what.bases:
         return
-    named = {
-        one.expression.function.name.rpartition(".")[2]
-        for one in constructor.initialisers
-        if isinstance(one, Evaluate) and isinstance(one.expression, Call) and isinstance(one.expression.function, Name)
-    }
+    named = set(_named_bases(constructor.initialisers))
     if defined.what.name in named or len(named) >= len(defined.what.bases):
         return
     scope = defined.what.qualified_name.rpartition(".")[0]
@@ -31,3 +27,10 @@ def bases_by_default(index: SymbolTable, defined: Defined, constructor: Function
         constructors = index.methods(base, base.what.name)
         if not constructors or taking(index, constructors, 0):
             yield base
+
+
+def _named_bases(initialisers: tuple[Statement, ...]) -> Iterator[str]:
+    for one in initialisers:
+        match one:
+            case Evaluate(expression=Call(function=Name(name=name))):
+                yield name.rpartition(".")[2]

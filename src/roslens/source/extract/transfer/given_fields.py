@@ -25,9 +25,7 @@ def set_fields(ctx: Context, thing: Obj, defined: Defined, arguments: list[Value
         return False
     if any(ctx.index.methods(one, "__init__") for one in chain):
         return False
-    names = [
-        field.name for one in reversed(chain) for field in getattr(one.what, "fields", ()) if _is_given(field.type)
-    ]
+    names = [field.name for one in reversed(chain) for field in one.what.fields if _is_given(field.type)]
     names = list(dict.fromkeys(names))
     if not names:
         return False

@@ -12,7 +12,7 @@ from roslens.source.extract.domain.state import State
 from roslens.source.extract.ir.makes_endpoints import makes_endpoints
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbols.memo import Found
-from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
+from roslens.source.extract.symbols.symbol_table import Defined, DefinedFunction, SymbolTable
 from roslens.source.extract.transfer.overload_choice import overload, taking
 
 _FEW = 3
@@ -54,9 +54,9 @@ class NamedFunctions:
         """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
         for one in self._ctx.index.chain(defined):
             found = self._ctx.index.methods(one, name)
-            if found and isinstance(found[0].what, Function):
-                functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
-                return next((one for one in functions if one[0].body), functions[0])
+            if found:
+                chosen = next((one for one in found if one.what.body), found[0])
+                return chosen.what, chosen.path
         return None
 
     def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
@@ -76,7 +76,7 @@ class NamedFunctions:
         for one in self._ctx.index.chain(defined):
             found = self._ctx.index.methods(one, name)
             chosen = overload(self._ctx.index, found, count, arguments, self._ctx.stack.running)
-            if chosen is None or not isinstance(chosen.what, Function):
+            if chosen is None:
                 continue
             if taking(self._ctx.index, [chosen], count) or not self._ctx.index.programs[chosen.path].dialect.overloads:
                 if len(found) < 2:
@@ -99,7 +99,7 @@ class NamedFunctions:
                 known[key] = found
         return None if found is None else Callable(found[0], found[1])
 
-    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Value]) -> Found:
+    def _function(self, several: list[DefinedFunction], name: str, count: int, arguments: Sequence[Value]) -> Found:
         running = self._ctx.stack.running
         chosen = overload(
             self._ctx.index,
@@ -111,13 +111,13 @@ class NamedFunctions:
         )
         if chosen is None:
             self._unknown_which(name, several)
-        if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
+        if chosen is None or chosen.what.class_name:
             return None
         return chosen.what, chosen.path
 
-    def _unknown_which(self, name: str, several: list[Defined]) -> None:
+    def _unknown_which(self, name: str, several: list[DefinedFunction]) -> None:
         """Note a call of a function that makes endpoints, where the program of none of that name is this one."""
-        makes = [one for one in several if isinstance(one.what, Function) and makes_endpoints(one.what)]
+        makes = [one for one in several if makes_endpoints(one.what)]
         if not makes:
             return
         places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")

@@ -8,7 +8,7 @@ from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, 
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.linkage import Near
-from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable, type_name
+from roslens.source.extract.symbols.symbol_table import DefinedFunction, SymbolTable, type_name
 
 _TEXTS = frozenset({"string", "char", "QString", "string_view"})
 _NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
@@ -19,9 +19,9 @@ _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 
 
 def overload(
-    index: SymbolTable, found: list[Defined], count: int, arguments: Sequence[Value] = (),
+    index: SymbolTable, found: list[DefinedFunction], count: int, arguments: Sequence[Value] = (),
     running: tuple[str, int] = ("", 0), at: tuple[str, str] = ("", ""),
-) -> Defined | None:  # fmt: skip
+) -> DefinedFunction | None:  # fmt: skip
     """Return the function that takes so many arguments, else the one with the most to say.
 
     Of functions outside of classes that are those which the file that calls knows; of several files that are linked
@@ -35,9 +35,8 @@ def overload(
         running: path and line of the function that calls: it calls another one of its name, rather than itself.
         at: path of the file that calls and of the program that it is a part of, where linkage decides.
     """
-    functions = [one for one in found if isinstance(one.what, Function)]
-    near = _near(index, functions, at)
-    functions = [one for one in functions if (one.path, _line(one)) in near] if at[0] else functions
+    near = _near(index, found, at)
+    functions = [one for one in found if (one.path, _line(one)) in near] if at[0] else found
     if len(functions) < 2:
         return functions[0] if functions else None
     best = taking(index, functions, count) or functions
@@ -51,14 +50,14 @@ def overload(
         best = [one for one in best if near[one.path, _line(one)] is nearest]
         if nearest >= Near.LINKED and len({one.path for one in best}) > 1:
             return None
-    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
+    return max(best, key=lambda one: len(one.what.body), default=None)
 
 
-def _line(one: Defined) -> int:
+def _line(one: DefinedFunction) -> int:
     return one.what.line
 
 
-def _near(index: SymbolTable, found: list[Defined], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
+def _near(index: SymbolTable, found: list[DefinedFunction], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
     """Return how the file that calls knows functions, those that it does not know left out."""
     path, unit = at
     program = index.programs.get(path)
@@ -66,24 +65,19 @@ def _near(index: SymbolTable, found: list[Defined], at: tuple[str, str]) -> dict
     near: dict[tuple[str, int], Near] = {}
     for one in found:
         what = one.what
-        if not isinstance(what, Function) or what.class_name or known is None:
+        if what.class_name or known is None:
             near[one.path, what.line] = Near.OWN
         elif (how := known(path, one.path, unit, local=what.local)) is not None:
             near[one.path, what.line] = how
     return near
 
 
-def taking(index: SymbolTable, found: list[Defined], count: int) -> list[Defined]:
+def taking(index: SymbolTable, found: list[DefinedFunction], count: int) -> list[DefinedFunction]:
     """Return the functions that take so many arguments."""
-    functions = [(one, one.what) for one in found]
-    return [
-        one
-        for one, what in functions
-        if isinstance(what, Function) and count <= len(what.parameters) and _least(index, what, one.path) <= count
-    ]
+    return [one for one in found if count <= len(one.what.parameters) and _least(index, one.what, one.path) <= count]
 
 
-def known_function(index: SymbolTable, found: list[Defined], at: tuple[str, str]) -> Defined | None:
+def known_function(index: SymbolTable, found: list[DefinedFunction], at: tuple[str, str]) -> DefinedFunction | None:
     """Return the function of a name that a file knows best, see :func:`overload`; None where several are as near."""
     near = _near(index, found, at)
     known = [one for one in found if (one.path, _line(one)) in near]
@@ -102,9 +96,9 @@ def taking_so_many(index: SymbolTable, callback: Callable, count: int) -> Callab
     several = index.functions_of(function.qualified_name, callback.path, "")
     near = _near(index, several, (callback.path, "")) if len(several) > 1 else {}
     found = [one for one in taking(index, several, count) if (one.path, _line(one)) in near]
-    if not found or not isinstance(chosen := found[0].what, Function):
+    if not found:
         return callback
-    return Callable(chosen, found[0].path, callback.self, callback.names, callback.arguments)
+    return Callable(found[0].what, found[0].path, callback.self, callback.names, callback.arguments)
 
 
 def _least(index: SymbolTable, function: Function, path: str) -> int:
@@ -114,10 +108,9 @@ def _least(index: SymbolTable, function: Function, path: str) -> int:
     return sum(own.default is None and other.default is None for own, other in pairs)
 
 
-def fit(one: Defined, arguments: Sequence[Value]) -> int:
+def fit(one: DefinedFunction, arguments: Sequence[Value]) -> int:
     """Return how well a function fits to arguments; what is unknown fits anywhere."""
-    parameters = one.what.parameters if isinstance(one.what, Function) else ()
-    return sum(_fit(parameter.type, value) for parameter, value in zip(parameters, arguments, strict=False))
+    return sum(_fit(parameter.type, value) for parameter, value in zip(one.what.parameters, arguments, strict=False))
 
 
 def _fit(declared: str, value: Value) -> int:

@@ -45,10 +45,11 @@ def _written(function: Function) -> Iterator[str]:
         match one:
             case tuple():
                 waiting[:0] = one
+            case Call():
+                yield from one.templates
+                waiting[:0] = msgspec.structs.astuple(one)
             case msgspec.Struct():
-                if isinstance(one, Call):
-                    yield from one.templates
-                waiting[:0] = [getattr(one, name) for name in one.__struct_fields__]
+                waiting[:0] = msgspec.structs.astuple(one)
 
 
 def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:

@@ -25,7 +25,6 @@ from roslens.source.extract.ir.program import (
     Loop,
     Name,
     Operation,
-    Statement,
 )
 from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
@@ -74,13 +73,12 @@ def registered(index: SymbolTable) -> dict[str, Evidence]:
     found: dict[str, Evidence] = {}
     for path, program in index.programs.items():
         for statement in program.body:
-            if isinstance(statement, Evaluate) and isinstance(call := statement.expression, Call):
-                name = call.function.name if isinstance(call.function, Name) else ""
-                place = _REGISTRATIONS.get(name)
-                if place is not None and place < len(call.arguments):
-                    argument = call.arguments[place]
-                    if isinstance(argument, Name):
-                        found.setdefault(argument.name, Evidence(path, call.line, call.column))
+            match statement:
+                case Evaluate(expression=Call(function=Name(name=name)) as call) if name in _REGISTRATIONS:
+                    place = _REGISTRATIONS[name]
+                    match call.arguments[place : place + 1]:
+                        case (Name(name=registered_name),):
+                            found.setdefault(registered_name, Evidence(path, call.line, call.column))
     return found
 
 
@@ -125,7 +123,7 @@ def facts_of_plugin(
         run_methods(ctx, thing)
         for found in index.methods(defined, defined.what.name):
             # Constructors that nobody calls are an offer too.
-            if isinstance(found.what, Function) and (found.path, found.what.line) not in ctx.callbacks.reached:
+            if (found.path, found.what.line) not in ctx.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
                 ctx.objects.prepare(other)
                 ctx.call(Callable(found.what, found.path, other), [], {})
@@ -213,12 +211,13 @@ def facts_of_module(
             ctx.call(Callable(chosen[0], path), [], {})
         elif not function:
             for statement in program.body:
-                if isinstance(statement, Branch) and _is_main(statement):
-                    ctx.block(statement.then)
-                elif isinstance(statement, Evaluate):
-                    ctx.value(statement.expression)
-                elif isinstance(statement, Branch | Loop) or _calls(statement):
-                    ctx.block((statement,))
+                match statement:
+                    case Branch() if _is_main(statement):
+                        ctx.block(statement.then)
+                    case Evaluate():
+                        ctx.value(statement.expression)
+                    case Branch() | Loop() | Assign(value=Call()):
+                        ctx.block((statement,))
         _run_lifecycle(ctx)
         _run_callbacks(ctx)
 
@@ -239,13 +238,11 @@ def _run_lifecycle(ctx: Interpreter) -> None:
             ctx.emitter.node = outer
 
 
-def _calls(statement: Statement) -> bool:
-    return isinstance(statement, Assign) and isinstance(statement.value, Call)
-
-
 def _is_main(branch: Branch) -> bool:
-    condition = branch.condition
-    return isinstance(condition, Operation) and Literal("__main__") in condition.operands
+    match branch.condition:
+        case Operation(operands=operands):
+            return Literal("__main__") in operands
+    return False
 
 
 def run_methods(ctx: Interpreter, thing: Obj, *, again: bool = False) -> None:
@@ -266,7 +263,7 @@ def run_methods(ctx: Interpreter, thing: Obj, *, again: bool = False) -> None:
         # What a base in another package could do is not what this node does.
         if ctx.index.package(one.path) == home:
             for found in ctx.index.methods_of(one):
-                if isinstance(found.what, Function) and not _made_by(found.what, one):
+                if not _made_by(found.what, one):
                     called = Written(f"{found.what.name}() is called")
                     ctx.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
     ctx.run_later()
@@ -301,8 +298,9 @@ def _run_plugged(ctx: Interpreter) -> None:
 def _run_callbacks(ctx: Interpreter) -> None:
     """Run the callbacks of a program: by then, members of their objects may have changed."""
     for callback, _ in ctx.callbacks.waiting:
-        if isinstance(callback.self, Obj):
-            _forget(ctx, callback.self)
+        match callback.self:
+            case Obj() as thing:
+                _forget(ctx, thing)
     ctx.run_later()
 
 

@@ -18,13 +18,13 @@ def facts_of_registration(
     """Return the facts of the classes that a function registers as nodes of behaviour trees."""
     found: list[NodeFacts] = []
     for statement in function.body:
-        call = statement.expression if isinstance(statement, Evaluate) else None
-        if not isinstance(call, Call) or not isinstance(call.function, Member) or not call.templates:
-            continue
-        if call.function.name in TREE_REGISTRATIONS:
-            defined = index.class_of(type_name(call.templates[0])[0], path, function.qualified_name)
-            if defined is not None:
-                found += _facts_of_tree_node(index, defined, (path, function, call), reached)
+        match statement:
+            case Evaluate(expression=Call(function=Member(name=name), templates=(kind, *_)) as call) if (
+                name in TREE_REGISTRATIONS
+            ):
+                defined = index.class_of(type_name(kind)[0], path, function.qualified_name)
+                if defined is not None:
+                    found += _facts_of_tree_node(index, defined, (path, function, call), reached)
     return found
 
 
@@ -46,7 +46,8 @@ def _facts_of_tree_node(
                 thing = ctx.call(builder, unknown, {})
             case _:
                 thing = ctx.objects.construct(defined, unknown, {})
-        if isinstance(thing, Obj):
-            run_methods(ctx, thing)
+        match thing:
+            case Obj():
+                run_methods(ctx, thing)
 
     return finished(ctx, run, reached)

@@ -93,7 +93,7 @@ def _makes(index: SymbolTable, defined: Defined, reached: Reached, known: dict[i
     for one in index.chain(defined):
         for method in index.methods_of(one):
             what = method.what
-            if not isinstance(what, Function) or (method.path, what.line) in reached:
+            if (method.path, what.line) in reached:
                 continue
             makes = known.get(id(what))
             if makes is None:

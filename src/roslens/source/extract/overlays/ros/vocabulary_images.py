@@ -121,8 +121,8 @@ def filtered_images_later(ctx: Context, _thing: Value, called: CallSite) -> Valu
 
 def _camera(image: Value) -> Value:
     """Return the topic of the camera's information beside a topic of images."""
-    last = image.parts[-1] if isinstance(image, Text) and image.parts else None
-    if not isinstance(image, Text) or not isinstance(last, str) or ("/" not in last and len(image.parts) > 1):
-        return Unknown("the topic beside that of the image")
-    folder, slash, _ = last.rpartition("/")
-    return Text.of(*image.parts[:-1], f"{folder}{slash}camera_info")
+    match image:
+        case Text(tail=last) if last and ("/" in last or len(image.parts) == 1):
+            folder, slash, _ = last.rpartition("/")
+            return Text.of(*image.before, f"{folder}{slash}camera_info")
+    return Unknown("the topic beside that of the image")

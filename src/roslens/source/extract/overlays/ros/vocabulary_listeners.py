@@ -132,8 +132,7 @@ def _prefix(ctx: Context, called: CallSite) -> Text:
     if given is None or (len(called.arguments) == 2 and _is_logger(ctx, given, called)):
         return Text()
     prefix = as_text(given)
-    last = prefix.parts[-1] if prefix.parts else "."
-    return prefix if isinstance(last, str) and last.endswith(".") else Text.of(prefix, ".") if prefix.parts else prefix
+    return Text.of(prefix, ".") if prefix.parts and not prefix.tail.endswith(".") else prefix
 
 
 def _is_logger(ctx: Context, value: Value, called: CallSite) -> bool:

@@ -260,16 +260,16 @@ def resolved(ctx: Context, thing: Value, called: CallSite) -> Value:
 def expanded(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A name is expanded below the namespace that is given."""
     space = as_text(called.argument(2))
-    first = space.parts[0] if len(space.parts) == 1 else ""
-    if isinstance(first, str) or not isinstance(first.reason, OfNode) or not is_namespace(first):
-        return Unknown("an expanded name")
-    return _expanded(as_text(called.argument(0)), first.reason, OfNode(NamePart.FULL_NAME, first.reason.node))
+    match space.only:
+        case Hole(reason=OfNode() as of) as first if is_namespace(first):
+            return _expanded(as_text(called.argument(0)), of, OfNode(NamePart.FULL_NAME, of.node))
+    return Unknown("an expanded name")
 
 
 def _expanded(name: Text, space: OfNode, whole: OfNode) -> Text:
-    first = name.parts[0] if name.parts else ""
-    if not isinstance(first, str):
-        return name if is_namespace(first) else Text((msgspec.structs.replace(first, below=space), *name.parts[1:]))
-    if first.startswith("~"):
-        return Text.of(Hole(whole, default="~"), first[1:], *name.parts[1:])
-    return name if first.startswith("/") else Text.of(Hole(space, default=""), "/", name)
+    match name.parts:
+        case (Hole() as first, *rest):
+            return name if is_namespace(first) else Text((msgspec.structs.replace(first, below=space), *rest))
+    if name.head.startswith("~"):
+        return Text.of(Hole(whole, default="~"), name.head[1:], *name.behind)
+    return name if name.head.startswith("/") else Text.of(Hole(space, default=""), "/", name)

@@ -22,7 +22,7 @@ from roslens.source.extract.facts.node_facts import (
     TimerFact,
     with_texts,
 )
-from roslens.source.extract.ir.program import Function
+from roslens.source.extract.ir.program import Expression, Function
 from roslens.source.extract.symbolic.reason import (
     FIRST,
     MAKER,
@@ -181,6 +181,24 @@ class Callable(msgspec.Struct, frozen=True, eq=False):
     self: Value = None
     names: Names | None = None
     arguments: tuple[Value, ...] = ()
+
+
+class Invocation(msgspec.Struct, frozen=True, eq=False):
+    """A call of a function of the workspace.
+
+    Attributes:
+        function: that is called.
+        arguments: values by position.
+        keywords: values by name.
+        written: the arguments by position as expressions, for references.
+        templates: template arguments, as written.
+    """
+
+    function: Callable
+    arguments: list[Value] = []
+    keywords: Names = {}
+    written: tuple[Expression, ...] = ()
+    templates: tuple[str, ...] = ()
 
 
 class Named(msgspec.Struct, frozen=True):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from roslens.source.extract.domain.abstract_value import Foreign, Value
+from roslens.source.extract.domain.guarded import is_counted
 from roslens.source.extract.domain.kinds import is_whole, known_text
 from roslens.source.extract.symbolic.text import Text
 
@@ -45,6 +46,11 @@ class Words(list[Value]):
 def length_of(items: list[Value]) -> int | AtLeast:
     """Return how many items a list has, which may go on where it is one of words."""
     return items.length if isinstance(items, Words) else len(items)
+
+
+def has_place(items: list[Value], place: int) -> bool:
+    """Return whether it is known what stands at a place of a list, which is one of its places."""
+    return items.has(place) if isinstance(items, Words) else is_counted(items)
 
 
 class AtLeast(Foreign, frozen=True):

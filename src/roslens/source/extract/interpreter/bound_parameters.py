@@ -17,8 +17,6 @@ from roslens.source.extract.symbols.symbol_table import type_name
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-_TYPED = (list, int)
-_SHARED = (list, dict)
 _TEXTS = ("std.string", "string", "std.string_view", "char")
 
 
@@ -32,8 +30,7 @@ def bind(ctx: Context, what: Function, arguments: list[Value], keywords: Names, 
             given = min(given, place)
             bind_rest(what, place, arguments, keywords, frame)
         elif place < given:
-            value = arguments[place]
-            names[parameter.name] = ctx.objects.typed(parameter.type, value) if isinstance(value, _TYPED) else value
+            names[parameter.name] = ctx.objects.typed(parameter.type, arguments[place])
         elif parameter.name in keywords:
             frame.names[parameter.name] = keywords[parameter.name]
         else:
@@ -48,9 +45,10 @@ def bind(ctx: Context, what: Function, arguments: list[Value], keywords: Names, 
             known = None if "**" in keywords else default
             value = _not_given(ctx, what, parameter) if known is None else ctx.value(known)
             ctx.state.frame = outer
-            if isinstance(value, _SHARED):
-                # A default of Python is one object: what a call puts into it the next one finds there.
-                value = ctx.state.once.setdefault((frame.path, what.line, place, id(what)), value)
+            match value:
+                case list() | dict():
+                    # A default of Python is one object: what a call puts into it the next one finds there.
+                    value = ctx.state.once.setdefault((frame.path, what.line, place, id(what)), value)
             frame.names[parameter.name] = value
 
 

@@ -5,17 +5,25 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Class, Named, Names, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Class,
+    Invocation,
+    Named,
+    Names,
+    Obj,
+    QosValue,
+    Unknown,
+    Value,
+)
 from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_first
-from roslens.source.extract.domain.plain_methods import plain_method
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.bound_functions import bound
+from roslens.source.extract.interpreter.unknown_calls import may_set, method_of_plain
 from roslens.source.extract.interpreter.vocabulary import CallSite, find_method, find_outer, guessed_method, is_method
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
-from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.symbols.symbol_table import dotted, type_arguments, type_name
-from roslens.source.extract.transfer.changed_values import CHANGING, changed_by
 from roslens.source.extract.transfer.each_way import each_way
 from roslens.source.extract.transfer.overload_choice import overload
 from roslens.source.extract.transfer.refined_values import refine
@@ -36,11 +44,7 @@ _CASTS = frozenset(
 _FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
 _BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
 _TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
-_PLACES = (Name, Member)
-_FUNCTIONS = (Callable, Class)
-_ADDING = frozenset({"append", "push_back", "emplace_back", "add"})
-_HOLDERS = (Text, list, dict)
-_LISTS = (list, dict)
+_SUPER = Name("super")
 _KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
 _OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
@@ -53,10 +57,12 @@ def _takes_object(function: Function) -> bool:
 
 def _dotted(expression: Expression) -> str:
     """Return names joined by dots as they are written; empty where something else is among them."""
-    if isinstance(expression, Name):
-        return expression.name
-    before = _dotted(expression.of) if isinstance(expression, Member) else ""
-    return f"{before}.{expression.name}" if before and isinstance(expression, Member) else ""
+    match expression:
+        case Name():
+            return expression.name
+        case Member() if before := _dotted(expression.of):
+            return f"{before}.{expression.name}"
+    return ""
 
 
 class Calls:
@@ -73,9 +79,13 @@ class Calls:
         ctx = self.ctx
         function = expression.function
         templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
-        if isinstance(function, Member):
-            return self._method(expression, function, templates)
-        name = function.name if isinstance(function, Name) else ""
+        match function:
+            case Member():
+                return self._method(expression, function, templates)
+            case Name():
+                name = function.name
+            case _:
+                name = ""
         known = name in _KNOWN
         if known and name == "super" and not expression.arguments:
             return ctx.state.frame.self
@@ -84,8 +94,8 @@ class Calls:
         arguments, keywords = self._arguments(expression)
         ctx.state.at(expression)
         if known:
-            if name in _FROM_THIS and isinstance(ctx.state.frame.self, Obj):
-                return ctx.state.frame.self
+            if name in _FROM_THIS and ctx.state.frame.object is not None:
+                return ctx.state.frame.object
             if name in _POINTERS and templates:
                 kind, inside = type_name(templates[0])
                 return ctx.objects.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
@@ -101,11 +111,11 @@ class Calls:
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
         ctx = self.ctx
-        thing = ctx.state.frame.self
-        if isinstance(thing, Obj) and "." not in name:
+        thing = ctx.state.frame.object
+        if thing is not None and "." not in name:
             method = ctx.named.methods(thing, name, len(arguments), arguments)
             if method is not None:
-                return ctx.call(method, arguments, keywords, expression.arguments, templates)
+                return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
             if name in thing.fields:
                 return self._apply(thing.fields[name], expression, arguments, keywords, templates)
             if is_method(name):
@@ -123,20 +133,21 @@ class Calls:
     ) -> Value:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
         ctx = self.ctx
-        thing = ctx.state.frame.self
         frame, memo = ctx.state.frame, ctx.index.memo
-        of = thing.defined if isinstance(thing, Obj) else None
+        of = None if frame.object is None else frame.object.defined
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = memo.outside.get(key)
         if meant is None:
             found = ctx.named.function(name, key[-1], arguments) or ctx.expressions.defined(name)
-            if isinstance(found, Callable) and "." in name:
-                found = self._overload(found, name, arguments)
             place = (name, frame.path, frame.scope)
-            if isinstance(found, Class) and ctx.index.alias(*place).endswith("*"):
-                return arguments[0] if arguments else None
-            if isinstance(found, _FUNCTIONS):
-                return self._apply(found, expression, arguments, keywords, templates)
+            match found:
+                case Callable():
+                    chosen = self._overload(found, name, arguments) if "." in name else found
+                    return self._apply(chosen, expression, arguments, keywords, templates)
+                case Class() if ctx.index.alias(*place).endswith("*"):
+                    return arguments[0] if arguments else None
+                case Class():
+                    return self._apply(found, expression, arguments, keywords, templates)
             meant = ctx.index.meaning(*place), ctx.index.alias(*place)
             if found is None and not ctx.index.functions_of(*place):
                 memo.outside[key] = meant
@@ -173,17 +184,8 @@ class Calls:
             return arguments[0]
         for one in (*arguments, *keywords.values()):
             ctx.callbacks.give(one)
-        self._may_set(expression, arguments, name)
+        may_set(ctx, expression, arguments, name)
         return Unknown(f"result of {name}()")
-
-    def _may_set(self, expression: Call, arguments: list[Value], name: str) -> None:
-        """Texts that are empty when they are given to what is not known may be what it sets."""
-        ctx = self.ctx
-        for written, value in zip(expression.arguments, arguments, strict=False):
-            if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
-                continue
-            if ctx.dialect.calls_set_arguments:
-                ctx.assign(written, unknown(f"a text that {name}() may set"))
 
     def made_outer(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...]) -> Value:
         """Return an object of a class outside of the workspace."""
@@ -202,36 +204,47 @@ class Calls:
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:
         ctx = self.ctx
         name, on = function.name, function.of
-        of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
+        of_super = type(on) is Call and on.function == _SUPER
         of = ctx.state.frame.self if of_super else ctx.value(on)
         arguments, keywords = self._arguments(expression)
         ctx.state.at(expression)
         if type(of) is Unknown and not is_method(name):
             return self.plain_method(expression, function, of, arguments, keywords)
-        if name in _FROM_THIS and isinstance(of, Obj):
-            return of
-        if of_super and isinstance(of, Obj):
-            return self._of_base(of, name, arguments, keywords)
         match of:
             case Named():
                 return self._of_module(of, expression, function, arguments, keywords, templates)
             case Class():
                 return self._of_class(of, expression, name, arguments, keywords)
+            case Obj() if name in _FROM_THIS:
+                return of
+            case Obj() if of_super:
+                return self._of_base(of, name, arguments, keywords)
+            case Obj() if of.ways:
+                return self._of_ways(of, expression, name, arguments, keywords, templates)
             case Obj():
-                if of.ways:
-                    return self._of_ways(of, expression, name, arguments, keywords, templates)
                 method = ctx.named.methods(of, name, len(arguments) + len(keywords), arguments)
                 if method is not None:
-                    return ctx.call(method, arguments, keywords, expression.arguments, templates)
+                    return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
                 if name in of.fields:
                     return self._apply(of.fields[name], expression, arguments, keywords, templates)
-        called = self._call_of(expression, name, arguments, keywords, templates)
+        return self._of_library(expression, function, of, arguments, keywords, templates)
+
+    def _of_library(
+        self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names,
+        templates: tuple[str, ...],
+    ) -> Value:  # fmt: skip
+        """Call a method that the workspace does not have, of whatever value."""
+        ctx = self.ctx
+        called = self._call_of(expression, function.name, arguments, keywords, templates)
         known = find_method(ctx, of, called)
-        if known is not None:
-            found = known(ctx, of, called)
-            return refine(ctx, function.of, of, found) if isinstance(of, QosValue) else found
-        guessed = self._guessed(of, called) if isinstance(of, Obj) else None
-        return guessed or self.plain_method(expression, function, of, arguments, keywords)
+        match of:
+            case QosValue() if known is not None:
+                return refine(ctx, function.of, of, known(ctx, of, called))
+            case _ if known is not None:
+                return known(ctx, of, called)
+            case Obj() if guessed := self._guessed(of, called):
+                return guessed
+        return self.plain_method(expression, function, of, arguments, keywords)
 
     def _of_ways(
         self, of: Obj, expression: Call, name: str, arguments: list[Value], keywords: Names,
@@ -244,7 +257,7 @@ class Calls:
             method = ctx.named.methods(thing, name, len(arguments) + len(keywords), arguments)
             if method is None:
                 return Unknown(f"result of {name}()")
-            return ctx.call(method, arguments, keywords, expression.arguments, templates)
+            return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
 
         return each_way(ctx, of, call)
 
@@ -252,20 +265,7 @@ class Calls:
         self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
     ) -> Value:
         """Call a method of a text, a list or a table, or of what is not known."""
-        ctx = self.ctx
-        name = function.name
-        change = changed_by(ctx, function.of, of, name, arguments, keywords) if name in CHANGING else None
-        if change is not None:
-            return change[0]
-        if name in _ADDING and ctx.state.store.open and isinstance(of, list):
-            ctx.state.store.items(of)
-        found = plain_method(of, name, arguments)
-        if arguments and not isinstance(of, _HOLDERS):
-            self._may_set(expression, arguments, name)
-        if arguments and isinstance(found, Unknown) and not isinstance(of, _LISTS):
-            for one in arguments:
-                ctx.callbacks.give(one)
-        return found
+        return method_of_plain(self.ctx, expression, function, of, arguments, keywords)
 
     def _of_module(
         self, of: Named, expression: Call, function: Member, arguments: list[Value], keywords: Names,
@@ -277,7 +277,10 @@ class Calls:
         inside = ctx.named.function(_dotted(function), count) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
-        beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None
+        beside: Class | None = None
+        match function.of:
+            case Member() as outer:
+                beside = self._class_of_module(outer)
         if beside is not None:
             return self._of_class(beside, expression, function.name, arguments, keywords)
         templates = (*of.templates, *templates)
@@ -328,7 +331,7 @@ class Calls:
         for one in rest:
             found = ctx.index.methods(one, name)
             if found:
-                return ctx.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
+                return ctx.call(Invocation(Callable(found[0].what, found[0].path, thing), arguments, keywords))
         called = CallSite(name, arguments, keywords, (), (), ctx.state.site)
         known = find_method(ctx, thing, called)
         return known(ctx, thing, called) if known is not None else Unknown(f"{name} of a base")
@@ -337,15 +340,17 @@ class Calls:
         """Call a function of a class: of a base with the object, or a static one."""
         ctx = self.ctx
         found = ctx.index.methods(of.defined, name)
-        if name == "__init__" and arguments and isinstance(arguments[0], Obj):
-            ctx.objects.construct_as(arguments[0], of.defined, arguments[1:], keywords)
-            return None
+        match name, arguments:
+            case "__init__", [Obj() as thing, *rest]:
+                ctx.objects.construct_as(thing, of.defined, rest, keywords)
+                return None
         if found:
-            what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
+            what, path, given = found[0].what, found[0].path, expression.arguments
+            bound_to: Value = None
             if arguments and _takes_object(what) and ctx.index.programs[path].dialect.methods_take_objects:
                 # What the class is asked for gets the object as its first argument, which parameters leave out.
-                thing, arguments, given = arguments[0], arguments[1:], given[1:]
-            return ctx.call(Callable(what, path, thing), arguments, keywords, given)
+                bound_to, arguments, given = arguments[0], arguments[1:], given[1:]
+            return ctx.call(Invocation(Callable(what, path, bound_to), arguments, keywords, given))
         return Unknown(f"result of {name}()")
 
     def _apply(
@@ -354,7 +359,7 @@ class Calls:
         ctx = self.ctx
         match of:
             case Callable():
-                return ctx.call(of, arguments, keywords, expression.arguments, templates)
+                return ctx.call(Invocation(of, arguments, keywords, expression.arguments, templates))
             case Class():
                 return ctx.objects.construct(of.defined, arguments, keywords, templates)
             case Named():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.domain.abstract_value import (
     Callable,
     Class,
+    Invocation,
     Made,
     Named,
     Obj,
@@ -18,12 +19,12 @@ from roslens.source.extract.domain.abstract_value import (
     test_of,
 )
 from roslens.source.extract.domain.frame import Frame
-from roslens.source.extract.domain.guarded import Guarded, is_counted
+from roslens.source.extract.domain.guarded import Guarded, unguarded
 from roslens.source.extract.domain.list_slices import is_slice, part_of
 from roslens.source.extract.domain.plain_methods import SAME
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
-from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.domain.word_list import has_place
 from roslens.source.extract.interpreter.operations import chosen, computed, decided, opened
 from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
 from roslens.source.extract.ir.program import (
@@ -87,9 +88,10 @@ class Expressions:
     def literal(self, expression: Literal) -> Value:
         """Return a literal."""
         value = expression.value
-        if not isinstance(value, str):
-            return value
-        return Text((value,)) if value else Text()
+        match value:
+            case str():
+                return Text((value,)) if value else Text()
+        return value
 
     def name(self, expression: Name) -> Value:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
@@ -102,8 +104,8 @@ class Expressions:
         thing = frame.self
         if name == "self" or name == "this":
             return thing if thing is not None else Unknown("self")
-        if isinstance(thing, Obj) and name in thing.fields:
-            return thing.fields[name]
+        if frame.members is not None and name in frame.members:
+            return frame.members[name]
         if ctx.state.globals:
             whole = ctx.index.global_name(name, frame.path, frame.scope)
             if whole in ctx.state.globals:
@@ -127,7 +129,7 @@ class Expressions:
         """Return what the workspace defines under a name; None where it does not."""
         ctx = self.ctx
         frame = ctx.state.frame
-        of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
+        of = frame.object.defined if frame.object is not None and "." not in name else None
         known, key = ctx.index.memo.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
         found = known.get(key)
         if found is None:
@@ -184,9 +186,11 @@ class Expressions:
                 found = ctx.index.methods(of.defined, name)
                 if found:
                     return Callable(found[0].what, found[0].path)
-        if isinstance(of, Text) and name in SAME:
-            return of
-        return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
+            case Text() if name in SAME:
+                return of
+            case Unknown():
+                return of
+        return Unknown(f"{name} of {_shown(of)}")
 
     def _member_of_object(self, of: Obj, name: str) -> Value:
         ctx = self.ctx
@@ -197,7 +201,7 @@ class Expressions:
         method = ctx.named.method(of, name)
         if method is not None:
             if any(getattr(one, "name", "") == "property" for one in method.function.decorators):
-                return ctx.call(method, [], {})
+                return ctx.call(Invocation(method))
             return method
         for one in ctx.index.chain(of.defined) if of.defined is not None else ():
             constant = ctx.index.member(one, name)
@@ -209,22 +213,27 @@ class Expressions:
         """Return an item."""
         ctx = self.ctx
         of = self.value(expression.of)
-        if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
-            return part_of(of, expression.key.text)
+        match expression.key:
+            case Opaque(text=text) if is_slice(text):
+                return part_of(of, text)
         key = self.value(expression.key)
+        match of, key:
+            case dict(), _:
+                return unguarded(of.get(hashable(key), Unknown(f"an item of {ctx.index.memo.text(expression.of)}")))
+            case list(), int(place) if -len(of) <= place < len(of):
+                return of[place] if has_place(of, place) else opened(self.ctx, expression)
+            case Obj(), _:
+                inside = item_held(of, key)
+            case _:
+                inside = item_of(of, key)
         match of:
-            case dict():
-                found = of.get(hashable(key), Unknown(f"an item of {ctx.index.memo.text(expression.of)}"))
-                return found.value if type(found) is Guarded else found
-            case list() if isinstance(key, int) and -len(of) <= key < len(of):
-                known = of.has(key) if isinstance(of, Words) else is_counted(of)
-                return of[key] if known else opened(self.ctx, expression)
-        inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
-        if inside is not None:
-            return inside
-        if isinstance(of, Text) and key == 0 and of.head:
-            return Text.of(of.head[:1])
-        return of if isinstance(of, Unknown) else opened(self.ctx, expression)
+            case _ if inside is not None:
+                return inside
+            case Text() if key == 0 and of.head:
+                return Text.of(of.head[:1])
+            case Unknown():
+                return of
+        return opened(self.ctx, expression)
 
     def operation(self, expression: Operation) -> Value:
         """Return the result of an operator."""
@@ -243,8 +252,9 @@ class Expressions:
             ctx.assign(expression.operands[0], value)
             return value
         values = [self.value(one) for one in expression.operands]
-        if operator == "<<" and isinstance(values[0], Obj) and HELD in values[0].fields:
-            return written_to(values[0], values[1:])
+        match operator, values:
+            case "<<", [Obj() as stream, *rest] if HELD in stream.fields:
+                return written_to(stream, rest)
         if operator in ("+", "<<") and not (operator == "<<" and all(type(one) is int for one in values)):
             whole = values[0]
             for one in values[1:]:
@@ -268,13 +278,16 @@ class Expressions:
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
-        if isinstance(one, Text) or isinstance(other, Text):
-            return Text.of(as_text(one), as_text(other))
-        if isinstance(one, list) and isinstance(other, list):
-            return [*one, *other]
-        if isinstance(one, _NUMBER) and isinstance(other, _NUMBER):
-            return one + other
-        return one if isinstance(one, Unknown) else Unknown("a sum")
+        match one, other:
+            case (Text(), _) | (_, Text()):
+                return Text.of(as_text(one), as_text(other))
+            case list(), list():
+                return [*one, *other]
+            case int() | float(), int() | float():
+                return one + other
+            case Unknown(), _:
+                return one
+        return Unknown("a sum")
 
     def sequence(self, expression: Sequence) -> list[Value]:
         """Return a list."""
@@ -286,7 +299,11 @@ class Expressions:
         for key, value in expression.items:
             if type(key) is Opaque and key.text == "**":
                 inner = self.value(value)
-                found.update(inner if isinstance(inner, dict) else {unknown("a key that is not known"): inner})
+                match inner:
+                    case dict():
+                        found.update(inner)
+                    case _:
+                        found[unknown("a key that is not known")] = inner
             else:
                 found[hashable(self.value(key))] = self.value(value)
         return found
@@ -317,17 +334,22 @@ class Expressions:
                 return None
             case list() if value and all(type(one) is Guarded for one in value):
                 return None
-        if value is None or isinstance(value, _DECIDED):
-            return bool(value)
-        if isinstance(value, Made):
-            return True if value.certain else None
-        return True if isinstance(value, _FUNCTIONS) else None
+            case None | bool() | int() | float() | list() | dict():
+                return bool(value)
+            case Made():
+                return True if value.certain else None
+            case Callable() | Class():
+                return True
+        return None
 
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes through; None where it is unknown."""
-        if isinstance(value, list):
-            return value
-        return list(value) if isinstance(value, dict) else None
+        match value:
+            case list():
+                return value
+            case dict():
+                return list(value)
+        return None
 
 
 def _defined(ctx: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
@@ -362,6 +384,3 @@ def _shown(value: Value) -> str:
 
 # Written once: a union that is written in a call is made in each call.
 _TRUTHS = {True: Text(("True",)), False: Text(("False",))}
-_NUMBER = (int, float)
-_DECIDED = (bool, int, float, list, dict)
-_FUNCTIONS = (Callable, Class)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Names, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Names, QosValue, Unknown, Value
 from roslens.source.extract.domain.frame import Frame, join
-from roslens.source.extract.domain.kinds import all_of_kind
+from roslens.source.extract.domain.kinds import all_of_kind, fields_of
 from roslens.source.extract.domain.summaries import HEAVY, Summary
 from roslens.source.extract.facts.node_facts import led_to
 from roslens.source.extract.interpreter.bound_parameters import bind
@@ -34,20 +34,13 @@ class Functions:
         """Call functions in an evaluation."""
         self.ctx = ctx
 
-    def call(
-        self,
-        function: Callable,
-        arguments: list[Value],
-        keywords: Names,
-        written: tuple[Expression, ...] = (),
-        templates: tuple[str, ...] = (),
-    ) -> Value:
-        """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
-        if function.function.name not in MAKE:
-            return self._call(function, arguments, keywords, written, templates)
+    def call(self, call: Invocation) -> Value:
+        """Return what a call of a function of the workspace returns."""
+        if call.function.function.name not in MAKE:
+            return self._call(call)
         ctx = self.ctx
         site, before = ctx.state.site, {id(one): len(one.endpoints) for one in ctx.emitter.nodes}
-        result = self._call(function, arguments, keywords, written, templates)
+        result = self._call(call)
         makes = False
         for one in ctx.emitter.nodes:
             for place in range(before.get(id(one), 0), len(one.endpoints)):
@@ -56,15 +49,9 @@ class Functions:
         ctx.callbacks.reached.pass_on((site.path, site.line), makes=makes)
         return result
 
-    def _call(
-        self,
-        function: Callable,
-        arguments: list[Value],
-        keywords: Names,
-        written: tuple[Expression, ...],
-        templates: tuple[str, ...],
-    ) -> Value:
-        ctx, what = self.ctx, function.function
+    def _call(self, call: Invocation) -> Value:
+        ctx, function = self.ctx, call.function
+        what = function.function
         state, key = ctx.state, (function.path, what.line)
         stack = ctx.stack.keys
         if key in stack or len(stack) >= ctx.budget.depth:
@@ -73,53 +60,57 @@ class Functions:
             return Unknown(f"result of {what.name}()")
         ctx.callbacks.reached.add(key)
         if not what.body and not what.initialisers and ctx.index.programs[function.path].dialect.declared_apart:
-            havoc_unseen(ctx, function, written)
-            return self._computed_by(what, [*function.arguments, *arguments])
-        if what.decorators and (made := decorated(ctx, function)) is not function:
-            return self.call(made, arguments, keywords, written) if isinstance(made, Callable) else made
-        arguments = [*function.arguments, *arguments]
-        plain = not keywords and not function.names
-        done = ctx.summaries.known(key, function.self, (arguments, templates), stack) if plain else None
+            havoc_unseen(ctx, function, call.written)
+            return self._computed_by(what, [*function.arguments, *call.arguments])
+        made = decorated(ctx, function) if what.decorators else function
+        match made:
+            case Unknown():
+                return made
+            case Callable() if made is not function:
+                return self.call(Invocation(made, call.arguments, call.keywords, call.written))
+        arguments = [*function.arguments, *call.arguments]
+        plain = not call.keywords and not function.names
+        done = ctx.summaries.known(key, function.self, (arguments, call.templates), stack) if plain else None
         if done is None:
-            frame = self._followed(function, arguments, keywords, written, templates)
+            frame = self._followed(call, arguments)
             result, names = frame.outcome(), frame.names
         else:
             result, names, state.site, state.gave = done.result, done.names, done.site, None
-            if isinstance(function.self, Obj):
-                if state.store.open:
-                    for name, value in done.fields.items():
-                        state.store.put(function.self.fields, name, value)
-                function.self.fields.update(done.fields)
-        for parameter, expression in zip(what.parameters, written, strict=False):
+            self._done_again(fields_of(function.self), done.fields)
+        for parameter, expression in zip(what.parameters, call.written, strict=False):
             if parameter.type.endswith(_SHARING) and "const" not in parameter.type.split() and parameter.name:
                 self._given_back(parameter, expression, newest(ctx, names.get(parameter.name)))
         if state.store.refined:
             changed_by_call(ctx)
         return result
 
+    def _done_again(self, members: Names, after: Names) -> None:
+        """Let members of an object be what a call made them before, which would do the same again."""
+        store = self.ctx.state.store
+        for name, value in after.items() if store.open else ():
+            store.put(members, name, value)
+        members.update(after)
+
     def _given_back(self, parameter: Parameter, written: Expression, value: Value) -> None:
         # A pointer to anything else is the same object, or may point elsewhere by now.
-        if parameter.type[-1] == "&" or isinstance(value, QosValue):
-            self.ctx.assign(written, value)
+        match value:
+            case QosValue():
+                self.ctx.assign(written, value)
+            case _ if parameter.type[-1] == "&":
+                self.ctx.assign(written, value)
 
-    def _followed(
-        self,
-        function: Callable,
-        arguments: list[Value],
-        keywords: Names,
-        written: tuple[Expression, ...],
-        templates: tuple[str, ...],
-    ) -> Frame:
-        """Evaluate the body of a function; return its names and what it returned."""
-        ctx, what, thing = self.ctx, function.function, function.self
+    def _followed(self, call: Invocation, arguments: list[Value]) -> Frame:
+        """Evaluate the body of a function with all its arguments; return its names and what it returned."""
+        ctx, function, keywords = self.ctx, call.function, call.keywords
+        what, thing, templates = function.function, function.self, call.templates
         state, summaries = ctx.state, ctx.summaries
         outer = state.frame
         key = (function.path, what.line)
         names = function.names
         names = names_now(ctx, names) if type(names) is Around else dict(names or {})
         frame = state.frame_of(function.path, what.qualified_name, thing, names)
-        if isinstance(thing, Obj):
-            frame.templates.update(thing.templates_of(what.class_name))
+        if frame.object is not None:
+            frame.templates.update(frame.object.templates_of(what.class_name))
         if templates and what.templates:
             frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(state.conditions)
@@ -127,8 +118,8 @@ class Functions:
         bind(ctx, what, arguments, keywords, frame)
         around, summaries.cuts = summaries.cuts, set()
         steps, touched = ctx.budget.steps, summaries.touched
-        before = dict(thing.fields) if isinstance(thing, Obj) else {}
-        ctx.stack.enter(key, site, what, written)
+        before = dict(frame.members or {})
+        ctx.stack.enter(key, site, what, call.written)
         state.frame = frame
         try:
             for statement in what.initialisers:
@@ -141,9 +132,8 @@ class Functions:
             ctx.stack.leave()
         if what.name == "lambda":
             set_around(ctx, function, frame)
-        if frame.left and isinstance(thing, Obj):
-            for fields, condition in frame.left:
-                join(thing.fields, fields, condition)
+        for fields, condition in frame.left if frame.members is not None else ():
+            join(frame.members or {}, fields, condition)
         summaries.cuts.discard(key)
         if ctx.budget.steps - steps > HEAVY and summaries.touched == touched and not keywords and not function.names:
             given = (arguments, templates)

@@ -11,7 +11,7 @@ from collections.abc import Callable as Function1
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Callable, Names, NodeBuilder, Value
+from roslens.source.extract.domain.abstract_value import Invocation, NodeBuilder, Value
 from roslens.source.extract.domain.call_stack import CallStack
 from roslens.source.extract.domain.callbacks import Callbacks
 from roslens.source.extract.domain.emitter import Emitter
@@ -19,11 +19,12 @@ from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.domain.summaries import Summaries
 from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.interpreter.assignments import assign
 from roslens.source.extract.interpreter.calls import Calls
 from roslens.source.extract.interpreter.expressions import Expressions
 from roslens.source.extract.interpreter.functions import Functions
 from roslens.source.extract.interpreter.objects import Objects
-from roslens.source.extract.interpreter.statements import assign, block
+from roslens.source.extract.interpreter.statements import block
 from roslens.source.extract.ir.dialect import Dialect
 from roslens.source.extract.ir.program import Expression, Statement
 from roslens.source.extract.symbols.symbol_table import SymbolTable
@@ -104,16 +105,9 @@ class Interpreter:
         """Return what a loop goes through; None where it is unknown."""
         return self.expressions.items(value)
 
-    def call(
-        self,
-        function: Callable,
-        arguments: list[Value],
-        keywords: Names,
-        written: tuple[Expression, ...] = (),
-        templates: tuple[str, ...] = (),
-    ) -> Value:
-        """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
-        return self.functions.call(function, arguments, keywords, written, templates)
+    def call(self, call: Invocation) -> Value:
+        """Return what a call of a function of the workspace returns."""
+        return self.functions.call(call)
 
     def assign(self, target: Expression, value: Value) -> None:
         """Put a value where an expression says."""
@@ -133,6 +127,6 @@ class Interpreter:
                 with_note = [] if note is None else [note]
                 conditions += with_note
                 before, callbacks.running = callbacks.running, True
-                self.call(callback, [], {})
+                self.call(Invocation(callback))
                 callbacks.running = before
                 del conditions[len(conditions) - len(with_note) :]

@@ -6,7 +6,7 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Names, Obj, Unknown, Value, test_of
+from roslens.source.extract.domain.abstract_value import Names, Unknown, Value, test_of
 from roslens.source.extract.domain.frame import LoopExit, PendingExits
 from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import is_number
@@ -157,7 +157,11 @@ def _each_in_turn(ctx: Context, statement: Loop, target: Expression, items: list
 def _once_for_all(ctx: Context, statement: Loop, over: Value) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
     before, frame = ctx.state.frame.snapshot(), ctx.state.frame
-    once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
+    match statement:
+        case Loop(target=None, over=None | Literal()):
+            once = True
+        case _:
+            once = False
     _turn_for_all(ctx, statement, over, once=once)
     if once:
         return
@@ -196,7 +200,10 @@ def _perhaps_turned(ctx: Context, statement: Loop, over: Value) -> None:
     """
     written = _written(ctx, statement)
     always = statement.over is None or (ctx.truth(over) is True and statement.target is None)
-    if always or isinstance(over, Each | Text) or _RUNS.search(written.text):
+    match over:
+        case Each() | Text():
+            always = True
+    if always or _RUNS.search(written.text):
         _turn(ctx, statement)
         return
     here = len(ctx.state.conditions)
@@ -224,8 +231,7 @@ def _gone_through(ctx: Context, statement: Loop, over: Value) -> tuple[Expressio
     """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
     target = statement.target
     if target is None:
-        reads = isinstance(statement.over, Operation) and statement.over.operator == ">>"
-        return (words_read(ctx, statement.over) if reads else None) or (None, None)
+        return words_read(ctx, statement.over) or (None, None)
     items = ctx.items(over)
     return target, plugged_in(ctx, over) if items is None and ctx.emitter.plugged else items
 
@@ -233,9 +239,10 @@ def _gone_through(ctx: Context, statement: Loop, over: Value) -> tuple[Expressio
 def _keep_filled(names: Names, after: Names) -> None:
     """Keep what a turn put into lists: what stands for each item of a list is there if any item is."""
     for name, value in after.items():
-        before = names.get(name)
-        if isinstance(value, list) and isinstance(before, list) and len(value) > len(before):
-            names[name] = value
+        kept = names.get(name)
+        match value, kept:
+            case list(), list(before) if len(value) > len(before):
+                names[name] = value
 
 
 def _written(ctx: Context, statement: Loop) -> Written:
@@ -271,34 +278,36 @@ def _turn(ctx: Context, statement: Loop) -> bool:
 
 def _count(ctx: Context, statement: Loop) -> int | None:
     """Return how many turns a loop has that counts: ``for (i = 0; i < 3; ++i)``; None where that is unknown."""
-    over, step = statement.over, _step(statement)
-    if step is None or not isinstance(over, Operation) or len(over.operands) != 2 or over.operator not in _STOPS:
-        return None
-    counter, end = over.operands
-    if not isinstance(counter, Name) or counter.name != step[0]:
-        return None
+    step = _step(statement)
+    match statement.over:
+        case Operation(operator=operator, operands=(Name() as counter, end)) if step and operator in _STOPS:
+            if counter.name != step[0]:
+                return None
+        case _:
+            return None
     first, last = ctx.value(counter), ctx.value(end)
-    if isinstance(last, Unknown):
-        last = count_of_filled(ctx, end) or last
+    match last:
+        case Unknown():
+            last = count_of_filled(ctx, end) or last
     if not (is_number(first) and is_number(last)) or not step[1]:
         return None
     turns = float(last - first) / step[1]
-    whole = math.floor(turns) + 1 if over.operator in ("<=", ">=") else math.ceil(turns)
+    whole = math.floor(turns) + 1 if operator in ("<=", ">=") else math.ceil(turns)
     return max(0, whole)
 
 
 def _step(statement: Loop) -> tuple[str, int | float] | None:
     """Return what counts the turns, and by which step."""
-    one = statement.update[0] if len(statement.update) == 1 else None
-    if not isinstance(one, Assign) or not isinstance(one.target, Name):
-        return None
-    name, value = one.target.name, one.value
-    if one.operator == "+=" and isinstance(value, Literal) and is_number(value.value):
-        return name, value.value
-    if isinstance(value, Operation) and value.operator in ("+", "-") and value.operands[0] == one.target:
-        by = value.operands[1]
-        if isinstance(by, Literal) and is_number(by.value):
-            return name, by.value if value.operator == "+" else -by.value
+    match statement.update:
+        case (Assign(target=Name(name=name), operator="+=", value=Literal(value=by)),) if is_number(by):
+            return name, by
+        case (
+            Assign(
+                target=Name(name=name),
+                value=Operation(operator="+" | "-" as sign, operands=(Name(name=of), Literal(value=by), *_)),
+            ),
+        ) if of == name and is_number(by):
+            return name, by if sign == "+" else -by
     return None
 
 
@@ -306,20 +315,21 @@ def _forget_counters(ctx: Context, statement: Loop) -> None:
     """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
     frame = ctx.state.frame
     for place, grows in _assigned((*statement.body, *statement.update)):
-        if isinstance(place, Name) and place.name in frame.names:
-            holder = frame.names
-        elif isinstance(frame.self, Obj) and isinstance(place, Name | Member) and place.name in frame.self.fields:
-            holder = frame.self.fields
-        else:
-            continue
-        before = holder[place.name]
+        match place:
+            case Name(name=name) if name in frame.names:
+                holder = frame.names
+            case Name(name=name) | Member(name=name) if frame.members is not None and name in frame.members:
+                holder = frame.members
+            case _:
+                continue
+        before = holder[name]
         match before:
             case bool() | int() | float():
-                holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
+                holder[name] = Unknown(f"{name}, which changes in a loop")
             case Text() if grows:
-                holder[place.name] = unknown(f"{place.name}, which grows in a loop")
+                holder[name] = unknown(f"{name}, which grows in a loop")
             case Text() if before.known is not None and is_read_first(statement.body, place):
-                holder[place.name] = unknown(f"{place.name}, which changes in a loop")
+                holder[name] = unknown(f"{name}, which changes in a loop")
 
 
 def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
@@ -329,9 +339,10 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
     while waiting:
         one = waiting.pop()
         match one:
+            case Assign(value=Operation(operands=operands), declared=""):
+                found.append((one.target, one.operator == "+=" or one.target in operands))
             case Assign() if one.value is not None and not one.declared:
-                grows = isinstance(one.value, Operation) and one.target in one.value.operands
-                found.append((one.target, grows or one.operator == "+="))
+                found.append((one.target, one.operator == "+="))
             case Branch():
                 waiting += [*one.then, *one.otherwise]
             case Loop():
@@ -341,8 +352,11 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
 
 def _each(ctx: Context, over: Value, statement: Loop) -> Value:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
-    if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
-        return each_of(over)
+    match over:
+        case Each():
+            return each_of(over)
+        case Text() if over.holes:
+            return each_of(over)
     return Unknown(EachOf(ctx.index.memo.text(statement.over)) if statement.over is not None else "an item")
 
 

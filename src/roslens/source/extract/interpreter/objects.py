@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Named, Names, Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
+from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.domain.made_texts import text_made
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.domain.word_list import Words
@@ -41,14 +42,19 @@ class Objects:
         name, inside = type_name(declared)
         if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
             return self.converted(declared, value)
-        if is_list(declared) and isinstance(value, Text):
-            # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
-            return [value] if value.known is not None else value
+        match value:
+            case Text() if is_list(declared):
+                # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
+                return [value] if value.known is not None else value
         defined = ctx.index.class_of(name, ctx.state.frame.path, ctx.state.frame.scope)
-        same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
         outer = find_outer(ctx, ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope))
-        if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
-            return self.converted(declared, value)
+        match value:
+            case Obj() if value.defined is not None and value.defined == defined:
+                return self.converted(declared, value)
+            case Unknown() if outer is None:
+                return self.converted(declared, value)
+            case _ if defined is None and outer is None:
+                return self.converted(declared, value)
         return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def construct(
@@ -98,7 +104,7 @@ class Objects:
                         value = self.declared(field.type)
                         # Who sets it may not be followed: it is not sure to be empty.
                         not_set = unknown(NotSet(field.name))
-                        thing.fields[field.name] = not_set if isinstance(value, Text) else value
+                        thing.fields[field.name] = value if text_of(value) is None else not_set
                 finally:
                     ctx.state.frame = outer
         ctx.state.preparing.pop()
@@ -142,7 +148,7 @@ class Objects:
                     self.construct_as(thing, base, [], {})
                 # While a base is constructed, its own virtual methods are called.
                 thing.defined = defined
-            ctx.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, ctx.state.written)
+            ctx.call(Invocation(Callable(chosen.what, chosen.path, thing), arguments, keywords, ctx.state.written))
             thing.defined = whole
             return
         if (
@@ -172,16 +178,14 @@ class Objects:
     def typed(self, declared: str, value: Value) -> Value:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         ctx = self.ctx
-        if isinstance(value, _MADE_BY_TYPE) and not ctx.dialect.types_convert:
-            # Annotations make nothing.
-            return value
         match value:
+            case list() | int() if not ctx.dialect.types_convert:
+                # Annotations make nothing.
+                return value
+            case Words() | TypedList():
+                return value
             case list():
-                if (
-                    not isinstance(value, Words | TypedList)
-                    and not is_list(declared)
-                    and not declared.startswith("std::map")
-                ):
+                if not is_list(declared) and not declared.startswith("std::map"):
                     name, inside = type_name(declared)
                     return self.of_type(name, value, {}, tuple(type_arguments(inside)))
             case int():
@@ -194,8 +198,9 @@ class Objects:
 
     def converted(self, declared: str, value: Value) -> Value:
         """Return a value as a declaration makes it."""
-        if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
-            return value
+        match value:
+            case int() | float() if type_name(declared)[0] in ("std.string", "string"):
+                return value
         return self.typed(declared, value)
 
     def of_type(self, name: str, arguments: list[Value], keywords: Names, templates: tuple[str, ...] = ()) -> Value:
@@ -252,8 +257,6 @@ def _at_first(field: Field) -> Value:
 _OF_TYPE = Named("a value of its type")
 """What a member is whose value has to be made for each object."""
 _TEXTS = ("std.string", "string", "QString", "std.string_view")
-_NUMBER = (int, float)
-_MADE_BY_TYPE = (list, int)
 _LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Named, Unknown, Value, as_text, test_of
 from roslens.source.extract.domain.frame import either, one_of, one_or_none
+from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.domain.plain_methods import formatted
 from roslens.source.extract.domain.word_list import AtLeast
 from roslens.source.extract.ir.program import Expression, Operation
@@ -17,11 +18,6 @@ from roslens.source.extract.transfer.short_circuit import after_others, does_som
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-# Written once: a union that is written in a call is made in each call.
-_NUMBER = (int, float)
-_PLAIN = (str, int, float, bool)
-_COMPARED = (Text, str, int, float)
-_DECIDES = (Unknown, bool, int, float)
 _NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
     "-": lambda one, other: one - other,
     "*": lambda one, other: one * other,
@@ -44,22 +40,23 @@ def chosen(ctx: Context, expression: Operation, decides: Value) -> Value:
         other = way_of(ctx, otherwise, condition, decides, opposite=True)
     else:
         other = ctx.value(otherwise)
-    if isinstance(one, Text) and isinstance(other, Text):
-        if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
+    match one, other, decides:
+        case Text(known="true"), Text(known="false"), Text():
             return decides
-        return either(one, other, condition, test_of(decides))
-    texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
-    if texts and isinstance(one, Text) is not isinstance(other, Text):
-        return either(as_text(one), as_text(other), condition, test_of(decides))
+        case (Text(), Text() | Unknown(), _) | (Unknown(), Text(), _):
+            return either(as_text(one), as_text(other), condition, test_of(decides))
     both = one_of(one, other, condition, test_of(decides))
     if both is not None:
         return both
-    if one is None or other is None:
-        return one_or_none(one, other, condition, test_of(decides))
-    if isinstance(one, _DECIDES) and isinstance(other, _DECIDES):
-        # Neither is taken for the other: what is counted or asked later depends on which one it is.
-        return one if type(one) is type(other) and one == other else opened(ctx, expression)
-    return one if not isinstance(one, Unknown) else other
+    match one, other:
+        case (None, _) | (_, None):
+            return one_or_none(one, other, condition, test_of(decides))
+        case Unknown() | bool() | int() | float(), Unknown() | bool() | int() | float():
+            # Neither is taken for the other: what is counted or asked later depends on which one it is.
+            return one if type(one) is type(other) and one == other else opened(ctx, expression)
+        case Unknown(), _:
+            return other
+    return one
 
 
 def decided(ctx: Context, expression: Operation) -> Value:
@@ -77,13 +74,14 @@ def decided(ctx: Context, expression: Operation) -> Value:
             break
         if holds is None:
             open_.append((value, one))
-            if results and stops and number < len(operands) - 1 and isinstance(value, Text):
-                return _or_else(ctx, value, operands[number:])
+            text = text_of(value) if results and stops and number < len(operands) - 1 else None
+            if text is not None:
+                return _or_else(ctx, text, operands[number:])
     if not open_:
         holds = ctx.truth(value)
         return value if results or holds is None else holds
     if ctx.truth(value) is stops:
-        return stops if not results or isinstance(value, bool) else opened(ctx, expression)
+        return stops if not results or value is stops else opened(ctx, expression)
     tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
     test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
     return opened(ctx, expression, test if len(tests) == len(open_) else None)
@@ -97,45 +95,59 @@ def opened(ctx: Context, expression: Expression, test: Condition | None = None) 
 def _or_else(ctx: Context, value: Text, operands: tuple[Expression, ...]) -> Value:
     """Return a text, or where it is empty what comes after ``or``."""
     rest = ctx.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
-    other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
+    other = text_of(rest)
+    if other is None:
+        other = unknown(as_text(rest).holes[0].reason if rest else "nothing")
     return either(value, other, ctx.index.memo.condition(operands[0]), test_of(value))
 
 
 def computed(ctx: Context, operator: str, values: list[Value], expression: Operation) -> Value:
     """Return what an operator makes of values."""
-    if len(values) == 2 and operator in ("==", "!="):
-        one, other = (_comparable(value) for value in values)
-        plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
-        if plain and not any(isinstance(value, Text) and value.known is None for value in values):
-            return (one == other) is (operator == "==")
-        return opened(ctx, expression, _compared(operator, values))
-    if len(values) == 2 and isinstance(values[0], AtLeast):
-        found = values[0].compared(operator, values[1])
-        return opened(ctx, expression) if found is None else found
-    if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
-        return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
-    if len(values) == 2 and isinstance(values[0], _NUMBER) and isinstance(values[1], _NUMBER):
-        function = _NUMBERS.get(operator)
-        try:
-            return function(*values) if function else opened(ctx, expression)
-        except (ArithmeticError, ValueError):
-            return opened(ctx, expression)
-    if operator == "-" and len(values) == 1 and isinstance(values[0], _NUMBER):
-        return -values[0]
+    match operator, values:
+        case (("==" | "!="), [first, second]):
+            compared = _comparable(first), _comparable(second)
+            match compared:
+                case ((str() | int() | float() as one), (str() | int() | float() as other)):
+                    return (one == other) is (operator == "==")
+            return opened(ctx, expression, _compared(operator, values))
+        case _, [AtLeast() as least, other]:
+            found = least.compared(operator, other)
+            return opened(ctx, expression) if found is None else found
+        case "%", [Text() as pattern, list(given)]:
+            return formatted(pattern, given)
+        case "%", [Text() as pattern, one]:
+            return formatted(pattern, [one])
+        case _, [int() | float() as one, int() | float() as other]:
+            return _calculated(ctx, operator, one, other, expression)
+        case "-", [int() | float() as number]:
+            return -number
     return opened(ctx, expression)
+
+
+def _calculated(ctx: Context, operator: str, one: float, other: float, expression: Operation) -> Value:
+    """Return what an operator makes of numbers."""
+    function = _NUMBERS.get(operator)
+    try:
+        return function(one, other) if function else opened(ctx, expression)
+    except (ArithmeticError, ValueError):
+        return opened(ctx, expression)
 
 
 def _compared(operator: str, values: list[Value]) -> Condition | None:
     """Return what decides a comparison that is open, where texts are compared."""
-    texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
-    if len(texts) < len(values) or not any(one.holes for one in texts):
-        return None
-    test = AreEqual(texts[0], texts[1])
-    return test if operator == "==" else negated(test)
+    match values:
+        case [Text() | str() | int() | float() as first, Text() | str() | int() | float() as second]:
+            one, other = as_text(first), as_text(second)
+            test = AreEqual(one, other)
+            return None if not one.holes and not other.holes else test if operator == "==" else negated(test)
+    return None
 
 
 def _comparable(value: Value) -> Value:
     """Return a value as it compares: what is not found is at ``npos``."""
-    if isinstance(value, Text):
-        return value.known
-    return -1 if isinstance(value, Named) and value.name.endswith("string.npos") else value
+    match value:
+        case Text():
+            return value.known
+        case Named() if value.name.endswith("string.npos"):
+            return -1
+    return value

@@ -1,4 +1,4 @@
-"""Statements while source is evaluated: assignments, branches, loops, and how constructors initialise."""
+"""Statements while source is evaluated: branches, what is returned, and how constructors initialise."""
 
 from __future__ import annotations
 
@@ -6,27 +6,16 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import (
-    Callable,
-    Class,
-    Named,
     Names,
     Obj,
-    QosValue,
-    Remappings,
     Unknown,
     Value,
-    as_text,
     test_of,
 )
 from roslens.source.extract.domain.earlier_values import forget_defaults
-from roslens.source.extract.domain.frame import join
-from roslens.source.extract.domain.guarded import Guarded, is_counted
-from roslens.source.extract.domain.kinds import items_of
-from roslens.source.extract.domain.made_texts import with_sign
+from roslens.source.extract.domain.kinds import items_of, text_of
 from roslens.source.extract.domain.owned_pointer import owns_first
-from roslens.source.extract.domain.quality import changed, quality_of
-from roslens.source.extract.domain.summaries import same
-from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.interpreter.assignments import assigned
 from roslens.source.extract.interpreter.loops import block_of_loop, left, looped, without_ways_out
 from roslens.source.extract.interpreter.objects import is_list
 from roslens.source.extract.ir.program import (
@@ -36,7 +25,6 @@ from roslens.source.extract.ir.program import (
     Call,
     Evaluate,
     Expression,
-    Item,
     Leave,
     Loop,
     Member,
@@ -48,16 +36,10 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.ir.set_again import forget_set_again
 from roslens.source.extract.symbolic.condition import negated
-from roslens.source.extract.symbolic.text import Condition, NoException, Text, said, unknown
+from roslens.source.extract.symbolic.text import Condition, NoException
 from roslens.source.extract.symbols.declared_field import declared_field
 from roslens.source.extract.symbols.symbol_table import type_arguments, type_name
-from roslens.source.extract.transfer.aliases import assign_referred, refer
-from roslens.source.extract.transfer.changed_values import is_open, put_item
-from roslens.source.extract.transfer.class_attributes import set_attribute
-from roslens.source.extract.transfer.plugin_held import hold
-from roslens.source.extract.transfer.refined_values import refine
-from roslens.source.extract.transfer.static_storage import keep, no_place, once, put_where_it_stands, returned
-from roslens.source.extract.transfer.xml_rpc_values import XML_RPC, put_part
+from roslens.source.extract.transfer.static_storage import returned
 
 if TYPE_CHECKING:
     from roslens.source.extract.domain.frame import Held
@@ -72,31 +54,41 @@ def initialise(ctx: Context, statement: Statement) -> None:
             ctx.state.at(call)
             _initialise_base(ctx, call, arguments, {})
         case Assign(target=Member(name=name)) if statement.value is not None:
-            thing = ctx.state.frame.self
-            declared = declared_field(ctx.index, thing.defined, name) if isinstance(thing, Obj) else ""
+            thing = ctx.state.frame.object
+            declared = declared_field(ctx.index, thing.defined, name) if thing is not None else ""
             value = ctx.value(statement.value)
             ctx.state.written_at(statement.line)
-            if isinstance(statement.value, Sequence):
-                kind, inside = type_name(declared)
-                items = items_of(value)
-                if "ptr" in declared.lower() and owns_first(items):
-                    value = items[0]
-                elif not is_list(declared):
-                    value = ctx.objects.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
-                elif items and isinstance(items[0], int | float) and inside.endswith("string"):
-                    value = Unknown(f"{name}, which is so many texts")
-            elif declared:
-                value = ctx.objects.constructed(declared, value)
-            if isinstance(thing, Obj):
+            match statement.value:
+                case Sequence():
+                    value = _initialised_with(ctx, name, declared, value)
+                case _ if declared:
+                    value = ctx.objects.constructed(declared, value)
+            if thing is not None:
                 thing.fields[name] = value
+
+
+def _initialised_with(ctx: Context, name: str, declared: str, value: Value) -> Value:
+    """Return a member that is initialised with the items of a list, as its declared type makes it."""
+    kind, inside = type_name(declared)
+    items = items_of(value)
+    if "ptr" in declared.lower() and owns_first(items):
+        return items[0]
+    if not is_list(declared):
+        return ctx.objects.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
+    match items:
+        case [int() | float(), *_] if inside.endswith("string"):
+            return Unknown(f"{name}, which is so many texts")
+    return value
 
 
 def _initialise_base(ctx: Context, call: Call, arguments: list[Value], keywords: Names) -> None:
     """Construct a base, or delegate to another constructor of the class."""
-    thing = ctx.state.frame.self
-    if not isinstance(call.function, Name) or not isinstance(thing, Obj):
-        return
-    written = call.function.name
+    thing = ctx.state.frame.object
+    match call.function:
+        case Name(name=written) if thing is not None:
+            pass
+        case _:
+            return
     scope, _, last = written.rpartition(".")
     # ``Base::Base(…)`` names the constructor.
     written = scope if scope.rpartition(".")[2] == last else written
@@ -140,130 +132,13 @@ def block(ctx: Context, body: tuple[Statement, ...]) -> None:
         del ctx.state.conditions[before:]
 
 
-def _assigned(ctx: Context, statement: Assign) -> None:
-    if statement.operator == "static" and isinstance(statement.target, Name):
-        ctx.state.frame.names[statement.target.name] = once(ctx, statement)
-        return
-    if statement.operator in _REFERRING and refer(ctx, statement):
-        return
-    if statement.value is None:
-        ctx.state.written_at(statement.line)
-        if isinstance(statement.target, Name):
-            of_module = statement.declared == "global"
-            value = _set_from_here(ctx, statement.target) if of_module else ctx.objects.declared(statement.declared)
-            ctx.state.frame.names[statement.target.name] = value
-        return
-    value = ctx.value(statement.value)
-    if statement.declared:
-        value = ctx.objects.converted(statement.declared, value)
-    if statement.operator == "+=":
-        value = ctx.expressions.sum(ctx.value(statement.target), value)
-    if statement.declared and isinstance(statement.target, Name):
-        ctx.state.frame.names[statement.target.name] = value
-    else:
-        assign(ctx, statement.target, value)
-
-
-def _set_from_here(ctx: Context, name: Name) -> Value:
-    """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
-    key, value = (ctx.state.frame.path, name.name), ctx.value(name)
-    if key in ctx.state.constants and isinstance(value, _PLAIN):
-        reason = f"{name.name}, which {ctx.state.frame.scope.rpartition('.')[2]}() sets"
-        ctx.state.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
-    return value
-
-
-def assign(ctx: Context, target: Expression, value: Value) -> None:
-    """Put a value where an expression says."""
-    match target:
-        case Name():
-            thing = ctx.state.frame.self
-            if (
-                target.name not in ctx.state.frame.names
-                and isinstance(thing, Obj)
-                and _is_field(ctx, thing, target.name)
-            ):
-                ctx.state.store.put(thing.fields, target.name, value)
-            else:
-                _assign_name(ctx, target.name, value)
-        case Member():
-            of = ctx.value(target.of)
-            match of:
-                case Obj():
-                    ctx.state.store.put(of.fields, target.name, value)
-                case Class():
-                    set_attribute(ctx, of, target.name, value)
-                case QosValue() | Named() if (quality := quality_of(of)) is not None:
-                    refine(ctx, target.of, of, changed(quality, target.name, value))
-            if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
-                # A member of what is not in the workspace: options that hold callbacks.
-                ctx.callbacks.give(value)
-        case Call():
-            no_place(ctx)
-            put_where_it_stands(ctx, ctx.value(target), value)
-        case Item():
-            _assign_item(ctx, target, value)
-        case Sequence():
-            parts = items_of(value)
-            known = len(parts) == len(target.items) and is_counted(parts)
-            for place, one in enumerate(target.items):
-                assign(ctx, one, parts[place] if known else Unknown("a part of an unknown value"))
-
-
-def _assign_item(ctx: Context, target: Item, value: Value) -> None:
-    of, key = ctx.value(target.of), ctx.value(target.key)
-    if isinstance(of, Remappings) and len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed:
-        # It may hold, or not: nobody knows what the name becomes.
-        value = unknown(said(as_text(value), f" if {ctx.state.conditions[-1]}"))
-    match of:
-        case Remappings():
-            of[hashable(key)] = value
-        case dict() if (condition := is_open(ctx)) and hashable(key) not in of:
-            of[hashable(key)] = Guarded(value, condition, ctx.state.frame.tests.get(condition))
-        case dict() | list():
-            put_item(ctx, of, key, value)
-        case Text() if isinstance(target.of, Name | Member):
-            assign(ctx, target.of, with_sign(of, key, value))
-        case Obj() if of.type == "std.vector":
-            hold(ctx, of, key, value)
-        case Obj() if of.type in XML_RPC:
-            put_part(ctx, of, key, value)
-
-
-def _assign_name(ctx: Context, name: str, value: Value) -> None:
-    frame = ctx.state.frame
-    if name in frame.kept:
-        keep(ctx, name, value)
-        return
-    if name in frame.aliases and name not in frame.names:
-        assign_referred(ctx, name, value)
-        return
-    whole = "" if name in frame.names else ctx.index.global_name(name, frame.path, frame.scope)
-    if not whole:
-        frame.names[name] = value
-        return
-    before = ctx.state.globals.get(whole)
-    if len(ctx.state.conditions) > frame.passed:
-        ctx.state.globals.setdefault(whole, ctx.value(Name(name)))
-        join(ctx.state.globals, {whole: value}, ctx.state.conditions[-1])
-    else:
-        ctx.state.globals[whole] = value
-    if before is None or not same(before, ctx.state.globals[whole]):
-        ctx.summaries.forget_all()
-
-
-def _is_field(ctx: Context, thing: Obj, name: str) -> bool:
-    if ctx.state.frame.path in ctx.index.programs and not ctx.dialect.members_without_object:
-        return False
-    return name in thing.fields or bool(declared_field(ctx.index, thing.defined, name)) or name.endswith("_")
-
-
 def _evaluated(ctx: Context, statement: Evaluate) -> None:
     ctx.value(statement.expression)
-    called = statement.expression.function if isinstance(statement.expression, Call) else None
-    if called == Name("throw") and len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed:
-        # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
-        ctx.state.frame.returned, ctx.state.frame.plainly = True, False
+    match statement.expression:
+        case Call(function=Name(name="throw")):
+            if len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed:
+                # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
+                ctx.state.frame.returned, ctx.state.frame.plainly = True, False
 
 
 def _returned_value(ctx: Context, written: Expression) -> Value:
@@ -359,10 +234,13 @@ def _handled(ctx: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[
 
 def _asks_parameter(ctx: Context, condition: Expression) -> bool:
     """Whether a parameter decides a condition: other reasons to leave are mostly that all is done, or lost."""
-    if isinstance(condition, Operation):
-        return any(_asks_parameter(ctx, one) for one in condition.operands)
-    value = ctx.value(condition) if isinstance(condition, Name | Member) else None
-    return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
+    match condition:
+        case Operation(operands=operands):
+            return any(_asks_parameter(ctx, one) for one in operands)
+        case Name() | Member():
+            value = text_of(ctx.value(condition))
+            return value is not None and any(hole.parameter for hole in value.holes)
+    return False
 
 
 def _noted(ctx: Context, note: Condition, body: tuple[Statement, ...]) -> None:
@@ -374,10 +252,8 @@ def _noted(ctx: Context, note: Condition, body: tuple[Statement, ...]) -> None:
         ctx.state.conditions.pop()
 
 
-_REFERRING = ("&", "*")
-_PLAIN = (Text, bool, int, float)
 _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
-    Assign: _assigned,
+    Assign: assigned,
     Evaluate: _evaluated,
     Return: _returned,
     Branch: _branched,

@@ -11,7 +11,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import msgspec
 
@@ -26,12 +26,16 @@ from roslens.source.extract.domain.abstract_value import (
     Unknown,
     Value,
 )
+from roslens.source.extract.domain.kinds import first_of_kind
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.ir.program import Expression
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
+
+
+_Kind = TypeVar("_Kind")
 
 
 class CallSite(msgspec.Struct, frozen=True):
@@ -59,6 +63,11 @@ class CallSite(msgspec.Struct, frozen=True):
             if name in self.keywords:
                 return self.keywords[name]
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
+
+    def given(self, kind: type[_Kind], place: int, *names: str) -> _Kind | None:
+        """Return an argument where it is of a kind; None where it is anything else, or is not given."""
+        value = self.argument(place, *names)
+        return value if isinstance(value, kind) else None
 
 
 def written_as(ctx: Context, called: CallSite, place: int) -> str:
@@ -178,8 +187,9 @@ def find_method(ctx: Context, receiver: Value, called: CallSite) -> Word | None:
         word = _METHODS.get((kind, name))
         if word is not None:
             return _said(ctx, word)
-    if receiver is None or isinstance(receiver, Unknown) or (isinstance(receiver, Obj) and receiver.defined is None):
-        return _said(ctx, _ANYWHERE.get(name))
+    match receiver:
+        case None | Unknown() | Obj(defined=None):
+            return _said(ctx, _ANYWHERE.get(name))
     return None
 
 
@@ -192,10 +202,12 @@ def guessed_method(ctx: Context, receiver: Value, called: CallSite) -> Word | No
     word = _ANYWHERE.get(called.name)
     if word is None:
         return None
-    if isinstance(receiver, Obj):
-        outside = receiver.defined is not None and receiver.node is None and ctx.index.outer_bases(receiver.defined)
-        return _said(ctx, word) if outside else None
-    return _said(ctx, word) if isinstance(receiver, Named) and ctx.dialect.declared_apart else None
+    match receiver:
+        case Obj(defined=defined, node=None) if defined is not None and ctx.index.outer_bases(defined):
+            return _said(ctx, word)
+        case Named() if ctx.dialect.declared_apart:
+            return _said(ctx, word)
+    return None
 
 
 def kinds_of(ctx: Context, receiver: Value) -> tuple[str, ...]:
@@ -218,7 +230,9 @@ def kinds_of(ctx: Context, receiver: Value) -> tuple[str, ...]:
             return ("qos",)
         case Text():
             return ("text",)
-    return ("made",) if isinstance(receiver, Made) else ()
+        case Made():
+            return ("made",)
+    return ()
 
 
 def node_of(ctx: Context, value: Value) -> NodeBuilder:
@@ -229,16 +243,15 @@ def node_of(ctx: Context, value: Value) -> NodeBuilder:
         case Obj():
             if value.node is not None:
                 return value.node
-            for inner in value.fields.values():
-                if isinstance(inner, Handle):
-                    return inner.node
+            handle = first_of_kind(value.fields.values(), Handle)
+            if handle is not None:
+                return handle.node
     return ctx.emitter.node
 
 
 def below(value: Value, name: Text) -> Text:
     """Return a name below what a handle puts in front of it."""
-    if not isinstance(value, Handle) or not value.prefix.parts:
-        return name
-    if name.head[:1] in ("/", "~"):
-        return name
-    return Text.of(value.prefix, "/", name) if name.parts else value.prefix
+    match value:
+        case Handle(prefix=prefix) if prefix.parts and name.head[:1] not in ("/", "~"):
+            return Text.of(prefix, "/", name) if name.parts else prefix
+    return name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, Value, as_text
+from roslens.source.extract.domain.kinds import fields_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.ir.program import Expression, Operation
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
@@ -43,21 +44,23 @@ def words_read(ctx: Context, over: Expression | None) -> tuple[Expression, list[
 
     Words of a text that is unknown are one that stands for each. None where a loop does something else.
     """
-    if not isinstance(over, Operation) or over.operator != ">>" or len(over.operands) != 2:
+    match over:
+        case Operation(operator=">>", operands=(stream, into)):
+            held = fields_of(ctx.value(stream))
+        case _:
+            return None
+    if HELD not in held:
         return None
-    source = ctx.value(over.operands[0])
-    if not isinstance(source, Obj) or HELD not in source.fields:
-        return None
-    text = as_text(source.fields[HELD])
+    text = as_text(held[HELD])
     node = deciding_node(ctx, text)
     if text.holes and text not in node.asks:
         node.asks.append(text)
     usual = text.known if ctx.given.chosen is None else text.usual
     if usual is not None:
         where = f"default of {text.holes[0].reason}" if text.holes else ""
-        return over.operands[1], [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]
+        return into, [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]
     decides = next((hole.parameter for hole in text.holes if hole.parameter), "")
-    return over.operands[1], [unknown(f"each word of {text}", parameter=decides)]
+    return into, [unknown(f"each word of {text}", parameter=decides)]
 
 
 def written_to(thing: Obj, values: list[Value]) -> Obj:

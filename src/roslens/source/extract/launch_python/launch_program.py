@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from roslens.source.extract.domain.abstract_value import Callable, Names, NodeBuilder, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Names, NodeBuilder, Value
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
@@ -64,7 +64,7 @@ class LaunchProgram:
         """
         outer, self._visit.scope = self._visit.scope, scope or self._visit.scope
         try:
-            return self._interpreter.call(function, arguments, keywords)
+            return self._interpreter.call(Invocation(function, arguments, keywords))
         finally:
             self._visit.scope = outer
             self.state.frame = LaunchFrame(self._path, "")

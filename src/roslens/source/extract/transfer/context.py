@@ -13,7 +13,7 @@ from typing import Protocol
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Callable, Names, Obj, Value
+from roslens.source.extract.domain.abstract_value import Invocation, Names, Obj, Value
 from roslens.source.extract.domain.call_stack import CallStack
 from roslens.source.extract.domain.callbacks import Callbacks
 from roslens.source.extract.domain.emitter import Emitter
@@ -153,15 +153,8 @@ class Context(Protocol):
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes through; None where it is unknown."""
 
-    def call(
-        self,
-        function: Callable,
-        arguments: list[Value],
-        keywords: Names,
-        written: tuple[Expression, ...] = (),
-        templates: tuple[str, ...] = (),
-    ) -> Value:
-        """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
+    def call(self, call: Invocation) -> Value:
+        """Return what a call of a function of the workspace returns."""
 
     def assign(self, target: Expression, value: Value) -> None:
         """Put a value where an expression says."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Callable, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.ir.program import Call, Expression, Name
 
@@ -29,12 +29,12 @@ def decorated(ctx: Context, function: Callable) -> Callable | Unknown:
         bare = ctx.named.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
         itself = Callable(bare, function.path, function.self, function.names, function.arguments)
         if what.class_name:
-            ctx.call(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
+            ctx.call(Invocation(itself, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters]))
             return Unknown(f"result of {what.name}(), which is decorated")
         made: Value = itself
         for one in reversed(known):
             decorator = ctx.value(one)
-            made = ctx.call(decorator, [made], {}) if isinstance(decorator, Callable) else None
+            made = ctx.call(Invocation(decorator, [made])) if isinstance(decorator, Callable) else None
         return made if isinstance(made, Callable) else Unknown(f"result of {what.name}(), which is decorated")
     finally:
         ctx.state.frame = outer

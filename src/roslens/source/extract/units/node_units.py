@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Callable, Named, NodeBuilder, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Named, NodeBuilder, Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.word_list import words_given
 from roslens.source.extract.facts.chosen import Chosen
@@ -126,7 +126,7 @@ def facts_of_plugin(
             if (found.path, found.what.line) not in ctx.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
                 ctx.objects.prepare(other)
-                ctx.call(Callable(found.what, found.path, other), [], {})
+                ctx.call(Invocation(Callable(found.what, found.path, other)))
         ctx.run_later()
 
     return finished(ctx, run, reached)
@@ -149,7 +149,7 @@ def facts_of_function(
         ctx.state.frame = Frame(path, "")
         if thing is not None and prepared:
             ctx.objects.prepare(thing)
-        ctx.call(Callable(function, path, thing), [], {})
+        ctx.call(Invocation(Callable(function, path, thing)))
         ctx.run_later()
 
     return finished(ctx, run, reached)
@@ -177,7 +177,7 @@ def facts_of_main(
         given: list[Value] = [Unknown("argc"), Unknown("argv")]
         if held is not None:
             given = [held.length, held]
-        ctx.call(Callable(main, path), given, {})
+        ctx.call(Invocation(Callable(main, path), given))
         _run_callbacks(ctx)
         if len(ctx.emitter.made) > 1:
             # Which node of several is which only this evaluation knows.
@@ -208,7 +208,7 @@ def facts_of_module(
         ctx.state.frame.names["__name__"] = Text.of("__main__")
         chosen: list[Function] = [one for one in program.functions if one.qualified_name == function]
         if function and chosen:
-            ctx.call(Callable(chosen[0], path), [], {})
+            ctx.call(Invocation(Callable(chosen[0], path)))
         elif not function:
             for statement in program.body:
                 match statement:
@@ -233,7 +233,7 @@ def _run_lifecycle(ctx: Interpreter) -> None:
             for name in _FIRST[:3]:
                 method = ctx.named.method(one, name)
                 if method is not None:
-                    ctx.call(method, [], {})
+                    ctx.call(Invocation(method))
         finally:
             ctx.emitter.node = outer
 
@@ -253,7 +253,7 @@ def run_methods(ctx: Interpreter, thing: Obj, *, again: bool = False) -> None:
     for name in _FIRST:
         method = ctx.named.method(thing, name)
         if method is not None and (again or (method.path, method.function.line) not in ctx.callbacks.reached):
-            ctx.call(method, [], {})
+            ctx.call(Invocation(method))
     _forget(ctx, thing)
     ctx.run_later()
     if thing.defined is None:

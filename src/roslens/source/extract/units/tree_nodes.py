@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.source.extract.domain.abstract_value import Callable, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.facts.node_facts import NodeFacts
 from roslens.source.extract.interpreter.interpreter import Interpreter
@@ -43,7 +43,7 @@ def _facts_of_tree_node(
         builder = ctx.value(call.arguments[1]) if len(call.arguments) > 1 else None
         match builder:
             case Callable():
-                thing = ctx.call(builder, unknown, {})
+                thing = ctx.call(Invocation(builder, unknown))
             case _:
                 thing = ctx.objects.construct(defined, unknown, {})
         match thing:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import Invocation, Obj, Unknown, Value, as_text
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Hole, Text
 
@@ -40,7 +40,7 @@ def _port_default(ctx: Context, name: Text) -> str | None:
         thing.fields["ports"] = {}
         provided = ctx.named.method(thing, "providedPorts")
         if provided is not None:
-            ctx.call(provided, [], {})
+            ctx.call(Invocation(provided))
     ports = thing.fields["ports"]
     default = ports.get(name) if isinstance(ports, dict) else None
     return default if isinstance(default, str) else None

@@ -22,7 +22,7 @@ from roslens.source.extract.domain.abstract_value import (
     as_text,
 )
 from roslens.source.extract.domain.earlier_values import without_defaults
-from roslens.source.extract.domain.kinds import is_number
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_number, reason_of
 from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import (
     EndpointFact,
@@ -34,7 +34,7 @@ from roslens.source.extract.facts.node_facts import (
     TimerFact,
 )
 from roslens.source.extract.interpreter.vocabulary import CallSite, below, node_of
-from roslens.source.extract.ir.program import Call, Name
+from roslens.source.extract.ir.program import Call, Expression, Function, Name
 from roslens.source.extract.symbolic.condition import under_either
 from roslens.source.extract.symbolic.reason import OfParameter
 from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, unknown
@@ -89,7 +89,7 @@ def endpoint(
     sure = sure_of(written, receiver)
     if sure is not Sure.CERTAIN or written.holes:
         evidence = msgspec.structs.replace(evidence, how=how(written), sure=sure)
-    quality = qos if isinstance(qos, QosValue) else None
+    quality = first_of_kind((qos,), QosValue)
     fact = EndpointFact(
         role,
         written,
@@ -100,7 +100,7 @@ def endpoint(
         queue=queue,
         latched=latched,
         callback=ctx.callbacks.give(callback),
-        group=group.name if isinstance(group, Group) else "",
+        group=_group_name(group),
         conditions=tuple(dict.fromkeys(ctx.state.conditions)),
         asked=asked,
         through=through,
@@ -138,17 +138,23 @@ def origin(ctx: Context, called: CallSite, name: Value) -> tuple[Evidence, tuple
         (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
     )
     for site, function, written in reversed(ctx.stack.calls):
-        while isinstance(expression, Call) and len(expression.arguments) == 1:
-            expression = expression.arguments[0]
-        if not isinstance(expression, Name) or not site.line:
-            break
-        names = [parameter.name for parameter in function.parameters]
-        place = names.index(expression.name) if expression.name in names else -1
-        if not 0 <= place < len(written):
+        passed = _passed_on(expression, function, written) if site.line else None
+        if passed is None:
             break
         through.insert(0, evidence)
-        expression, evidence = written[place], site
+        expression, evidence = passed, site
     return evidence, tuple(through)
+
+
+def _passed_on(expression: Expression | None, function: Function, written: tuple[Expression, ...]) -> Expression | None:
+    """Return what a call gives for the parameter that an expression is, converted or not; None where it is none."""
+    match expression:
+        case Call(arguments=(only,)):
+            return _passed_on(only, function, written)
+        case Name(name=name):
+            given = zip((parameter.name for parameter in function.parameters), written, strict=False)
+            return next((one for parameter, one in given if parameter == name), None)
+    return None
 
 
 def sure_of(name: Text, receiver: Value) -> Sure:
@@ -160,7 +166,10 @@ def sure_of(name: Text, receiver: Value) -> Sure:
 
 def is_guessed(receiver: Value) -> bool:
     """Return whether it is not known of which node something is: the one that is built is taken for it."""
-    return receiver is None or isinstance(receiver, Unknown)
+    match receiver:
+        case None | Unknown():
+            return True
+    return False
 
 
 def how(name: Text) -> str:
@@ -172,16 +181,17 @@ def how(name: Text) -> str:
 
 def type_text(ctx: Context, kind: Value, generation: str, role: Role) -> Text:
     """Return the type of an endpoint as text."""
-    written = kind if isinstance(kind, str) else ""
     match kind:
-        case Named():
+        case str():
+            written = kind
+        case Named() | Class():
             written = kind.name
-        case Class():
-            written = kind.defined.what.qualified_name
         case Obj():
             written = kind.type
+        case _:
+            written = ""
     if not written:
-        return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
+        return unknown(reason_of(kind, "its type is not written"))
     written = _adapted(ctx, written)
     name = _as_interface(written, generation)
     if not name:
@@ -250,11 +260,12 @@ def _in_scope(ctx: Context, written: str, kind: str) -> str:
 
 def type_of_callback(callback: Value, place: int = 0) -> str:
     """Return the type that a callback takes, as its declaration says."""
-    if not isinstance(callback, Callable):
-        return ""
-    bound = sum(not isinstance(one, Unknown) for one in callback.arguments)
-    parameters = callback.function.parameters[place + bound :]
-    return parameters[0].type if parameters else ""
+    match callback:
+        case Callable():
+            bound = len(callback.arguments) - len(all_of_kind(callback.arguments, Unknown))
+            parameters = callback.function.parameters[place + bound :]
+            return parameters[0].type if parameters else ""
+    return ""
 
 
 class Described(Foreign, frozen=True):
@@ -280,7 +291,7 @@ def parameter(
     """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
     node = node_of(ctx, receiver)
     written = below(receiver, as_text(name))
-    text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
+    text = _default_text(default) if given else None
     evidence = evidence or origin(ctx, called, name)[0]
     if is_guessed(receiver) and evidence.sure is Sure.CERTAIN:
         evidence = msgspec.structs.replace(evidence, how=_TAKEN, sure=Sure.LIKELY)
@@ -311,36 +322,44 @@ def parameter(
     return Text((Hole(OfParameter(str(written), node.number), known, usual, named=named),))
 
 
+def _default_text(default: Value) -> Text | None:
+    match default:
+        case None | Unknown() | Obj():
+            return None
+    return value_text(default)
+
+
 def _type_by_default(node: NodeBuilder, default: Value, *, python: bool) -> str:
     """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
-    if isinstance(default, Text) and default.holes:
-        first = default.only
-        if first is not None:
+    match default:
+        case Text(only=Hole() as first):
             # It may be a number, too.
             named = (
                 one for one in node.parameters if one.type and first.parameter in (one.name.known, one.name.pattern)
             )
             return next((one.type for one in named), "") if first.parameter else ""
-        return "string"
+        case Text() if default.holes:
+            return "string"
     return type_of_value(default, python=python and node.generation == "ros2")
 
 
 def is_set(value: Value) -> Condition | None:
     """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
-    if not isinstance(value, Text):
-        return None
-    hole = value.only
-    return IsSet(value) if hole is not None and hole.parameter and "*" not in hole.parameter else None
+    match value:
+        case Text(only=Hole(parameter=parameter)) if parameter and "*" not in parameter:
+            return IsSet(value)
+    return None
 
 
 def value_text(value: Value) -> Text:
     """Return the value of a parameter as text: a list as YAML in one line, where all of it is known."""
-    if not isinstance(value, list):
-        return as_text(value)
-    items = [value_text(one) for one in value]
-    if any(one.known is None for one in items):
-        return unknown("a list of which a part is unknown")
-    return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
+    match value:
+        case list():
+            items = [value_text(one) for one in value]
+            if any(one.known is None for one in items):
+                return unknown("a list of which a part is unknown")
+            return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
+    return as_text(value)
 
 
 def declared_default(node: NodeBuilder, name: Text) -> Text | None:
@@ -355,5 +374,11 @@ def timer(ctx: Context, receiver: Value, called: CallSite, period: Value, callba
     """Record a timer."""
     node = node_of(ctx, receiver)
     seconds = float(period) if is_number(period) else None
-    name = group.name if isinstance(group, Group) else ""
-    node.timers.append(TimerFact(seconds, called.evidence, ctx.callbacks.give(callback), name))
+    node.timers.append(TimerFact(seconds, called.evidence, ctx.callbacks.give(callback), _group_name(group)))
+
+
+def _group_name(group: Value) -> str:
+    match group:
+        case Group():
+            return group.name
+    return ""

@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import Obj, Value, as_text
+from roslens.source.extract.domain.kinds import table_of
 from roslens.source.extract.domain.parameter_types import type_of_value
 from roslens.source.extract.facts.node_facts import ParameterFact, Sure
 from roslens.source.extract.interpreter.vocabulary import CallSite, below, node_of
 from roslens.source.extract.overlays.ros.emit import value_text
-from roslens.source.extract.symbolic.text import Conditions, Text
+from roslens.source.extract.symbolic.text import Conditions, Text, unknown
 from roslens.source.extract.transfer.xml_rpc_values import parts_of
 
 if TYPE_CHECKING:
@@ -28,10 +29,10 @@ def write_parameter(
     What is written while the node runs is only likely to be there, as nobody knows when that is.
     """
     written = below(receiver, as_text(name))
-    if isinstance(value, dict) and value and all(isinstance(key, Text | str) for key in value):
-        for key, item in value.items():
-            inner = as_text(key) if not isinstance(key, str) else Text.of(key)
-            write_parameter(ctx, receiver, called, Text.of(as_text(name), "/", inner), item)
+    items = _by_name(value)
+    for inner, item in items:
+        write_parameter(ctx, receiver, called, Text.of(as_text(name), "/", inner), item)
+    if items:
         return
     parts = parts_of(value)
     for key, part in parts.items():
@@ -40,7 +41,11 @@ def write_parameter(
         )
     if parts:
         return
-    text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
+    match value:
+        case None | dict() | Obj():
+            text = unknown("a value of many parts")
+        case _:
+            text = value_text(value)
     writer = called.evidence
     if ctx.callbacks.running:
         writer = msgspec.structs.replace(writer, how="while the node runs", sure=Sure.LIKELY)
@@ -56,3 +61,15 @@ def write_parameter(
     node = node_of(ctx, receiver)
     if fact not in node.parameters:
         node.parameters.append(fact)
+
+
+def _by_name(value: Value) -> list[tuple[str | Text, Value]]:
+    """Return the items of a table whose keys are texts; none of any other value."""
+    found: list[tuple[str | Text, Value]] = []
+    for key, item in table_of(value).items():
+        match key:
+            case Text() | str():
+                found.append((key, item))
+            case _:
+                return []
+    return found

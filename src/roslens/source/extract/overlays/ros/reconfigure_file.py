@@ -24,7 +24,7 @@ from roslens.source.extract.domain.abstract_value import (
     as_text,
 )
 from roslens.source.extract.domain.frame import Frame
-from roslens.source.extract.domain.kinds import all_of_kind, is_number, is_whole, items_of
+from roslens.source.extract.domain.kinds import all_of_kind, is_number, is_whole, items_of, known_text, name_of
 from roslens.source.extract.domain.state import State
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.expressions import Expressions
@@ -176,18 +176,19 @@ def add(ctx: Context, thing: Obj, called: CallSite) -> Value:
 @method(_GENERATOR, "generate")
 def generate(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """A class is generated of what was declared until now."""
-    if isinstance(ctx.expressions, _Script):
-        texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
-        package, name = (one.known or "" for one in texts)
-        added = all_of_kind(items_of(thing.fields[_ADDED]), Declaration)
-        ctx.expressions.generated.append(ReconfigureFile(package, name, ctx.state.frame.path, tuple(added)))
+    match ctx.expressions:
+        case _Script(generated=generated):
+            texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
+            package, name = (one.known or "" for one in texts)
+            added = all_of_kind(items_of(thing.fields[_ADDED]), Declaration)
+            generated.append(ReconfigureFile(package, name, ctx.state.frame.path, tuple(added)))
     return 0
 
 
 def _type(value: Value) -> str:
     """Return the type that ``int_t`` names, or the text that it is in the generator's own source."""
-    written = value.known if isinstance(value, Text) else value.name if isinstance(value, Named) else None
-    return _TYPES.get((written or "").rpartition(".")[2].removesuffix("_t"), "")
+    written = known_text(value) or name_of(value)
+    return _TYPES.get(written.rpartition(".")[2].removesuffix("_t"), "")
 
 
 def _value(value: Value, kind: str) -> Text:
@@ -196,10 +197,14 @@ def _value(value: Value, kind: str) -> Text:
         value = _NOTHING[kind]
     if kind == "double" and is_number(value):
         return Text.of(repr(float(value)))
-    fits = {"int": is_whole(value), "bool": isinstance(value, bool)}
-    if fits.get(kind, kind == "string" and isinstance(value, Text)):
-        return as_text(value)
-    return unknown(as_text(value).holes[0].reason if isinstance(value, Unknown | Named) else f"no value of type {kind}")
+    match kind, value:
+        case ("bool", bool()) | ("string", Text()):
+            return as_text(value)
+        case "int", int() if is_whole(value):
+            return as_text(value)
+        case _, Unknown() | Named():
+            return unknown(as_text(value).holes[0].reason)
+    return unknown(f"no value of type {kind}")
 
 
 def _end(value: Value, kind: str) -> str:

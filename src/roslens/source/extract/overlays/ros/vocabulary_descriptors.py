@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, TypeGuard
 
 from roslens.source.extract.domain.abstract_value import Names, Obj, Value
-from roslens.source.extract.domain.kinds import is_number, known_text
+from roslens.source.extract.domain.kinds import all_of_kind, is_number, items_of, known_text
 from roslens.source.extract.facts.node_facts import Terms
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.overlays.ros.emit import Described
-from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -35,8 +34,9 @@ def descriptor(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 @outer(*_RANGES.values(), quiet=True)
 def bounds(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The range of a number."""
-    if called.arguments and isinstance(called.arguments[0], Obj):
-        return called.arguments[0]
+    whole = called.given(Obj, 0)
+    if whole is not None:
+        return whole
     places = dict(zip(("from_value", "to_value", "step"), called.arguments, strict=False))
     return Obj(called.name, None, {**places, **called.keywords})
 
@@ -47,14 +47,18 @@ def bounds(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 @method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
 def set_field(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A field is set: ``descriptor.set__read_only(true)``."""
-    if isinstance(thing, Obj):
-        thing.fields[called.name.removeprefix(_SET)] = called.argument(0)
+    match thing:
+        case Obj():
+            thing.fields[called.name.removeprefix(_SET)] = called.argument(0)
     return thing
 
 
 def is_descriptor(value: Value) -> TypeGuard[Obj]:
     """Whether a value describes a parameter."""
-    return isinstance(value, Obj) and value.type.rpartition(".")[2] == "ParameterDescriptor"
+    match value:
+        case Obj(type=kind):
+            return kind.rpartition(".")[2] == "ParameterDescriptor"
+    return False
 
 
 def described_by(values: Iterable[Value], kind: str = "") -> Described:
@@ -70,15 +74,15 @@ def described_by(values: Iterable[Value], kind: str = "") -> Described:
         Terms(
             read_only=found.get("read_only") is True,
             dynamic=found.get("dynamic_typing") is True,
-            constraints=(more.known,) if isinstance(more, Text) and more.known else (),
+            constraints=(constraint,) if (constraint := known_text(more)) else (),
         ),
     )
 
 
 def _range(given: Value) -> str:
     """Return a range of numbers as text; empty where there is none, or one of its ends is unknown."""
-    items = given if isinstance(given, list) else [given]
-    fields = next((one.fields for one in reversed(items) if isinstance(one, Obj) and one.fields), None)
+    items = items_of(given) or [given]
+    fields = next((one.fields for one in reversed(all_of_kind(items, Obj)) if one.fields), None)
     ends = [] if fields is None else [fields.get(name, 0) for name in ("from_value", "to_value")]
     known = [one for one in ends if is_number(one)]
     return f"{known[0]}..{known[1]}" if len(known) == 2 else ""

@@ -45,6 +45,9 @@ def service(ctx: Context, thing: Value, called: CallSite) -> Value:
 
 def _kind(called: CallSite) -> Value:
     kind = called.argument(1)
-    if isinstance(kind, Text) and kind.known:
-        return kind.known.replace("/", "::")
-    return Unknown(str(kind)) if isinstance(kind, Text) else kind
+    match kind:
+        case Text(known=str(known)) if known:
+            return known.replace("/", "::")
+        case Text():
+            return Unknown(str(kind))
+    return kind

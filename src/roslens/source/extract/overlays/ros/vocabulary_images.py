@@ -29,14 +29,16 @@ def images(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 
 def _handle(thing: Value, ctx: Context) -> Value:
-    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(ctx.emitter.node)
+    match thing:
+        case Obj():
+            return thing.fields.get("handle")
+    return Handle(ctx.emitter.node)
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")
 def image_publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher of images, and with a camera of what is known of it."""
-    handle, queue = _handle(thing, ctx), called.argument(1)
-    size = queue if isinstance(queue, int) else -1
+    handle, size = _handle(thing, ctx), _size(called)
     follow_visitors(ctx, called, 2)
     made = endpoint(ctx, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
     if called.name.endswith("Camera"):
@@ -47,8 +49,7 @@ def image_publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
 @method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
 def image_subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription to images, and with a camera to what is known of it."""
-    handle, queue = _handle(thing, ctx), called.argument(1)
-    size = queue if isinstance(queue, int) else -1
+    handle, size = _handle(thing, ctx), _size(called)
     callback = called.argument(2)
     made = endpoint(ctx, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback)
     if called.name.endswith("Camera"):
@@ -115,8 +116,18 @@ def filtered_images(ctx: Context, _thing: Value, called: CallSite) -> Value:
 def filtered_images_later(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
     first = called.argument(0)
-    given = _handle(first, ctx) if isinstance(first, Obj) and first.node is None else first
+    match first:
+        case Obj(node=None):
+            given = _handle(first, ctx)
+        case _:
+            given = first
     return endpoint(ctx, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
+
+
+def _size(called: CallSite) -> int:
+    """Return how many images are kept at most; -1 where that is unknown."""
+    size = called.given(int, 1)
+    return -1 if size is None else size
 
 
 def _camera(image: Value) -> Value:

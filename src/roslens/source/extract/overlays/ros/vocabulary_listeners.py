@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import fields_of, object_of
 from roslens.source.extract.domain.unknown_lists import each_of
 from roslens.source.extract.facts.node_facts import Sure
 from roslens.source.extract.interpreter.vocabulary import LISTENER, CallSite, method, node_of, outer, written_as
@@ -45,14 +46,14 @@ def listener(ctx: Context, _thing: Value, called: CallSite) -> Value:
 @method(LISTENER, "get_params", "get_stack_params")
 def params(_ctx: Context, thing: Value, _called: CallSite) -> Value:
     """All parameters are read."""
-    known = thing.fields.get("params") if isinstance(thing, Obj) else None
+    known = fields_of(thing).get("params")
     return known if known is not None else Unknown("parameters of a listener")
 
 
 @method(LISTENER, "try_get_params", "try_update_params", "try_get_stack_params")
 def params_into(ctx: Context, thing: Value, called: CallSite) -> Value:
     """All parameters are read into a variable."""
-    known = thing.fields.get("params") if isinstance(thing, Obj) else None
+    known = fields_of(thing).get("params")
     if known is not None and called.written:
         ctx.assign(called.written[0], known)
     return Unknown("whether parameters changed")
@@ -61,7 +62,10 @@ def params_into(ctx: Context, thing: Value, called: CallSite) -> Value:
 @method(_ENTRIES, "at", "get_entry")
 def entry(_ctx: Context, thing: Value, _called: CallSite) -> Value:
     """One of the entries of a map, which stands for each."""
-    return thing.fields["entry"] if isinstance(thing, Obj) else Unknown("an entry")
+    match thing:
+        case Obj():
+            return thing.fields["entry"]
+    return Unknown("an entry")
 
 
 class _Declaring:
@@ -118,12 +122,16 @@ class _Declaring:
 def _inside(at: Obj, piece: str) -> Obj:
     """Return a part of a structure, made where it is not there; the entries of a map are one for all."""
     if not piece.startswith(MAP):
-        inner = at.fields.setdefault(piece, Obj(_PARAMS, None, {}))
-        return inner if isinstance(inner, Obj) else Obj(_PARAMS, None, {})
-    entries = at.fields.setdefault(f"{piece.removeprefix(MAP)}_map", Obj(_ENTRIES, None, {}))
-    found = entries.fields.setdefault("entry", Obj(_PARAMS, None, {})) if isinstance(entries, Obj) else None
+        return _object_at(at, piece, _PARAMS)
+    found = _object_at(_object_at(at, f"{piece.removeprefix(MAP)}_map", _ENTRIES), "entry", _PARAMS)
     at.fields["get_entry"] = Unknown("an entry")
-    return found if isinstance(found, Obj) else Obj(_PARAMS, None, {})
+    return found
+
+
+def _object_at(at: Obj, name: str, kind: str) -> Obj:
+    """Return the object that a member is, made where there is no member of that name."""
+    made = Obj(kind, None, {})
+    return object_of(at.fields.setdefault(name, made)) or made
 
 
 def _prefix(ctx: Context, called: CallSite) -> Text:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Handle, Obj, QosValue, Value
-from roslens.source.extract.domain.kinds import all_of_kind
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind
 from roslens.source.extract.interpreter.vocabulary import CallSite, node_of, outer
 from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
@@ -31,8 +31,8 @@ _ENDS = (
 def server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of interactive markers; in ROS 2 all that exist are asked for by a service."""
     found = Obj("interactive_markers.InteractiveMarkerServer")
-    name = next((one for one in called.arguments if isinstance(one, Text)), called.keywords.get("topic_ns"))
-    if isinstance(name, Text):
+    name = first_of_kind((*called.arguments, called.keywords.get("topic_ns")), Text)
+    if name is not None:
         handle = handle_of(ctx, called)
         if node_of(ctx, handle).generation == "ros2":
             _server_of_ros2(ctx, handle, called, name)

@@ -29,10 +29,10 @@ def service_client(ctx: Context, _thing: Value, called: CallSite) -> Value:
 @outer("nav2_util.SimpleActionServer", "nav2_ros_common.SimpleActionServer")
 def action_server(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A server of an action, whose goals a function of the node executes."""
-    execute = called.argument(2, "execute_callback")
+    execute = called.given(Callable, 2, "execute_callback")
     return endpoint(
         ctx, called.argument(0, "node"), called, Role.ACTION_SERVER, called.argument(1, "action_name"),
-        _interface(called), callback=execute if isinstance(execute, Callable) else None,
+        _interface(called), callback=execute,
     )  # fmt: skip
 
 

@@ -41,14 +41,20 @@ def loader(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A loader of nodelets, with services of a manager where it is told so."""
     ctx.emitter.node.generation = "ros1"
     given = called.argument(0, default=True)
-    if isinstance(given, Handle) or given is True:
-        handle = given if isinstance(given, Handle) else Handle(ctx.emitter.node, Text.of("~"))
-        for name, kind in _SERVICES:
-            endpoint(ctx, handle, called, Role.SERVICE_SERVER, Text.of(name), f"nodelet::{kind}")
-    elif isinstance(given, Unknown | Text):
-        reason = "whether this loader of nodelets has the services of a manager depends on " + str(as_text(given))
-        ctx.emitter.node.unresolved.append((called.evidence, reason))
+    match given:
+        case Handle():
+            _services(ctx, given, called)
+        case True:
+            _services(ctx, Handle(ctx.emitter.node, Text.of("~")), called)
+        case Unknown() | Text():
+            reason = "whether this loader of nodelets has the services of a manager depends on " + str(as_text(given))
+            ctx.emitter.node.unresolved.append((called.evidence, reason))
     return Obj("nodelet.Loader")
+
+
+def _services(ctx: Context, handle: Handle, called: CallSite) -> None:
+    for name, kind in _SERVICES:
+        endpoint(ctx, handle, called, Role.SERVICE_SERVER, Text.of(name), f"nodelet::{kind}")
 
 
 @method("nodelet.Loader", "load")

@@ -9,12 +9,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Named, Names, NodeBuilder, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.guarded import Guarded
-from roslens.source.extract.domain.kinds import all_of_kind, items_of
+from roslens.source.extract.domain.guarded import unguarded
+from roslens.source.extract.domain.kinds import all_of_kind, items_of, known_text, object_of, table_of, text_of
 from roslens.source.extract.domain.outside_options import OPTIONS, OUTSIDE
 from roslens.source.extract.facts.node_facts import Inherits
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
-from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text import Hole
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -31,29 +31,44 @@ _SAME = (
 @outer(OPTIONS)
 def options(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """Options of a node: those of a copy, or none."""
-    given = called.argument(0)
-    found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
-    if isinstance(thing, Obj):
-        thing.fields.update(found.fields)
-        return thing
+    given = called.given(Obj, 0)
+    found = Obj(OPTIONS, None, {"-arguments": []}) if given is None else _copy(given)
+    return made_on(thing, found)
+
+
+def made_on(thing: Value, made: Obj) -> Obj:
+    """Return the object that a constructor is evaluated on, with the members of what it makes; that where none is."""
+    found = object_of(thing)
+    if found is None:
+        return made
+    found.fields.update(made.fields)
     return found
 
 
+def _copied(value: Value) -> Value:
+    """Return a list of its own where a value is one; other values as they are."""
+    match value:
+        case list():
+            return list(value)
+    return value
+
+
 def _copy(given: Obj) -> Obj:
-    return Obj(OPTIONS, None, {key: list(one) if isinstance(one, list) else one for key, one in given.fields.items()})
+    return Obj(OPTIONS, None, {key: _copied(one) for key, one in given.fields.items()})
 
 
 @method(OPTIONS, "arguments")
 def arguments(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """The command line of the node is asked for, or given."""
     if not called.arguments:
-        held = thing.fields.get("-arguments", [])
-        return list(held) if isinstance(held, list) else held
+        return _copied(thing.fields.get("-arguments", []))
     given = called.argument(0)
-    # What is added where it is not there yet is among the arguments in any case.
-    thing.fields["-arguments"] = (
-        [one.value if isinstance(one, Guarded) else one for one in given] if isinstance(given, list) else given
-    )
+    match given:
+        case list():
+            # What is added where it is not there yet is among the arguments in any case.
+            thing.fields["-arguments"] = [unguarded(one) for one in given]
+        case _:
+            thing.fields["-arguments"] = given
     return thing
 
 
@@ -75,8 +90,7 @@ def overrides(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     if called.name.startswith("append"):
         items_of(held).append([called.argument(0), called.argument(1)])
     else:
-        given = called.argument(0)
-        thing.fields["-overrides"] = list(given) if isinstance(given, list) else given
+        thing.fields["-overrides"] = _copied(called.argument(0))
     return thing
 
 
@@ -98,14 +112,14 @@ def same(_ctx: Context, thing: Value, called: CallSite) -> Value:
 @method("node", "get_node_options")
 def options_of(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """The options of a node are asked for."""
-    held = node_of(ctx, thing).options
-    return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
+    held = object_of(node_of(ctx, thing).options)
+    return Unknown("options of the node") if held is None else _copy(held)
 
 
 def given_options(called: CallSite) -> Obj | None:
     """Return the options that a node is made with; None where it is made without."""
-    for one in (*called.arguments, *called.keywords.values()):
-        if isinstance(one, Obj) and one.type == OPTIONS:
+    for one in all_of_kind((*called.arguments, *called.keywords.values()), Obj):
+        if one.type == OPTIONS:
             return one
     if not {"cli_args", "use_global_arguments", "parameter_overrides", _DECLARES} & set(called.keywords):
         return None
@@ -122,8 +136,7 @@ def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSi
     words = given.fields.get("-arguments", [])
     match words:
         case list():
-            inherits = given.fields.get("-inherits")
-            building.inherits = inherits if isinstance(inherits, Inherits) else Inherits.NOTHING
+            building.inherits = given.held("-inherits", Inherits) or Inherits.NOTHING
             if building.inherits is Inherits.ALL and words != [OUTSIDE]:
                 building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
             elif OUTSIDE in words:
@@ -131,16 +144,17 @@ def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSi
             building.arguments = [as_text(one) for one in words if one != OUTSIDE]
         case _:
             _doubt(building, called, f"its arguments are {as_text(words)}")
-    if isinstance(of_process := given.fields.get("-global", True), bool):
-        building.global_arguments = of_process
-    else:
-        _doubt(building, called, "whether those of the process hold for it is unknown")
+    match given.fields.get("-global", True):
+        case bool(of_process):
+            building.global_arguments = of_process
+        case _:
+            _doubt(building, called, "whether those of the process hold for it is unknown")
     building.declares_set = given.fields.get("-declares") is True
     values = given.fields.get("-overrides", [])
-    pairs = list(values.items()) if isinstance(values, dict) else items_of(values)
-    for one in pairs:
-        if isinstance(one, list | tuple) and len(one) == 2:
-            building.settings.append((as_text(one[0]), as_text(one[1])))
+    for one in (*table_of(values).items(), *items_of(values)):
+        match one:
+            case [name, value]:
+                building.settings.append((as_text(name), as_text(value)))
     del ctx
 
 
@@ -160,21 +174,16 @@ def _doubt(building: NodeBuilder, called: CallSite, reason: str) -> None:
 def replaced(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
     of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
-    before, after = called.argument(2), called.argument(3)
-    if of is None or not isinstance(before, Text) or not isinstance(after, Text):
+    before, after = known_text(called.argument(2)), known_text(called.argument(3))
+    value = None if of is None or before is None or after is None else text_of(ctx.value(of))
+    if of is None or before is None or after is None or value is None:
         return None
-    value = ctx.value(of)
-    if not isinstance(value, Text) or before.known is None or after.known is None:
-        return None
-    parts: list[str | Hole] = []
-    for one in value.parts:
-        match one:
-            case str():
-                parts.append(one.replace(before.known, after.known))
-            case _:
-                default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
-                parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
-    ctx.assign(of, Text.of(*parts))
+
+    def replaced_in(hole: Hole) -> Hole:
+        default = None if hole.default in (None, "~") else (hole.default or "").replace(before, after)
+        return Hole(f"{hole.reason} with {after} for {before}", "", default)
+
+    ctx.assign(of, value.with_known(lambda part: part.replace(before, after)).with_holes(replaced_in))
     return None
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.kinds import all_of_kind
+from roslens.source.extract.domain.kinds import all_of_kind, fields_of, name_of
 from roslens.source.extract.facts.node_facts import Overrides
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
+from roslens.source.extract.overlays.ros.vocabulary_options import made_on
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -27,12 +28,9 @@ _FIELD = "qos_overriding_options"
        "rclcpp.SubscriptionOptionsWithAllocator", quiet=True)  # fmt: skip
 def of_endpoint(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """Options of an endpoint: those of a copy, or none yet."""
-    given = called.argument(0)
-    held = dict(given.fields) if isinstance(given, Obj) and given.type == called.name else {}
-    if isinstance(thing, Obj):
-        thing.fields.update(held)
-        return thing
-    return Obj(called.name, None, held)
+    given = called.given(Obj, 0)
+    held = dict(given.fields) if given is not None and given.type == called.name else {}
+    return made_on(thing, Obj(called.name, None, held))
 
 
 @outer(_CPP, _PYTHON, quiet=True)
@@ -40,17 +38,15 @@ def chosen(ctx: Context, _thing: Value, called: CallSite) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
     match kinds:
-        case list() if kinds and isinstance(kinds[0], list):
+        case Overrides():
+            return kinds
+        case Named():
+            # ``QosOverridingOptions{Depth, History}``
+            return _overrides(ctx, called, [*all_of_kind(called.arguments, Named)], [])
+        case list([list(first), *rest]):
             # ``QosOverridingOptions({{…}, callback, id})``
-            kinds, *rest = kinds
-        case _:
-            rest = [*called.arguments[1:]]
-    if isinstance(kinds, Named):
-        # ``QosOverridingOptions{Depth, History}``
-        kinds, rest = all_of_kind(called.arguments, Named), []
-    if isinstance(kinds, Overrides):
-        return kinds
-    return _overrides(ctx, called, kinds if kinds is not None else [], rest)
+            return _overrides(ctx, called, first, rest)
+    return _overrides(ctx, called, kinds if kinds is not None else [], [*called.arguments[1:]])
 
 
 @outer(f"{_CPP}.with_default_policies", f"{_PYTHON}.with_default_policies", quiet=True)
@@ -70,21 +66,25 @@ def _overrides(ctx: Context, called: CallSite, kinds: Value, rest: list[Value]) 
 
 
 def _names(kinds: Value) -> list[str] | None:
-    if not isinstance(kinds, list):
-        return None
-    words = [one.name.rpartition(".")[2].replace("_", "").lower() if isinstance(one, Named) else "" for one in kinds]
-    return [_POLICIES[one] for one in words] if all(one in _POLICIES for one in words) else None
+    match kinds:
+        case list():
+            words = [name_of(one).rpartition(".")[2].replace("_", "").lower() for one in kinds]
+            return [_POLICIES[one] for one in words] if all(one in _POLICIES for one in words) else None
+    return None
 
 
 def overrides_of(called: CallSite) -> Overrides | None:
     """Return what parameters may set of the endpoint that a call makes; None where they may set nothing."""
     given = called.keywords.get(_FIELD)
     for one in called.arguments:
-        if given is None and isinstance(one, Obj):
-            given = one.fields.get(_FIELD)
-    if isinstance(given, list):
-        names = _names(given)
-        given = Overrides(tuple(names), "") if names is not None else Unknown(_FIELD)
-    if isinstance(given, Unknown | Text):
-        return Overrides((), "", "which policies it may set is not known")
-    return given if isinstance(given, Overrides) else None
+        if given is None:
+            given = fields_of(one).get(_FIELD)
+    names = _names(given)
+    match given:
+        case Overrides():
+            return given
+        case list() if names is not None:
+            return Overrides(tuple(names), "")
+        case list() | Unknown() | Text():
+            return Overrides((), "", "which policies it may set is not known")
+    return None

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.domain.parameter_types import VECTOR, type_of_constant, type_of_cpp, type_of_value
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
@@ -39,7 +40,7 @@ def declare_or_read(ctx: Context, thing: Value, called: CallSite) -> Value:
 )  # fmt: skip
 def declare_of(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A parameter of the node that is given first is declared, if it is not yet."""
-    named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
+    named = next((place for place, one in enumerate(called.arguments) if text_of(one) is not None), 1)
     inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
     return declare(ctx, called.argument(0), inner)
 
@@ -50,10 +51,11 @@ def _declared(ctx: Context, thing: Value, called: CallSite, name: Value, default
     constant = type_of_constant(default)
     if constant is not None:
         kind, default = kind or constant, None
-    if isinstance(default, Obj) and default.type.endswith("ParameterValue"):
-        default = default.fields.get("value")
+    match default:
+        case Obj(type=held) if held.endswith("ParameterValue"):
+            default = default.fields.get("value")
     python = called.evidence.path.endswith(".py")
-    held_to = kind or ("" if isinstance(default, Text) else type_of_value(default, python=python))
+    held_to = kind or (type_of_value(default, python=python) if text_of(default) is None else "")
     described = described_by((*called.arguments[1:], *called.keywords.values()), held_to)
     if constant is None and default is None and not kind and python:
         # rclpy takes what has neither value nor type for one of any type.
@@ -68,8 +70,9 @@ def _fitting(default: Value, kind: str) -> Value:
     """Return a default in the type that a template argument makes of it."""
     if kind == "double" and type(default) is int:
         return float(default)
-    if kind == "double_array" and isinstance(default, list):
-        return TypedList((float(one) if type(one) is int else one for one in default), kind)
+    match default:
+        case list() if kind == "double_array":
+            return TypedList((float(one) if type(one) is int else one for one in default), kind)
     return default
 
 
@@ -81,9 +84,12 @@ def parameter_value(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     else:
         place = 2 if called.name in _PYTHON else 1
         value = called.argument(place, "value", default=Unknown("a parameter"))
-    if isinstance(value, list) and not isinstance(value, TypedList):
-        # Braces around it construct nothing: it is a value.
-        return TypedList(value, type_of_value(value, python=called.name in _PYTHON))
+    match value:
+        case TypedList():
+            return value
+        case list():
+            # Braces around it construct nothing: it is a value.
+            return TypedList(value, type_of_value(value, python=called.name in _PYTHON))
     return value
 
 
@@ -102,12 +108,15 @@ def declare_all(ctx: Context, thing: Value, called: CallSite) -> Value:
         case list():
             items = given
     for one in items:
-        pair = one if isinstance(one, list | tuple) and one else [unknown("a parameter that is not followed")]
-        name = as_text(pair[0])
-        if not isinstance(prefix, Text) or prefix.parts:
+        match one:
+            case [first, *rest]:
+                name = as_text(first)
+            case _:
+                name, rest = unknown("a parameter that is not followed"), []
+        if as_text(prefix).parts:
             name = Text.of(as_text(prefix), ".", name)
-        default = pair[1] if len(pair) > 1 else None
-        inner = msgspec.structs.replace(called, arguments=[name, default, *pair[2:]], keywords={}, written=())
+        default = rest[0] if rest else None
+        inner = msgspec.structs.replace(called, arguments=[name, default, *rest[1:]], keywords={}, written=())
         _declared(ctx, thing, inner, name, default, kind)
     return None
 
@@ -118,9 +127,13 @@ def read(ctx: Context, thing: Value, called: CallSite) -> Value:
     python = called.evidence.path.endswith(".py")
     default = called.argument(1 if python else 2, "alternative_value")
     into = None if python else called.argument(1)
-    # A text with holes is what a variable of another type was read into before.
-    told = (isinstance(into, Text) and not into.holes) or (isinstance(into, Obj) and into.type == VECTOR)
-    kind = _template(called) or (type_of_value(into) if told else "")
+    kind = _template(called)
+    match into:
+        case Text(holes=()):
+            # A text with holes is what a variable of another type was read into before.
+            kind = kind or type_of_value(into)
+        case Obj(type=held) if held == VECTOR:
+            kind = kind or type_of_value(into)
     value = parameter(
         ctx, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None, kind=kind
     )

@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import all_of_kind, known_text
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.facts.node_facts import PluginFact
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
@@ -27,8 +28,7 @@ _MOST = 64
 @outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
 def loader(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A loader of classes."""
-    written = called.argument(1)
-    base = written.known if isinstance(written, Text) and called.name == _LOADER else None
+    base = known_text(called.argument(1)) if called.name == _LOADER else None
     return Obj(_LOADER, None, {"base": base or (called.templates[0] if called.templates else "")})
 
 
@@ -37,8 +37,7 @@ def loader(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 def instance(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
-    held = thing.fields.get("base")
-    base = called.templates[0] if called.templates else held if isinstance(held, str) else ""
+    base = called.templates[0] if called.templates else thing.held("base", str) or ""
     node = deciding_node(ctx, kind)
     name = None if ctx.given.chosen is None else kind.usual
     defined = _class(ctx, name) if name and len(ctx.emitter.plugged) < _MOST else None
@@ -51,8 +50,9 @@ def instance(ctx: Context, thing: Obj, called: CallSite) -> Value:
     ctx.summaries.touch()
     ctx.budget.extend()
     made = ctx.objects.construct(defined, [], {})
-    if isinstance(made, Obj):
-        ctx.emitter.plugged.append((made, node))
+    match made:
+        case Obj():
+            ctx.emitter.plugged.append((made, node))
     return made
 
 
@@ -78,7 +78,7 @@ def added(ctx: Context, thing: Obj, called: CallSite) -> Value:
     for one in called.arguments:
         ctx.callbacks.give(one)
     given = called.argument(0)
-    place = sum(isinstance(key, int) for key in held_in(thing))
+    place = len(all_of_kind(held_in(thing), int))
     match given:
         case Obj():
             if any(one is given for one, _ in ctx.emitter.plugged):
@@ -94,7 +94,7 @@ def added(ctx: Context, thing: Obj, called: CallSite) -> Value:
 def end(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     """One end of a list, or what is at a place of it."""
     held = held_in(thing)
-    keys = sorted(key for key in held if isinstance(key, int))
+    keys = sorted(all_of_kind(held, int))
     place = hashable(called.argument(0)) if called.name == "at" else None
     if called.name != "at" and keys:
         place = keys[0 if called.name == "front" else -1]

@@ -34,17 +34,25 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 def qos(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
-    value = msgspec.structs.replace(_from_words(called))
-    if isinstance(thing, Obj):
-        thing.fields["qos"] = value
-        return thing
+    return _made_on(thing, msgspec.structs.replace(_from_words(called)))
+
+
+def _made_on(thing: Value, value: QosValue) -> Value:
+    """Return the object that a constructor is evaluated on, which holds what it makes; that where there is none."""
+    match thing:
+        case Obj():
+            thing.fields["qos"] = value
+            return thing
     return value
 
 
 def _from_words(called: CallSite) -> QosValue:
     first = called.argument(0, "depth", "history_depth")
-    if isinstance(first, list):
-        first = Obj(INITIALISATION, None, {"qos": history_of(*first[:2])}) if len(first) == 2 else Unknown("a list")
+    match first:
+        case list([history, depth]):
+            first = Obj(INITIALISATION, None, {"qos": history_of(history, depth)})
+        case list():
+            first = Unknown("a list")
     base = _given(first, called)
     for name, value in called.keywords.items():
         if name in POLICIES or name in DURATIONS:
@@ -60,24 +68,30 @@ def _given(first: Value, called: CallSite) -> QosValue:
             if len(called.arguments) > 1:
                 profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
             return keeping(profile, _held(first))
-        case Text() | Unknown() | Named() if quality_of(first) in (None, QosValue(Qos(), _reason(first))):
-            reason = _reason(first)
+        case Unknown(reason=why) if _may_be_profile(str(why)):
             # Another one may be copied.
-            whole = isinstance(first, Unknown) and ("qos" in reason.lower() or "profile" in reason.lower())
-            return QosValue(Qos(), reason) if whole else QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
+            return QosValue(Qos(), str(why))
+        case Unknown(reason=why):
+            return _of_depth(str(why))
+        case Text():
+            return _of_depth(str(first))
+        case Named() if quality_of(first) is None:
+            return _of_depth(f"the value of {first.name}")
     return quality_of(first) or _NO_DEPTH
+
+
+def _of_depth(reason: str) -> QosValue:
+    """Return the usual quality of service with a depth that is unknown."""
+    return QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
+
+
+def _may_be_profile(reason: str) -> bool:
+    return "qos" in reason.lower() or "profile" in reason.lower()
 
 
 def _held(thing: Obj) -> QosValue:
     """Return the quality of service that an object is made with."""
-    held = thing.fields.get("qos")
-    return held if isinstance(held, QosValue) else QosValue(Qos(), "a quality of service of another class")
-
-
-def _reason(value: Value) -> str:
-    if isinstance(value, Named):
-        return f"the value of {value.name}"
-    return str(value.reason if isinstance(value, Unknown) else value)
+    return thing.held("qos", QosValue) or QosValue(Qos(), "a quality of service of another class")
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
@@ -115,15 +129,14 @@ def keep(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 def preset(_ctx: Context, thing: Value, called: CallSite) -> Value:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])
-    first = called.argument(0)
-    if isinstance(first, Obj) and first.type == INITIALISATION:
-        value = keeping(value, _held(first))
-    elif first is not None:
-        value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
-    if isinstance(thing, Obj):
-        thing.fields["qos"] = value
-        return thing
-    return value
+    match called.argument(0):
+        case None:
+            pass
+        case Obj() as history if history.type == INITIALISATION:
+            value = keeping(value, _held(history))
+        case _:
+            value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
+    return _made_on(thing, value)
 
 
 @method("qos", "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
@@ -132,12 +145,11 @@ def preset(_ctx: Context, thing: Value, called: CallSite) -> Value:
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
 def refined(ctx: Context, thing: Obj | QosValue, called: CallSite) -> Value:
     """A quality of service with one policy changed."""
-    base = _held(thing) if isinstance(thing, Obj) else thing
-    found = _refined(base, called)
-    if isinstance(thing, Obj):
-        ctx.state.store.put(thing.fields, "qos", found)
-        return thing
-    return found
+    match thing:
+        case Obj():
+            ctx.state.store.put(thing.fields, "qos", _refined(_held(thing), called))
+            return thing
+    return _refined(thing, called)
 
 
 for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS", "rclcpp.ServicesQoS"):

@@ -59,8 +59,8 @@ def publish(ctx: Context, thing: Made, called: CallSite) -> Value:
 @method(_NAME, "unlockAndPublish")
 def publish_of_later(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """What is in the message is published, by what ``init`` made."""
-    made = thing.fields.get(_MADE)
-    return _published(ctx, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
+    made = thing.held(_MADE, Made)
+    return Unknown("nothing is made yet") if made is None else _published(ctx, made, called)
 
 
 def _published(ctx: Context, made: Made, called: CallSite) -> Value:

@@ -60,8 +60,9 @@ def _space(ctx: Context, called: CallSite) -> Handle:
     """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
     ctx.emitter.node.generation = "ros1"
     given = called.argument(2, "namespace")
-    if given is None or (isinstance(given, Text) and not given.parts):
-        return Handle(ctx.emitter.node, Text.of("~"))
+    match given:
+        case None | Text(parts=()):
+            return Handle(ctx.emitter.node, Text.of("~"))
     name = as_text(given)
     if name.head[:1] not in ("/", "~"):
         name = Text.of("~", name)
@@ -78,9 +79,9 @@ def _written(ctx: Context, kind: Value) -> str:
         case str():
             name = dotted(ctx.state.frame.templates.get(kind, kind))
             return ctx.index.meaning(name, ctx.state.frame.path, ctx.state.frame.scope)
-        case Named():
+        case Named() | Class():
             return kind.name
-    return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
+    return ""
 
 
 def _declare(ctx: Context, handle: Handle, called: CallSite, kind: str) -> None:

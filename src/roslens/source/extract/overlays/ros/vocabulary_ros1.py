@@ -18,7 +18,7 @@ from roslens.source.extract.domain.abstract_value import (
     as_text,
 )
 from roslens.source.extract.domain.earlier_values import else_before
-from roslens.source.extract.domain.kinds import first_of_kind, is_whole
+from roslens.source.extract.domain.kinds import first_of_kind, is_whole, name_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, below, method, node_of, outer
 from roslens.source.extract.overlays.language.command_words import given_to_ros
 from roslens.source.extract.overlays.ros.emit import endpoint, is_set, parameter, timer, type_of_callback
@@ -45,8 +45,7 @@ def init(ctx: Context, _thing: Value, called: CallSite) -> Value:
         given_to_ros(ctx, called)
     node.name = as_text(name) if name is not None else Text((Hole(OfNode(NamePart.NAME)),))
     anonymous = called.argument(5, "anonymous")
-    flags = called.argument(3)
-    if anonymous is True or (isinstance(flags, Named) and flags.name.endswith("AnonymousName")):
+    if anonymous is True or name_of(called.argument(3)).endswith("AnonymousName"):
         node.name = Text.of(node.name, "_", Hole(RandomEnd()))
     return None
 
@@ -106,8 +105,9 @@ def nodelet(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """A nodelet is constructed."""
     ctx.emitter.node.generation = "ros1"
     ctx.emitter.node.kind = "nodelet"
-    if isinstance(thing, Obj):
-        thing.node = ctx.emitter.node
+    match thing:
+        case Obj():
+            thing.node = ctx.emitter.node
     return thing
 
 
@@ -119,12 +119,14 @@ def queue_of(value: Value) -> int:
 @method("handle", "advertise", anywhere=True)
 def advertise(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher."""
-    if called.arguments and isinstance(called.arguments[0], Handle):
+    handle = called.given(Handle, 0)
+    if handle is not None:
         # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
-        thing = called.arguments[0]
+        thing = handle
         called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
     kind = called.templates[0] if called.templates else Unknown("its type")
-    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+    options = called.given(Obj, 0)
+    if options is not None and options.type in _OPTIONS:
         return _by_options(ctx, thing, called, Role.PUBLISHER, options)
     latched = called.argument(2) is True or called.argument(4) is True
     follow_visitors(ctx, called, 2)
@@ -137,10 +139,14 @@ def advertise(ctx: Context, thing: Value, called: CallSite) -> Value:
 @method("handle", "subscribe", anywhere=True)
 def subscribe(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription."""
-    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+    options = called.given(Obj, 0)
+    if options is not None and options.type in _OPTIONS:
         return _by_options(ctx, thing, called, Role.SUBSCRIPTION, options)
-    if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
-        return Unknown("result of subscribe()")
+    match thing:
+        case Handle():
+            pass
+        case _ if not called.templates and len(called.arguments) < 2:
+            return Unknown("result of subscribe()")
     callback = _callback(ctx, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(callback)
     kind: Value = written or Unknown("the type its callback takes")
@@ -155,11 +161,13 @@ def _callback(ctx: Context, called: CallSite, place: int, takes: int = 0) -> Val
 
     A callback of a topic takes one message, that of a service a request and a response.
     """
-    callback = called.argument(place)
-    thing = called.argument(place + 1)
-    if isinstance(callback, Callable) and takes and not callback.arguments:
+    callback = called.given(Callable, place)
+    thing = called.given(Obj, place + 1)
+    if callback is None:
+        return called.argument(place)
+    if takes and not callback.arguments:
         callback = taking_so_many(ctx.index, callback, takes)
-    if isinstance(callback, Callable) and callback.function.class_name and isinstance(thing, Obj):
+    if callback.function.class_name and thing is not None:
         return Callable(callback.function, callback.path, thing, callback.names, callback.arguments)
     return callback
 
@@ -167,7 +175,8 @@ def _callback(ctx: Context, called: CallSite, place: int, takes: int = 0) -> Val
 @method("handle", "advertiseService", anywhere=True)
 def advertise_service(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A server of a service."""
-    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+    options = called.given(Obj, 0)
+    if options is not None and options.type in _OPTIONS:
         return _by_options(ctx, thing, called, Role.SERVICE_SERVER, options)
     callback = _callback(ctx, called, 1, takes=2)
     written = called.templates[0] if called.templates else type_of_callback(callback)
@@ -193,7 +202,10 @@ def _declared_type(ctx: Context, called: CallSite) -> Value:
     """Return the type of the request, or of what holds request and response."""
     value = called.argument(1)
     del ctx
-    return value if isinstance(value, Obj | Named) else Unknown("its type")
+    match value:
+        case Obj() | Named():
+            return value
+    return Unknown("its type")
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
@@ -293,8 +305,9 @@ def namespace(ctx: Context, thing: Value, called: CallSite) -> Value:
     """The namespace of a handle, or a name below it."""
     if called.name == "resolveName":
         return below(thing, as_text(called.argument(0)))
-    if isinstance(thing, Handle) and thing.prefix.parts:
-        return thing.prefix
+    match thing:
+        case Handle(prefix=prefix) if prefix.parts:
+            return prefix
     del ctx
     return Text((Hole(OfNode(NamePart.NAMESPACE), default=""),))
 

@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Group, Handle, Named, Obj, Unknown, Value, as_text
-from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, has_kind
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, has_kind, is_number, name_of, object_of
 from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
@@ -39,8 +39,8 @@ def lifecycle_node(ctx: Context, thing: Value, called: CallSite) -> Value:
 
 
 def _node(ctx: Context, thing: Value, called: CallSite, kind: str) -> Value:
-    building = ctx.emitter.node
-    if building.named and (not isinstance(thing, Obj) or thing.node is None):
+    building, itself = ctx.emitter.node, object_of(thing)
+    if building.named and (itself is None or itself.node is None):
         building = ctx.emitter.further(called.evidence, ctx.state.conditions)
     building.named = True
     building.conditions = tuple(dict.fromkeys(ctx.state.conditions))
@@ -59,10 +59,9 @@ def _node(ctx: Context, thing: Value, called: CallSite, kind: str) -> Value:
         take_options(ctx, building, given, called)
     else:
         doubt_options(building, called)
-    if isinstance(thing, Obj):
-        thing.node = building
-        return thing
-    return Obj("rclcpp.Node", None, {}, building)
+    itself = itself or Obj("rclcpp.Node", None, {})
+    itself.node = building
+    return itself
 
 
 def _group(called: CallSite, *places: int) -> Value:
@@ -70,8 +69,8 @@ def _group(called: CallSite, *places: int) -> Value:
         match value:
             case Group():
                 return value
-            case Obj() if isinstance(value.fields.get("callback_group"), Group):
-                return value.fields["callback_group"]
+            case Obj() if (group := value.held("callback_group", Group)) is not None:
+                return group
     return None
 
 
@@ -80,7 +79,7 @@ def _python(called: CallSite) -> bool:
 
 
 def _is_type(value: Value) -> bool:
-    return isinstance(value, Named) and ("." in value.name)
+    return "." in name_of(value)
 
 
 @method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
@@ -105,7 +104,7 @@ def subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
         callback, qos = called.argument(2, "callback"), called.argument(3, "qos_profile")
     else:
         name, qos, callback = called.argument(0), called.argument(1), called.argument(2)
-        if isinstance(qos, Callable):
+        if called.given(Callable, 1) is not None:
             qos, callback = callback, qos
         kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
     return endpoint(
@@ -149,8 +148,7 @@ def free_function(ctx: Context, _thing: Value, called: CallSite) -> Value:
     first = 1
     # Some take the interfaces of a node one by one; what is a text is the name then.
     texts = has_kind(called.arguments, Text)
-    skipped = (Obj, Handle, Unknown) if texts else (Obj, Handle)
-    while first < len(called.arguments) and isinstance(called.arguments[first], skipped):
+    while first < len(called.arguments) and _is_interface(called.arguments[first], perhaps=texts):
         first += 1
     inner = msgspec.structs.replace(
         called, name=name, arguments=called.arguments[first:], templates=templates, written=called.written[first:]
@@ -195,12 +193,22 @@ def _action(ctx: Context, called: CallSite, role: Role) -> Value:
     )  # fmt: skip
 
 
+def _is_interface(value: Value, *, perhaps: bool) -> bool:
+    """Whether an argument stands for a node or a part of it; one of which nothing is known ``perhaps`` does."""
+    match value:
+        case Obj() | Handle():
+            return True
+        case Unknown():
+            return perhaps
+    return False
+
+
 @method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
 def wall_timer(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A timer."""
     given = called.arguments
     callback = first_of_kind((*given, *called.keywords.values()), Callable)
-    period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
+    period = next(filter(is_number, given), called.keywords.get("timer_period_sec"))
     timer(ctx, thing, called, period, callback, _group(called, 2))
     return Obj("rclcpp.TimerBase")
 
@@ -209,8 +217,8 @@ def wall_timer(ctx: Context, thing: Value, called: CallSite) -> Value:
 def callback_group(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A callback group, named after where it is made."""
     del ctx
-    kind = called.argument(0)
-    word = kind.name.rpartition(".")[2] if isinstance(kind, Named) else "group"
+    kind = called.given(Named, 0)
+    word = "group" if kind is None else kind.name.rpartition(".")[2]
     return Group(f"{word}:{called.evidence.line}")
 
 
@@ -223,9 +231,11 @@ def python_group(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 @method("node", "create_sub_node")
 def sub_node(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A node below another one: its names begin with the namespace."""
-    before = thing.prefix if isinstance(thing, Handle) else Text()
     name = as_text(called.argument(0))
-    return Handle(node_of(ctx, thing), Text.of(before, "/", name) if before.parts else name)
+    match thing:
+        case Handle(prefix=before) if before.parts:
+            name = Text.of(before, "/", name)
+    return Handle(node_of(ctx, thing), name)
 
 
 @method("node", "get_node_base_interface", "get_node_topics_interface", "get_node_services_interface",
@@ -234,7 +244,10 @@ def sub_node(ctx: Context, thing: Value, called: CallSite) -> Value:
         "weak_from_this", "lock", "get")  # fmt: skip
 def interface(ctx: Context, thing: Value, _called: CallSite) -> Value:
     """A part of a node stands for the node."""
-    return thing if isinstance(thing, Obj | Handle) else Handle(ctx.emitter.node)
+    match thing:
+        case Obj() | Handle():
+            return thing
+    return Handle(ctx.emitter.node)
 
 
 @method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")

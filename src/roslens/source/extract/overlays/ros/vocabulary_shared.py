@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown, Value
-from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_whole, items_of
+from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_whole, items_of, node_in
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
 from roslens.source.extract.overlays.ros.emit import endpoint, is_guessed, sure_of
 from roslens.source.extract.symbolic.reason import RandomEnd
@@ -27,7 +27,7 @@ def handle_of(ctx: Context, called: CallSite) -> Value:
     """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
     given = (*called.arguments, *called.keywords.values())
     for value in given:
-        if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
+        if node_in(value) is not None:
             return value
     if ctx.emitter.node.generation == "ros2" and given and is_guessed(given[0]):
         return given[0]
@@ -37,7 +37,7 @@ def handle_of(ctx: Context, called: CallSite) -> Value:
 def follow_visitors(ctx: Context, called: CallSite, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
-        ctx.callbacks.give(one, Written("somebody subscribes") if isinstance(one, Callable) else None)
+        ctx.callbacks.give(one, Written("somebody subscribes"))
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
@@ -55,7 +55,7 @@ def listener(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 def _listening(ctx: Context, called: CallSite) -> Value:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
-    given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
+    given = [one for one in called.arguments if node_in(one) is not None]
     if given or ctx.emitter.node.generation != "ros2" or called.evidence.path.endswith(".py"):
         return Handle(node_of(ctx, handle_of(ctx, called)))
     perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
@@ -92,19 +92,25 @@ def filtered(ctx: Context, _thing: Value, called: CallSite) -> Value:
     return found
 
 
+def _may_be_type(value: Value) -> bool:
+    match value:
+        case None | Text() | Handle() | Obj() | int():
+            return False
+    return True
+
+
 def _filtered(ctx: Context, found: Obj, called: CallSite) -> None:
     templates = items_of(found.fields.get("templates"))
-    texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
+    names = all_of_kind(called.arguments, Text)
     python = called.evidence.path.endswith(".py")
     name: Value
     kind: Value
     if python and not called.templates:
         # Subscriber(topic, type) of rospy, Subscriber(node, type, topic) of rclpy.
-        names = all_of_kind(called.arguments, Text)
-        kinds = [one for one in called.arguments if not isinstance(one, Text | Handle | Obj | int | None)]
+        kinds = [one for one in called.arguments if _may_be_type(one)]
         name, kind = names[0] if names else called.keywords.get("topic"), kinds[0] if kinds else Unknown("its type")
     else:
-        name = called.arguments[texts[0]] if texts else called.argument(1, default=Unknown("its name"))
+        name = names[0] if names else called.argument(1, default=Unknown("its name"))
         kind = templates[0] if templates else Unknown("its type")
     quality = first_of_kind((*called.arguments, *called.keywords.values()), QosValue)
     queue = next((one for one in called.arguments if is_whole(one)), -1)

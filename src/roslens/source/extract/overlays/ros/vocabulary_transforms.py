@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Handle, Obj, Value
+from roslens.source.extract.domain.kinds import node_in, object_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.symbolic.text import Text, Written
@@ -24,9 +25,9 @@ def buffer(ctx: Context, thing: Value, called: CallSite) -> Value:
     In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:
     by default in Python, and not in C++ (tf2_ros, buffer.py, buffer.h, buffer.cpp).
     """
-    found = thing if isinstance(thing, Obj) else Obj("tf2_ros.Buffer")
+    found = object_of(thing) or Obj("tf2_ros.Buffer")
     if ctx.emitter.node.generation == "ros2":
-        node = next((one for one in _given(called) if _is_node(one)), None)
+        node = next((one for one in _given(called) if node_in(one) is not None), None)
         if node is not None:
             endpoint(ctx, node, called, Role.SERVICE_SERVER, Text.of(_FRAMES), _TYPE)
         return found
@@ -43,7 +44,3 @@ def buffer(ctx: Context, thing: Value, called: CallSite) -> Value:
 
 def _given(called: CallSite) -> Sequence[Value]:
     return [called.keywords["node"]] if "node" in called.keywords else called.arguments
-
-
-def _is_node(value: Value) -> bool:
-    return isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None)

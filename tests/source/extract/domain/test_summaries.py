@@ -20,9 +20,9 @@ def followed(monkeypatch):
     names = []
     original = Functions._followed
 
-    def counted(self, function, *rest):
-        names.append(function.function.name)
-        return original(self, function, *rest)
+    def counted(self, call, *rest):
+        names.append(call.function.function.name)
+        return original(self, call, *rest)
 
     monkeypatch.setattr(Functions, "_followed", counted)
     return names

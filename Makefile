@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint style types rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -51,7 +51,7 @@ testbed: .venv/stamp
 
 test: export ROSLENS_SAME_EXAMPLES = 1
 test: parts
-	$(MAKE) --no-print-directory -j 2 --output-sync=target lint rewritten
+	$(MAKE) --no-print-directory -j 2 --output-sync=target types style rewritten
 	$(BIN)/pytest -n auto --dist worksteal -m "$(EVERYDAY) and not slow"
 	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table" $(ALONE)
 
@@ -81,11 +81,15 @@ quick: lint
 rewritten: .venv/stamp
 	$(BIN)/pytest --collect-only -qq -m "$(EVERYDAY)" > /dev/null || true
 
-lint: .venv/stamp
+lint: style types
+
+style: .venv/stamp
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
-	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+types: .venv/stamp
+	$(BIN)/mypy
 
 parts:
 	sh .ci/parts

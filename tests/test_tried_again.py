@@ -66,12 +66,18 @@ def run(tmp_path):
             "-p",
             "no:cacheprovider",
             "-p",
-            "no:hypothesispytest",
+            "xdist.plugin",
             "-p",
-            "no:rerunfailures",
+            "pytest_timeout",
             *words,
         ]
-        environment = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(Path(__file__).parent), "SEEN": seen, **dict(more)}
+        environment = {
+            "PATH": "/usr/bin:/bin",
+            "PYTHONPATH": str(Path(__file__).parent),
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+            "SEEN": seen,
+            **dict(more),
+        }
         done = subprocess.run(
             command, cwd=tmp_path, env={**environment, "NOTES": str(notes)}, capture_output=True, text=True,
             timeout=240, check=False,

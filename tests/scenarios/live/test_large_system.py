@@ -225,7 +225,7 @@ def test_every_node_and_topic_of_a_large_ros2_is_seen(tmp_path, reference, capsy
             assert one.stdout.readline() == b"there\n"
         # When others see everything that roslens shall see, at the same time on the same machine.
         bare = stack.enter_context(running(python, "-c", BARE, str(NODES), str(len(ends())), environment=environment))
-        found = watch(["--ros2", "--reference", str(reference)], environment, tmp_path, 15 + NODES / 13)
+        found = watch(["--ros2", "--reference", str(reference)], environment, tmp_path, 8 + NODES / 8)
         others = float(bare.stdout.readline())
     assert judged(*found, "ROS 2", capsys) < others + 10 * slowness()
     cheap(*found[2:], monitor=0.6, observer=0.4)
@@ -255,7 +255,7 @@ def test_every_node_and_topic_of_a_large_ros1_is_seen(tmp_path, reference, capsy
         relay = running(real, "/large/t0_0", "/relayed", "__name:=relay", environment=environment)
         with many as one, relay:
             assert one.stdout.readline() == b"there\n"
-            found = watch(["--ros1", "--reference", str(reference)], environment, tmp_path, 15 + NODES / 40)
+            found = watch(["--ros1", "--reference", str(reference)], environment, tmp_path, 8 + NODES / 20)
     # One that is real is among them; it is no part of what is expected.
     nodes = {node["name"]: node for node in found[1]["nodes"]}
     assert [end["name"] for end in nodes["/relay"]["subscriptions"]] == ["/large/t0_0"]

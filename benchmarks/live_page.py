@@ -26,6 +26,7 @@ from urllib.parse import urlencode, urlsplit
 from urllib.request import urlopen
 
 from roslens.cli.page.watch_page import PageSource
+from roslens.cli.watch.full_collection import FullCollection
 from roslens.dashboard.live.serving import LivePage
 from roslens.dashboard.live.sight import LASTING_S
 from roslens.judge.reading.read_reference import GivenText, load_reference
@@ -111,13 +112,14 @@ class Robot:
 def robot_served(connections: int, *, soak: bool) -> None:
     """Serve until the input ends; each line of it is answered with what was used so far.
 
-    In a ``soak`` there are tools, and little is kept of the past.
+    In a ``soak`` there are tools, and little is kept of the past, of which the bytes are told too.
     """
     session = Session(load_reference([GivenText("large.yaml", REFERENCE)], BY_KEY), start=time.time() - 1)
     page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic, spent=time.thread_time)
-    brief = Keeper(session, History.open(None, BRIEF), most_values=50, flush_s=1.0) if soak else None
-    keeper = brief or in_memory(session)
+    history = History.open(None, BRIEF) if soak else None
+    keeper = Keeper(session, history, most_values=50, flush_s=1.0) if history else in_memory(session)
     page.remember(keeper.recall())
+    collection = FullCollection(time.monotonic)
     robot, made, spent = Robot(connections, tools=soak), 0, 0.0
     ended: list[bool] = []
 
@@ -141,6 +143,7 @@ def robot_served(connections: int, *, soak: bool) -> None:
                 page.make(session, now, "")
                 spent += time.thread_time() - begun
                 made += 1
+            collection.now_and_then()
             due = max(due + TURN_S, time.monotonic() - 1)
             time.sleep(max(0.0, due - time.monotonic()))
 
@@ -154,6 +157,7 @@ def robot_served(connections: int, *, soak: bool) -> None:
             found = {
                 "wall": time.monotonic(), "made": made, "make": spent, "all": time.process_time(),
                 "watch": time.clock_gettime(time.pthread_getcpuclockid(watching.ident or 0)),
+                "history": history.size if history else 0,
             }  # fmt: skip
             print(json.dumps(found), flush=True)
     ended.append(True)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from itertools import pairwise
 from pathlib import Path
+from random import Random
 from urllib.request import ProxyHandler, build_opener
 
 import pytest
@@ -276,6 +277,29 @@ def test_snapshots_are_made_four_times_a_second_while_somebody_looks():
     assert not page.due(), "nobody asked for five seconds"
     now[0] += 0.1
     assert page.due()
+
+
+def test_who_comes_four_times_a_second_but_unevenly_makes_four_snapshots_a_second():
+    now, draw = 100.0, Random(4).random
+    robot = ScriptedRobot()
+    page = PageSource("x", clock=str, live=True, steady=lambda: now, spent=lambda: 0.0)
+    view = page._snapshot
+
+    def lasting(*given, **more):
+        nonlocal now
+        now += 0.025
+        return view(*given, **more)
+
+    page._snapshot = lasting
+    made = []
+    for turn in range(120):
+        now = 100.0 + turn / 4 + 0.02 * draw()
+        page.newest()
+        if page.due():
+            made.append(now)
+            page.make(robot.session, now, "")
+    assert len(made) >= 4 * 30 - 2
+    assert min(after - before for before, after in pairwise(made)) >= 0.125
 
 
 def shown_for(seconds, cost):

@@ -77,4 +77,5 @@ class DrawnLines:
     def _made(self, places: set[int]) -> Iterator[tuple[int, HalfLine]]:
         for place in places:
             gives, takes = self._lines[place]
-            yield place, joined(gives, takes) if gives else takes[0]
+            # States are as they were drawn: where one is another, everything is drawn anew.
+            yield place, joined(gives, takes, self.picture.links[place].state) if gives else takes[0]

@@ -6,6 +6,7 @@ import math
 from functools import lru_cache
 from hashlib import blake2b
 from operator import attrgetter
+from typing import TypeAlias
 
 from roslens.cli.page.half_lines import encodable, ends_of
 from roslens.cli.page.watch_screen import nameless, value_text
@@ -31,6 +32,8 @@ _LONGEST_TEXT = 600
 _SPARE = 1000
 """Rows of parts that went which are kept besides the present ones."""
 _SHOWN = attrgetter("shown")
+_Kept: TypeAlias = "tuple[SystemView, Row | None, tuple[Row, ...]]"
+"""A part, its row where it is shown, and that with all below it."""
 
 
 class RowList:
@@ -43,7 +46,7 @@ class RowList:
     """
 
     def __init__(self) -> None:
-        self._kept: dict[str, tuple[SystemView, Row | None, tuple[Row, ...]]] = {}
+        self._kept: dict[str, _Kept] = {}
         self._live = True
         self._rows: tuple[Row, ...] = ()
         self.order = object()
@@ -86,22 +89,44 @@ class RowList:
         found: list[Row] = []
         row = None
         if is_shown(part):
-            row = _row(part, depth, key, self._name(part) if kept is None else self._name_again(part, *kept[:2]))
-            if kept is not None and kept[1] == row:
-                row = kept[1]
+            row = self._row(part, depth, key, kept)
             found.append(row)
             for one in part.children:
-                found += self._below(one, depth + 1, key)
+                there = self._kept.get(row_key(key, one.id))
+                found += there[2] if there is not None and there[0] is one else self._below(one, depth + 1, key)
         rows = tuple(found)
         self._kept[key] = part, row, rows
         return rows
 
+    def _row(self, part: SystemView, depth: int, key: str, kept: _Kept | None) -> Row:
+        """Return the row of a part, the same as before where it says the same."""
+        if kept is None or kept[1] is None:
+            return _row(part, depth, key, self._name(part))
+        before, row, _ = kept
+        if _alike(part, before):
+            return row
+        made = _row(part, depth, key, self._name_again(part, before, row))
+        return row if made == row else made
+
     def _name(self, part: SystemView) -> str:
         return RECORDED if part.kind == "host" and not part.name and not self._live else _name(part)
 
-    def _name_again(self, part: SystemView, before: SystemView, row: Row | None) -> str:
+    def _name_again(self, part: SystemView, before: SystemView, row: Row) -> str:
         """Return the name of a part that had one; what has none is called by what is below it."""
-        return row.name if row is not None and part.name and part.name == before.name else self._name(part)
+        return row.name if part.name and part.name == before.name else self._name(part)
+
+
+def _alike(part: SystemView, before: SystemView) -> bool:
+    """Whether a part with a name is what it was, whatever is below it: what of it stays is the same object."""
+    return (
+        part.values is before.values
+        and part.counts is before.counts
+        and part.below is before.below
+        and part.state is before.state
+        and part.worst is before.worst
+        and part.observer == before.observer
+        and part.name == before.name != ""
+    )
 
 
 def _row(part: SystemView, depth: int, key: str, name: str) -> Row:

@@ -81,7 +81,8 @@ class PageSource:
         self._happened: deque[Happening] = deque(maxlen=_KEPT)
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
-        self._made = -math.inf
+        self._begun = -math.inf
+        self._next = -math.inf
         self._debt = 0.0
         self._shown: Snapshot | None = None
         self._written: tuple[Snapshot | None, bytes] = (None, b"")
@@ -154,15 +155,19 @@ class PageSource:
     def due(self) -> bool:
         """Return whether it is time for a new snapshot."""
         now = self._steady()
-        since = now - self._made
+        since = now - self._begun
         if now - self._asked >= _WANTED_S:
             return since >= _IDLE_PACE_S
-        return since >= _PACE_S and (self._debt <= since * _MOST_SHARE or since >= _SLOWEST_S)
+        return now >= self._next and (self._debt <= since * _MOST_SHARE or since >= _SLOWEST_S)
 
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
         begun, spent = self._steady(), self._spent()
-        self._debt -= min(begun - self._made, _SLOWEST_S) * _MOST_SHARE
+        self._debt -= min(begun - self._begun, _SLOWEST_S) * _MOST_SHARE
+        # Who runs the session comes as often as the pace, not quite evenly: one that came late makes the next no later.
+        late = max(begun - self._next, 0.0)
+        self._next = begun + _PACE_S if late >= _PACE_S else begun + max(_PACE_S - late, _PACE_S / 2)
+        self._begun = begun
         # Of what ended nothing newer will come.
         seen = self.sight.seen() if self._live else None
         looked = _look(session, now, self._topics(seen))
@@ -172,7 +177,6 @@ class PageSource:
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
         self._shown = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
-        self._made = self._steady()
         # What was not used is kept for one snapshot: the more of them, the less there is to do for each.
         # What the slowest pace leaves over is forgiven: who asked for everything once does not pay for it for long.
         self._debt = max(min(self._debt, 0.0), -_SAVED_S) + self._spent() - spent

@@ -53,9 +53,15 @@ def halves_of(pair: Ends, by: Sequence[str], halves: Mapping[Ends, HalfLine]) ->
     return [halves[start, topic] for topic in by], [halves[topic, end] for topic in by]
 
 
-def joined(gives: Sequence[HalfLine], takes: Sequence[HalfLine]) -> HalfLine:
-    """Return what is known of the line between two nodes, by the lines to its topics and from them."""
-    state = reduce(worse, {line.state for lines in (gives, takes) for line in lines})
+def joined(gives: Sequence[HalfLine], takes: Sequence[HalfLine], state: str = "") -> HalfLine:
+    """Return what is known of the line between two nodes, by the lines to its topics and from them.
+
+    Args:
+        gives: lines to its topics.
+        takes: lines from them, in the same order.
+        state: the worst of all of them, where that is known.
+    """
+    state = state or reduce(worse, {line.state for lines in (gives, takes) for line in lines})
     if len(takes) == 1:
         give, take = gives[0], takes[0]
         rate, bandwidth = take.rate or give.rate, take.bandwidth or give.bandwidth

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.page.watch_page import PageSource
 from roslens.cli.terminal.until_stopped import when_stopped
+from roslens.cli.watch.full_collection import FullCollection
 from roslens.dashboard.live.serving import LivePage
 from roslens.live.past.keeper import MOST_VALUES, Keeper, in_memory
 from roslens.model.errors import UsageError
@@ -84,6 +85,7 @@ def page_of(
         recall = keeper.recall()
     source.remember(recall)
     begun, cpu = time.monotonic(), time.process_time()
+    collection = FullCollection(time.monotonic)
 
     def make(now: float) -> None:
         share = 100 * (time.process_time() - cpu) / max(time.monotonic() - begun, 1.0)
@@ -95,6 +97,7 @@ def page_of(
             keeper.take(step)
         if source.due():
             make(step.time)
+        collection.now_and_then()
 
     make(time.time())
     return source, told

@@ -20,7 +20,8 @@ IN_MEMORY = (Tier(1, 900), Tier(10, 3600), Tier(60, 6 * 3600))
 MOST_IN_MEMORY = 1000.0
 """Values a second: then a quarter of an hour by seconds takes some 50 MB."""
 _LET_GO_S = 60.0
-_PRUNE_S = 600.0
+_PRUNE_S = 60.0
+"""So what is kept is hardly more than its tiers ask for; to give up a little often is no stall."""
 _LEAST_CHANGES = 500
 """Verdicts that change until a moment is kept anew, or as many as stand: so each costs the same, however many."""
 _SHARE = 1000
@@ -41,6 +42,7 @@ class Keeper:
         self._values_due = self._flush_due = self._moment_due = 0.0
         self._let_go_due = self._prune_due = 0.0
         self._changes = 0
+        self._stood = 0
         self._stale = True
 
     def take(self, step: Step) -> None:
@@ -83,14 +85,12 @@ class Keeper:
         self._values_due = now + max(1.0, count / self._most)
 
     def _keep_moment(self, now: float) -> None:
-        if not self._stale and self._changes < _LEAST_CHANGES:
-            return
-        standing = self._session.monitor.standing()
-        if not self._stale and self._changes < len(standing):
+        # By how many stood at the last one: to ask how everything stands brings all of it to the present.
+        if not self._stale and self._changes < max(_LEAST_CHANGES, self._stood):
             return
         moment = moment_of(self._session, now)
         self._history.add_moment(moment)
-        self._stale, self._changes = False, 0
+        self._stale, self._changes, self._stood = False, 0, len(moment.verdicts)
         parts = len(moment.verdicts) + len(moment.graph.endpoints)
         self._moment_due = now + max(1.0, parts / _SHARE)
 

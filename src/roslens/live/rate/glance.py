@@ -54,7 +54,7 @@ class Glances:
         known = self._world.topics
         found = {name: topic for name in looked_at if (topic := known.get(name)) is not None}
         found.update((topic.name, topic) for topic in self._in_turn(now))
-        stirred = [topic for topic in known.values() if not _calm(topic)]
+        stirred = self._restless()
         for topic in stirred:
             found.pop(topic.name, None)
         still: list[Topic] = []
@@ -69,6 +69,13 @@ class Glances:
         view = self.tree.view(listed, now, turn.stirred)
         return Glance(view, self._verdicts.of(listed, turn.stirred, turn.still))
 
+    def _restless(self) -> list[Topic]:
+        """Return the topics of which, or of whose connections, something is said that is not fine."""
+        topics, connections = self._world.topics, self._world.connections
+        names = dict.fromkeys(one.name for one in topics.values() if one.judged and not one.calm)
+        names |= dict.fromkeys(one.topic for one in connections.values() if one.judged and not one.calm)
+        return [topics[name] for name in names]
+
     def _in_turn(self, now: float) -> list[Topic]:
         """Return the next topics of the round, as many as fit the time since the last ones."""
         count = len(self._world.topics)
@@ -79,14 +86,3 @@ class Glances:
         found = list(islice(self._world.topics.values(), self._place, self._place + share))
         self._place += share
         return found
-
-
-def _calm(topic: Topic) -> bool:
-    """Whether everything that is said of a topic and its connections is fine."""
-    if topic.judged and not topic.calm:
-        return False
-    for connections in topic.connections.values():
-        for one in connections:
-            if one.judged and not one.calm:
-                return False
-    return True

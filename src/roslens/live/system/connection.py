@@ -6,7 +6,7 @@ from roslens.live.standing.measured import Measured
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection_name import connection_id
 from roslens.live.system.envelope import Envelope
-from roslens.live.window.traffic import MEASURES, Measure, percentile_of
+from roslens.live.window.traffic import MEASURES, Measure, measured, percentile_of
 from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.traffic.tally import Observer, Tally
@@ -165,10 +165,7 @@ class Connection(Measured):
         window = self._order[0][at]
         if not window.spacing or window.unheard:
             return None, None
-        # A topic asks for what its connections were just asked for.
-        if key not in window.cache:
-            window.cache[key] = measure(window)
-        return window.cache[key], window
+        return measured(window, key), window
 
     def _of_best(self, measure: Measure, key: str, at: int, percentile: float) -> tuple[float | None, Window | None]:
         """Return a signal of the best of several observers; of one that is behind only where nobody else can tell."""
@@ -185,6 +182,13 @@ class Connection(Measured):
             elif stale[0] is None:
                 stale = (value, window)
         return stale
+
+    def speaks(self, at: int) -> Window | None:
+        """Return the window of its only observer, where that one speaks; None where it is silent, or there are more."""
+        if len(self._order) != 1:
+            return None
+        window = self._order[0][at]
+        return window if window.spacing and not window.unheard else None
 
     def best(self, at: int) -> Window | None:
         """Return the window of the best observer who speaks; of those who fell silent where all did."""

@@ -67,18 +67,19 @@ class _Shape:
 
     def __init__(self, world: World, states: Collection[EntityId]) -> None:
         self._graph: Graph | None = world.graph
-        self._sampled = set(world.sampled)
-        self._topics = set(world.topics)
-        self._connections = set(world.connections)
+        # In the order in which they came: the same objects as long as nothing comes or goes, so that none is hashed.
+        self._sampled = list(world.sampled)
+        self._topics = list(world.topics)
+        self._connections = list(world.connections)
         self._judged = set(states)
 
     def fits(self, world: World, states: Collection[EntityId], before: Collection[EntityId]) -> bool:
         """Return whether a system is still of this shape; ``before`` are the entities that were judged last."""
         return (
             world.graph is self._graph
-            and world.sampled.keys() == self._sampled
-            and world.topics.keys() == self._topics
-            and world.connections.keys() == self._connections
+            and list(world.sampled) == self._sampled
+            and list(world.topics) == self._topics
+            and list(world.connections) == self._connections
             and (states is before or set(states) == self._judged)
         )
 

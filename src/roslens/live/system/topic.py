@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from roslens.live.standing.measured import Measured
 from roslens.live.system.connection import Connection
 from roslens.live.window.signals import ENDS, SUMMED
+from roslens.live.window.traffic import measured
 from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.entity import EntityId, EntityKind
@@ -112,12 +113,15 @@ class Topic(Measured):
         """Yield signals of the topic as ``value`` returns them; who tells what is found once for all."""
         publishers = [one for one, _ in self.views(at)]
         every = self.all_connections()
+        seen = {one: window for one in every if (window := one.speaks(at)) is not None}
+        plain = len(seen) == len(every) and seen.keys() >= {*publishers}
         for key in keys:
             if key in ENDS:
                 yield key, (self._of_graph(key, every), None)
                 continue
             told = publishers if key in _OF_PUBLISHERS else every
-            yield key, told[0].value(key, at) if len(told) == 1 else _joined(key, [one.value(key, at) for one in told])
+            found = [(measured(seen[one], key), seen[one]) if plain else one.value(key, at) for one in told]
+            yield key, found[0] if len(found) == 1 else _joined(key, found)
 
     def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
         if key == "misfits":

@@ -154,6 +154,14 @@ MEASURES: dict[str, Measure] = {
 """By key of the signal; each returns None where the window has nothing to tell."""
 
 
+def measured(window: Window, key: str) -> float | None:
+    """Return a signal of a window as it was last brought to an instant; each is measured once."""
+    cache = window.cache
+    if key not in cache:
+        cache[key] = MEASURES[key](window)
+    return cache[key]
+
+
 def _per_second(total: float, bucket: Bucket) -> float | None:
     length = bucket.end - bucket.start
     return total / length if length > 0 else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -201,6 +202,17 @@ class History:
         else:
             with self._readers.one() as connection:
                 yield connection
+
+    @property
+    def size(self) -> int:
+        """Bytes that it takes, in its file or in memory.
+
+        Raises:
+            StoreError: the file cannot be read.
+        """
+        with self._alone, as_store_errors(self._path):
+            found = (self._connection.execute(f"PRAGMA {one}").fetchone()[0] for one in ("page_count", "page_size"))
+            return math.prod(map(int, found))
 
     def points(self, entity: str, quantity: str, since: float, until: float, *, most: int = 600) -> tuple[Point, ...]:
         """Return a series from ``since`` to ``until`` in at most ``most`` points, oldest first.

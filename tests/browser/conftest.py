@@ -207,7 +207,7 @@ class GraphFacts:
         self.metrics = {metric["key"]: metric for metric in graph["metrics"]}
         self._tags = [{graph["tags"][tag] for tag in rule["tags"]} for rule in graph["rules"]]
 
-    def findings(self, include: str = "", exclude: str = "", *, own: bool = False) -> list[int]:
+    def findings(self, include: str = "", exclude: str = "", *, own: bool = True) -> list[int]:
         """Return findings per package under a filter of at most one tag each way."""
         return [
             sum(

@@ -39,7 +39,9 @@ def test_edges_are_drawn_for_dependencies_and_lead_in_the_twin(visit: Visit, fac
 def test_darker_means_more_findings(visit: Visit, facts: Any, steps: Steps) -> None:
     page = visit("/graph")
     found = facts.findings()
-    expect(page.locator("#legend-title")).to_have_text(f"Findings, relative to the {len(found)} packages shown")
+    expect(page.locator("#legend-title")).to_have_text(
+        f"Findings in own code, relative to the {len(found)} packages shown"
+    )
     assert fills(page) == steps(found)
     assert sum(legend_counts(page)) == len(found)
     expect(page.locator("#legend-steps li").last).to_contain_text(str(max(found)))
@@ -83,7 +85,7 @@ def test_including_a_tag_shows_only_its_findings(visit: Visit, facts: Any, steps
     found = facts.findings("google")
     assert fills(page) == steps(found)
     labels = page.locator("#nodes .node").evaluate_all("found => found.map(one => one.getAttribute('aria-label'))")
-    assert labels == [f"{name}: {count} findings" for name, count in zip(facts.names, found, strict=True)]
+    assert labels == [f"{name}: {count} findings in own code" for name, count in zip(facts.names, found, strict=True)]
     page.locator("#include-chips").press("Backspace")
     expect(page.locator(".chips .chip")).to_have_count(0)
 
@@ -94,9 +96,11 @@ def test_per_kloc_and_metric_colour_and_own_code(visit: Visit, facts: Any, steps
     page.locator("#colour").select_option("kloc")
     expect(page.locator("#legend-title")).to_contain_text("Findings per 1,000 lines of own code")
     expect(page).to_have_url(re.compile("colour=kloc"))
-    own = facts.findings(own=True)
-    assert own != found
-    rates = [1000 * count / node["loc"] if node["loc"] else None for count, node in zip(own, facts.nodes, strict=True)]
+    every = facts.findings(own=False)
+    assert every != found
+    rates = [
+        1000 * count / node["loc"] if node["loc"] else None for count, node in zip(found, facts.nodes, strict=True)
+    ]
     known = steps([rate for rate in rates if rate is not None])
     assert fills(page) == ["sn" if rate is None else known.pop(0) for rate in rates]
     expect(page.locator("#legend-steps")).to_contain_text("not measured")
@@ -109,9 +113,11 @@ def test_per_kloc_and_metric_colour_and_own_code(visit: Visit, facts: Any, steps
     expect(page.locator("#colour")).to_have_value("metric:loc")
     assert fills(page)[largest] == "s5"
     page.locator("#colour").select_option("findings")
-    page.get_by_label("own code only").check()
-    expect(page).to_have_url(re.compile("own=1"))
-    assert fills(page) == steps(facts.findings(own=True))
+    assert fills(page) == steps(found)
+    page.get_by_label("tests, generated and vendored code too").check()
+    expect(page).to_have_url(re.compile("aside=1"))
+    expect(page.locator("#legend-title")).to_contain_text("Findings in all code")
+    assert fills(page) == steps(every)
 
 
 def test_colours_are_relative_to_the_focus(visit: Visit, facts: Any, steps: Steps) -> None:
@@ -134,10 +140,10 @@ def test_a_metric_says_that_tags_do_not_colour_it(visit: Visit) -> None:
     told = page.locator("#legend-unfiltered")
     expect(told).to_be_hidden()
     before = fills(page)
-    page.get_by_label("own code only").check()
+    page.get_by_label("tests, generated and vendored code too").check()
     expect(told).to_contain_text("A metric has no tags")
     assert fills(page) == before
-    page.get_by_label("own code only").uncheck()
+    page.get_by_label("tests, generated and vendored code too").uncheck()
     expect(told).to_be_hidden()
     page = visit("/graph?colour=metric:loc&include=calls")
     expect(page.locator("#legend-unfiltered")).to_be_visible()

@@ -221,7 +221,7 @@ def test_a_small_screen_begins_where_the_darkest_are(visit: Visit) -> None:
 
 def test_everything_at_once_is_restored(visit: Visit, facts: Any) -> None:
     name = busiest(facts)
-    page = visit(f"/graph?colour=kloc&exclude=calls&focus={name}&hops=2&select={name}&panel=0&own=1&view=0.9,200,100")
+    page = visit(f"/graph?colour=kloc&exclude=calls&focus={name}&hops=2&select={name}&panel=0&aside=1&view=0.9,200,100")
     for _ in range(2):
         expect(page.locator("#colour")).to_have_value("kloc")
         expect(page.locator(".chip.out")).to_contain_text("calls")
@@ -229,7 +229,7 @@ def test_everything_at_once_is_restored(visit: Visit, facts: Any) -> None:
         expect(page.locator("#nodes .node:not([hidden])")).to_have_count(len(facts.around(name, 2)))
         expect(page.locator("#nodes .node.selected")).to_have_count(1)
         expect(page.locator("#graph-panel")).to_be_hidden()
-        expect(page.get_by_label("own code only")).to_be_checked()
+        expect(page.get_by_label("tests, generated and vendored code too")).to_be_checked()
         assert scale(page) == 0.9
         page.reload()
 

@@ -262,8 +262,8 @@ def test_every_rule_page_adds_up(run: Run, site: Site) -> None:
     for rule in broken:
         view = page(site, "rule", rule)
         packages = view.table("packages")
-        assert total(packages, "findings") == view.facts["total"] == broken[rule]
-        assert total(packages, "gated") == sum(one["gated"] for one in run.report["findings"] if one["rule"] == rule)
+        assert total(packages, "findings") + total(packages, "aside") == view.facts["total"] == broken[rule]
+        assert total(packages, "findings") == sum(one["gated"] for one in run.report["findings"] if one["rule"] == rule)
         assert "(workspace)" not in column(packages, "package")
 
 
@@ -289,9 +289,22 @@ def test_the_graph_and_the_store_count_them_too(run: Run, site: Site) -> None:
     assert sum(count for node in nodes for _, count, _ in node["counts"]) == len(inside)
     gated = sum(gated for node in nodes for _, _, gated in node["counts"])
     assert gated == sum(one["gated"] for one in inside)
+    assert total(page(site, "graph").tables[0], "value") == gated
+    assert total(page(site, "graph", aside="1").tables[0], "value") == len(inside)
     with open_store(str(run._root)) as store:
         assert store.runs()[0].findings == len(run.report["findings"])
         assert store.runs()[0].packages == packages_of(run)
+
+
+def test_every_list_says_first_how_many_count_for_gates(run: Run, site: Site) -> None:
+    gated = Counter(one["rule"] for one in run.report["findings"] if one["gated"])
+    assert page(site, "findings").facts["own"] == gated.total()
+    for group in ("file", "function", "rule"):
+        assert page(site, "findings", group=group, text=" ").facts["own"] == gated.total()
+    assert page(site, "findings", role="aside").facts["own"] == 0
+    for rule in site.rules:
+        shown = page(site, "rule", rule)
+        assert shown.facts["own"] == gated[rule]
 
 
 def test_each_limit_counts_what_breaks_it_and_others_too(run: Run, site: Site) -> None:

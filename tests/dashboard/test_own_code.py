@@ -52,7 +52,7 @@ def test_that_is_another_number_than_of_all_findings(site):
     [
         ({"colour": "metric:loc"}, False),
         ({"colour": "metric:loc", "include": "style"}, True),
-        ({"colour": "metric:loc", "own": "1"}, True),
+        ({"colour": "metric:loc", "aside": "1"}, True),
         ({"include": "style"}, False),
     ],
 )

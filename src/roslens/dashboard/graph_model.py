@@ -186,7 +186,7 @@ class Colouring(msgspec.Struct, frozen=True):
 
     by: str = "findings"
     tags: TagFilter = TagFilter()
-    gated: bool = False
+    gated: bool = True
 
 
 def colour_values(site: Site, colouring: Colouring) -> tuple[list[float | None], Measured | None]:
@@ -213,7 +213,7 @@ def colour_title(colouring: Colouring, measured: Measured | None) -> str:
         return measured.title
     if colouring.by == "kloc":
         return "Findings per 1,000 lines of own code"
-    return "Findings in own code" if colouring.gated else "Findings"
+    return "Findings in own code" if colouring.gated else "Findings in all code"
 
 
 def better_of(measured: Measured | None) -> Better:

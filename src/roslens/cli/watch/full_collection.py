@@ -1,7 +1,7 @@
 """When the collector of garbage goes through everything that a monitor keeps: now and then, not in every few snapshots.
 
 By itself it does so whenever a quarter more was made and lived for a while. With a large system that is every ten
-seconds, takes a fifth of one each time, and finds next to nothing: what a monitor drops is in no cycles, or in young ones.
+seconds, takes a fifth of one each time, and finds next to nothing: what a monitor drops is in no cycles, or young.
 """
 
 from __future__ import annotations

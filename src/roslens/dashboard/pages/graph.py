@@ -19,7 +19,7 @@ def build(site: Site, request: Request) -> View | None:
     query = request.query
     graph, layout = graph_of(site)
     include, exclude = query.all("include"), query.all("exclude")
-    colouring = Colouring(query.get("colour", "findings"), tag_filter(include, exclude), bool(query.get("own")))
+    colouring = Colouring(query.get("colour", "findings"), tag_filter(include, exclude), not query.get("aside"))
     values, measured = colour_values(site, colouring)
     decimals = measured.decimals if measured else 1 if colouring.by == "kloc" else 0
     ramp = ramp_of(values, better_of(measured), decimals)
@@ -45,11 +45,11 @@ def build(site: Site, request: Request) -> View | None:
             "unit": measured.quantity.unit if measured else "",
             "legend": legend(ramp, values),
             "falling": ramp.falling,
-            "unfiltered": measured is not None and bool(include or exclude or colouring.gated),
+            "unfiltered": measured is not None and bool(include or exclude or not colouring.gated),
             "cycles": any(edge.cycle for edge in layout.edges),
             "tags": site.tag_counts,
             "colour_by": colouring.by,
-            "own": colouring.gated,
+            "aside": not colouring.gated,
         },
     )
 

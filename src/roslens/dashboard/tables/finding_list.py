@@ -83,12 +83,16 @@ class FindingGroup(msgspec.Struct, frozen=True):
 
 
 class FindingList(msgspec.Struct, frozen=True):
-    """What a page lists: ``total`` findings in ``group_total`` groups match, those from ``start`` on are shown."""
+    """What a page lists: ``total`` findings in ``group_total`` groups match, those from ``start`` on are shown.
+
+    ``own`` of them count for gates: the number that every other page calls findings.
+    """
 
     filter: FindingFilter
     groups: tuple[FindingGroup, ...]
     total: int
     group_total: int
+    own: int
     start: int = 0
     step: int = 0
 
@@ -107,6 +111,7 @@ class FindingList(msgspec.Struct, frozen=True):
         return {
             "filter": self.filter.facts(),
             "total": self.total,
+            "own": self.own,
             "groups": self.group_total,
             "start": self.start,
             "findings": found,
@@ -219,7 +224,8 @@ def _by_rule(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         if room <= 0:
             break
     step = len(groups) if start + len(groups) < len(totals) else 0
-    return FindingList(wanted, tuple(groups), sum(total.count for total in totals), len(totals), start, step)
+    count, own = sum(total.count for total in totals), sum(total.gated for total in totals)
+    return FindingList(wanted, tuple(groups), count, len(totals), own, start, step)
 
 
 def _more(request: Request, wanted: FindingFilter, total: RuleTotal, shown: int) -> PageRef | None:
@@ -231,9 +237,10 @@ def _more(request: Request, wanted: FindingFilter, total: RuleTotal, shown: int)
 
 def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
     by_rule: dict[tuple[int, str], list[Finding]] = {}
-    total = 0
+    total = own = 0
     for finding in select(site, wanted):
         total += 1
+        own += finding.gated
         by_rule.setdefault((-finding.severity.rank, finding.rule), []).append(finding)
     keys = sorted(by_rule, key=lambda key: (key[0], -len(by_rule[key]), key[1]))
     ordered = [finding for key in keys for finding in sorted(by_rule[key], key=lambda one: -one.excess)]
@@ -241,29 +248,31 @@ def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) ->
     counts = {key[1]: len(found) for key, found in by_rule.items()}
     groups = _grouped(_shown(site, page, request), counts, by_file=False)
     step = len(page) if start + len(page) < total else 0
-    return FindingList(wanted, groups, total, len(by_rule), start, step)
+    return FindingList(wanted, groups, total, len(by_rule), own, start, step)
 
 
 def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
     counts: dict[str, int] = {}
     page: list[Finding] = []
-    total = 0
+    total = own = 0
     for finding in select(site, wanted):
+        own += finding.gated
         if start <= total < start + request.limits.findings:
             page.append(finding)
         total += 1
         counts[finding.path] = counts.get(finding.path, 0) + 1
     groups = _grouped(_shown(site, page, request), counts, by_file=True)
     step = len(page) if start + len(page) < total else 0
-    return FindingList(wanted, groups, total, len(counts), start, step)
+    return FindingList(wanted, groups, total, len(counts), own, start, step)
 
 
 def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
     """Group by what is at fault, a function, class or file: what breaks most rules first, then what breaks one most."""
     members: dict[str, list[Finding]] = {}
-    total = 0
+    total = own = 0
     for finding in select(site, wanted):
         total += 1
+        own += finding.gated
         members.setdefault(finding.entity or f"file:{finding.path}", []).append(finding)
     keys = sorted(members, key=lambda key: _weight(key, members[key]))
     groups, room = [], request.limits.findings
@@ -275,7 +284,7 @@ def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int
         room -= len(shown)
         groups.append(FindingGroup(key, len(ordered), shown))
     step = len(groups) if start + len(groups) < len(keys) else 0
-    return FindingList(wanted, tuple(groups), total, len(keys), start, step)
+    return FindingList(wanted, tuple(groups), total, len(keys), own, start, step)
 
 
 def _weight(key: str, found: Sequence[Finding]) -> tuple[int, int, float, str]:

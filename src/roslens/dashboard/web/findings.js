@@ -86,7 +86,8 @@ function hideOthers(root, wanted) {
   const all = section.querySelectorAll(".finding").length;
   const total = Number(section.dataset.total || all);
   if (count && !section.classList.contains("source-page")) {
-    count.textContent = shown < total ? `${figure(shown)} of ${figure(total)} shown` : figure(total);
+    count.dataset.whole ??= count.textContent;
+    count.textContent = shown < total ? `${figure(shown)} of ${figure(total)} shown` : count.dataset.whole;
   }
   for (const none of section.querySelectorAll("[data-none]")) none.hidden = shown > 0 || all === 0;
 }

@@ -28,7 +28,7 @@ export function colourOf(graph, settings) {
     return { title: "Findings per 1,000 lines of own code", unit: "", decimals: 1, better: "lower", values };
   }
   const values = graph.nodes.map((node) => findingsOf(node, rules, settings.own));
-  return { title: settings.own ? "Findings in own code" : "Findings", unit: "", decimals: 0, better: "lower", values };
+  return { title: settings.own ? "Findings in own code" : "Findings in all code", unit: "", decimals: 0, better: "lower", values };
 }
 
 /** Tag -> findings that carry it in the visible nodes. */

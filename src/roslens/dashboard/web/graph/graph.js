@@ -29,23 +29,23 @@ class GraphView extends Stage {
       colour: now.get("colour") || "findings",
       include: split(now.get("include")),
       exclude: split(now.get("exclude")),
-      own: Boolean(now.get("own")),
+      own: !now.get("aside"),
     };
     this.form.elements.colour.value = this.settings.colour;
     if (!this.form.elements.colour.value) this.form.elements.colour.value = this.settings.colour = "findings";
-    this.form.elements.own.checked = this.settings.own;
+    this.form.elements.aside.checked = !this.settings.own;
     this.chips.get("include").set(this.settings.include);
     this.chips.get("exclude").set(this.settings.exclude);
   }
 
   readForm() {
     const form = this.form.elements;
-    this.settings = { colour: form.colour.value, include: split(form.include.value), exclude: split(form.exclude.value), own: form.own.checked };
+    this.settings = { colour: form.colour.value, include: split(form.include.value), exclude: split(form.exclude.value), own: !form.aside.checked };
     enterParameters({
       colour: this.settings.colour === "findings" ? "" : this.settings.colour,
       include: this.settings.include.join(","),
       exclude: this.settings.exclude.join(","),
-      own: this.settings.own ? "1" : "",
+      aside: this.settings.own ? "" : "1",
     });
     this.recolour();
     this.select(this.selected, false);
@@ -88,7 +88,7 @@ class GraphView extends Stage {
     const among = `relative to the ${figure(this.visible.size)} package${this.visible.size === 1 ? "" : "s"} shown`;
     this.root.querySelector("#legend-title").textContent = `${this.colour.title}${unit}, ${among}${ramp.falling ? "; darker is lower" : ""}`;
     const { colour, include, exclude, own } = this.settings;
-    this.root.querySelector("#legend-unfiltered").hidden = !(colour.startsWith("metric:") && (include.length || exclude.length || own));
+    this.root.querySelector("#legend-unfiltered").hidden = !(colour.startsWith("metric:") && (include.length || exclude.length || !own));
     const steps = legendOf(ramp);
     if (counts.has("n")) steps.push(["n", "not measured"]);
     this.root.querySelector("#legend-steps").replaceChildren(

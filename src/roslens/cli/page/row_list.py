@@ -100,9 +100,9 @@ class RowList:
 
     def _row(self, part: SystemView, depth: int, key: str, kept: _Kept | None) -> Row:
         """Return the row of a part, the same as before where it says the same."""
-        if kept is None or kept[1] is None:
+        before, row = kept[:2] if kept is not None else (part, None)
+        if row is None:
             return _row(part, depth, key, self._name(part))
-        before, row, _ = kept
         if _alike(part, before):
             return row
         made = _row(part, depth, key, self._name_again(part, before, row))

@@ -104,6 +104,33 @@ def test_the_second_writer_waits_for_the_first(path, sample, write_small):
         assert waiting == [store.latest()]
 
 
+def test_who_waits_is_told_for_whom(path, sample, write_small):
+    told = []
+    with Store.open(path) as store:
+        write_small(store)
+    with other_writer(path, sample) as other, Store.open(path, wait_s=60) as store:
+
+        def waiting(who):
+            told.append(who)
+            other.stdin.write("complete\n")
+            other.stdin.flush()
+
+        with store.writing(sample.header("key-2"), waiting):
+            assert told == [f"process {other.pid}, started 2024-05-03T08:00:00+00:00"]
+        with store.writing(sample.header("key-2"), waiting):
+            assert len(told) == 1
+
+
+def test_a_reader_of_a_store_without_runs_learns_that_the_first_is_being_made(path, sample):
+    with Store.open(path) as store:
+        with other_writer(path, sample) as other, pytest.raises(StoreError, match="is being made") as caught:
+            store.view()
+        assert f"(process {other.pid}, started 2024-05-03T08:00:00+00:00)" in caught.value.what
+        assert "Wait" in caught.value.advice
+        with pytest.raises(StoreError, match="Run `roslens check` first"):
+            store.view()
+
+
 def test_a_dead_writer_holds_nothing(path, sample, write_small):
     with other_writer(path, sample) as other:
         other.kill()

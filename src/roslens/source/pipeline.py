@@ -248,7 +248,10 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     )
     alone = not stage.members and run.tools is None and not run.silence.acceptances.entries
     finishing = Finishing(run.settings, models, failures, brief=run.revision is not None) if alone else None
-    with stage, store.writing(header) as writer:
+    with (
+        stage,
+        store.writing(header, lambda who: watch.step(f"Waiting for another run ({who})", 0)) as writer,
+    ):
         kept = KeptOutcomes(cache, run.units)
         for measured, said in _looked_at(stage, _measured(run, changed, cache, watch, finishing), kept, rest):
             if isinstance(measured, FinishedPackage):

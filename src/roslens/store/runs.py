@@ -19,7 +19,7 @@ from roslens.store.migrate import migrate
 from roslens.store.question import Run
 from roslens.store.read import RunView, read_unit
 from roslens.store.sqlite_errors import as_store_errors
-from roslens.store.writing.lock import claim, release
+from roslens.store.writing.lock import Waiting, claim, release, writer_now
 
 if TYPE_CHECKING:
     from roslens.store.revisions import KeptRevision
@@ -169,12 +169,17 @@ class Store:
             found = self._connection.execute("SELECT summary FROM unit WHERE key = ?", (key,)).fetchone()
             return rows.to_summary(found[0]) if found else None
 
-    def writing(self, header: RunHeader) -> RunWriter:
-        """Return the writer of a new run, to be used in a ``with`` block; see :class:`RunWriter`."""
+    def writing(self, header: RunHeader, waiting: Waiting | None = None) -> RunWriter:
+        """Return the writer of a new run, to be used in a ``with`` block; see :class:`RunWriter`.
+
+        Args:
+            header: of the run.
+            waiting: is told which process is waited for, where another one is writing.
+        """
         # Imported late: a run in which nothing changed writes nothing.
         from roslens.store.writing.write import RunWriter
 
-        return RunWriter(self._connection, self._path, header.started, self._wait_s)
+        return RunWriter(self._connection, self._path, header.started, self._wait_s, waiting)
 
     def runs(self) -> tuple[StoredRun, ...]:
         """Return all complete runs, newest first.
@@ -197,6 +202,14 @@ class Store:
         number = self.latest() if run is None else run
         where = str(self._path or "the store in memory")
         if number is None:
+            with as_store_errors(self._path):
+                writer = writer_now(self._connection)
+            if writer:
+                raise StoreError(
+                    f"no run was completed yet; the first one is being made ({writer})",
+                    where=where,
+                    advice="Wait until it is finished",
+                )
             raise StoreError("no run was completed yet", where=where, advice="Run `roslens check` first")
         with as_store_errors(self._path):
             found = self._connection.execute(f"SELECT {rows.RUN} FROM run WHERE id = ?", (number,)).fetchone()  # noqa: S608 - column names of rows.py

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sqlite3
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from roslens.model.errors import StoreError
@@ -14,8 +15,17 @@ from roslens.store.sqlite_errors import as_store_errors
 
 _POLL_MS = 100
 
+Waiting = Callable[[str], None]
+"""Is told once which other process is waited for."""
 
-def claim(connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
+
+def claim(
+    connection: sqlite3.Connection,
+    path: Path | str | None,
+    started: str,
+    wait_s: float,
+    waiting: Waiting | None = None,
+) -> None:
     """Begin the one transaction that may write, or wait for the one that does.
 
     Who holds the lock must be readable by those who wait, so its name is committed first; the lock is then taken
@@ -25,15 +35,44 @@ def claim(connection: sqlite3.Connection, path: Path | str | None, started: str,
         StoreError: the lock was not free in time; names the process that holds it.
     """
     if not isinstance(connection, SharedConnection):
-        _claim(connection, path, started, wait_s)
+        _claim(connection, path, started, wait_s, waiting)
         return
     from roslens.store.postgres.claim import claim_shared
 
     with as_store_errors(path):
-        claim_shared(connection, str(path), started, wait_s)
+        claim_shared(connection, str(path), started, wait_s, waiting)
 
 
-def _claim(connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
+def writer_now(connection: sqlite3.Connection) -> str:
+    """Return which other process writes at this moment; empty for none.
+
+    Raises:
+        sqlite3.Error: the store cannot be read.
+    """
+    if isinstance(connection, SharedConnection):
+        from roslens.store.postgres.claim import shared_writer_now
+
+        return shared_writer_now(connection)
+    before = connection.execute("PRAGMA busy_timeout").fetchone()[0]
+    connection.execute("PRAGMA busy_timeout = 0")
+    try:
+        connection.execute("BEGIN IMMEDIATE")
+    except sqlite3.OperationalError as error:
+        # A store that cannot be written is written by nobody that is known.
+        return _writer(connection) if "locked" in str(error) else ""
+    finally:
+        release(connection)
+        connection.execute(f"PRAGMA busy_timeout = {before}")
+    return ""
+
+
+def _claim(
+    connection: sqlite3.Connection,
+    path: Path | str | None,
+    started: str,
+    wait_s: float,
+    waiting: Waiting | None,
+) -> None:
     me = (os.getpid(), started)
     deadline = time.monotonic() + wait_s
     with as_store_errors(path):
@@ -42,7 +81,8 @@ def _claim(connection: sqlite3.Connection, path: Path | str | None, started: str
         connection.execute(f"PRAGMA busy_timeout = {_POLL_MS}")
         try:
             while True:
-                _begin(connection, path, deadline, wait_s)
+                _begin(connection, path, deadline, wait_s, waiting)
+                waiting = None
                 if connection.execute("SELECT pid, started FROM writer").fetchone() == me:
                     return
                 connection.execute("INSERT OR REPLACE INTO writer (only, pid, started) VALUES (1, ?, ?)", me)
@@ -64,7 +104,13 @@ def release(connection: sqlite3.Connection) -> None:
     roll_back(connection)
 
 
-def _begin(connection: sqlite3.Connection, path: Path | str | None, deadline: float, wait_s: float) -> None:
+def _begin(
+    connection: sqlite3.Connection,
+    path: Path | str | None,
+    deadline: float,
+    wait_s: float,
+    waiting: Waiting | None,
+) -> None:
     while True:
         try:
             connection.execute("BEGIN IMMEDIATE")
@@ -73,16 +119,22 @@ def _begin(connection: sqlite3.Connection, path: Path | str | None, deadline: fl
                 raise
             if time.monotonic() >= deadline:
                 raise _taken(connection, path, wait_s) from error
+            if waiting is not None:
+                waiting(_writer(connection))
+                waiting = None
         else:
             return
 
 
 def _taken(connection: sqlite3.Connection, path: Path | str | None, wait_s: float) -> StoreError:
-    pid, started = connection.execute("SELECT pid, started FROM writer").fetchone() or ("unknown", "")
-    since = f", started {started}" if started else ""
     return StoreError(
-        f"another run is writing to the store (process {pid}{since})",
+        f"another run is writing to the store ({_writer(connection)})",
         where=str(path or "the store in memory"),
         expected=f"the store to be free within {wait_s:g} s",
         advice="Wait until it is finished, or run with --no-store",
     )
+
+
+def _writer(connection: sqlite3.Connection) -> str:
+    pid, started = connection.execute("SELECT pid, started FROM writer").fetchone() or ("unknown", "")
+    return f"process {pid}, started {started}" if started else f"process {pid}"

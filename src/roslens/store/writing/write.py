@@ -20,7 +20,7 @@ from roslens.store.encodable import encodable, storable_values
 from roslens.store.rows import Row
 from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.summary import rule_counts
-from roslens.store.writing.lock import claim, release
+from roslens.store.writing.lock import Waiting, claim, release
 from roslens.store.writing.unit_rows import UnitRows, rows_of_failures, rows_of_findings, rows_of_set_aside, unit_rows
 
 if TYPE_CHECKING:
@@ -34,12 +34,28 @@ class RunWriter:
     without :meth:`complete` discards everything, and so does the death of the process.
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
-        """``started`` tells a waiting process whom it waits for; ``wait_s`` is how long this one waits."""
+    def __init__(
+        self,
+        connection: sqlite3.Connection,
+        path: Path | str | None,
+        started: str,
+        wait_s: float,
+        waiting: Waiting | None = None,
+    ) -> None:
+        """Use :meth:`roslens.store.runs.Store.writing`.
+
+        Args:
+            connection: of the store.
+            path: of the store, for messages.
+            started: tells a waiting process whom it waits for.
+            wait_s: how long this one waits.
+            waiting: is told for whom.
+        """
         self._connection = connection
         self._path = path
         self._started = started
         self._wait_s = wait_s
+        self._waiting = waiting
         self._units: dict[int, str] = {}
 
     def __enter__(self) -> RunWriter:
@@ -48,7 +64,7 @@ class RunWriter:
         Raises:
             StoreError: another process has been writing for all of the time allowed.
         """
-        claim(self._connection, self._path, self._started, self._wait_s)
+        claim(self._connection, self._path, self._started, self._wait_s, self._waiting)
         with as_store_errors(self._path):
             self._tag_sets = _TagSets(self._connection)
         return self

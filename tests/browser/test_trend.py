@@ -74,9 +74,45 @@ def test_pages_are_accessible_and_fit(visitor: Visitor, path: str, width: int) -
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") == 0
 
 
+@pytest.mark.parametrize("path", ["/history", "/history/loc", "/hotspots"])
+def test_the_scale_stays_in_sight_where_a_plot_scrolls(visitor: Visitor, path: str) -> None:
+    page = visitor.open(path, viewport={"width": 420, "height": 800})
+    plots = page.locator(".plot.latest")
+    assert plots.count() > 0
+    for number in range(plots.count()):
+        plot = plots.nth(number)
+        assert plot.evaluate("plot => plot.scrollWidth > plot.clientWidth")
+        for end in ("plot.scrollWidth", "-plot.scrollWidth", "-60"):
+            # Ticks stand in the plot's sight wherever it is scrolled to, beside the lines that they are of.
+            sight = plot.evaluate(f"""plot => {{
+              plot.scrollLeft = {end};
+              const around = plot.getBoundingClientRect();
+              return [...plot.querySelectorAll('text[x="-8"]')].map((tick) => {{
+                const box = tick.getBoundingClientRect();
+                return box.left >= around.left && box.right <= around.left + 60;
+              }});
+            }}""")
+            assert len(sight) > 1
+            assert all(sight)
+
+
+def test_a_scale_stands_beside_the_lines_that_it_is_of(visitor: Visitor) -> None:
+    page = visitor.open("/history/loc", viewport={"width": 420, "height": 800})
+    offsets = page.evaluate("""() => {
+      const middles = (what) => [...document.querySelectorAll(what)].map((one) => {
+        const box = one.getBoundingClientRect();
+        return box.top + box.height / 2;
+      });
+      const lines = middles(".plot .grid");
+      return middles('.plot text[x="-8"]').map((tick, place) => Math.abs(tick - lines[place]));
+    }""")
+    assert len(offsets) > 2
+    assert max(offsets) < 4
+
+
 def test_a_curve_begins_where_the_text_does(visitor: Visitor) -> None:
     page = visitor.open("/history/loc", viewport={"width": 1700, "height": 900})
-    curve, head = (page.locator(one).first.bounding_box() for one in (".plot > svg", "h1"))
+    curve, head = (page.locator(one).first.bounding_box() for one in (".plot svg", "h1"))
     assert curve
     assert head
     assert abs(curve["x"] - head["x"]) < 2

@@ -2,6 +2,8 @@
 
 from itertools import pairwise
 
+import pytest
+
 from roslens.dashboard.charts.line_chart import HEIGHT, MOST_POINTS, WIDTH, line_chart
 from roslens.model.trend import TrendEvent, TrendPoint
 
@@ -18,6 +20,17 @@ def test_a_curve_goes_from_corner_to_corner():
     assert line.places[1][2] == "c1, 1970-01-02: 5"
     assert (line.last, [text for _, text in chart.up]) == ("10", ["0", "5", "10"])
     assert [text for _, text in chart.across] == ["1970-01-01", "1970-01-02", "1970-01-03"]
+
+
+@pytest.mark.parametrize("count", [2, 3, 7, 8, 15, 16, 400])
+def test_dates_do_not_stand_on_one_another(count):
+    chart = line_chart(points(count), [("all", list(range(count)))], [], 0)
+    assert chart is not None
+    letters = 86
+    begins = [x - (0 if not x else letters if x == WIDTH else letters / 2) for x, _ in chart.across]
+    assert (chart.across[0][0], chart.across[-1][0]) == (0, WIDTH)
+    assert all(other - one >= letters for one, other in pairwise(begins))
+    assert len(begins) >= min(count, 5)
 
 
 def test_a_gap_is_a_gap():

@@ -8,6 +8,7 @@ import pytest
 
 from roslens.cli.main import main
 from roslens.model.errors import StoreError, UsageError
+from roslens.model.result import RunHeader
 from roslens.store.postgres.connection import divided, shown
 from roslens.store.postgres.dialect import translated
 from roslens.store.runs import Store
@@ -64,6 +65,12 @@ def test_another_process_writes(server, write_small):
             assert other.stdout.readline() == "begun\n"
             with pytest.raises(StoreError, match=rf"another run is writing to the store \(process {other.pid} on "):
                 write_small(store)
+            with pytest.raises(StoreError, match=rf"the first one is being made \(process {other.pid} on "):
+                store.view()
+            told = []
+            with pytest.raises(StoreError, match="another run"), store.writing(RunHeader("mine", "/"), told.append):
+                pass
+            assert [one.partition(" on ")[0] for one in told] == [f"process {other.pid}"]
         finally:
             other.kill()
     # One that was killed holds nothing.

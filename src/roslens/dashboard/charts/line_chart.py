@@ -15,6 +15,8 @@ WIDTH = 860.0
 HEIGHT = 220.0
 MOST_LETTERS = 24
 MOST_LINES = 16
+DAY_WIDTH = 92.0
+"""Of a date below the smallest plots, where letters are largest, with the room between two dates."""
 MOST_POINTS = 400
 """More points than this are thinned out evenly: a screen shows no more of them."""
 
@@ -141,12 +143,19 @@ def _digits_of(ticks: Sequence[float]) -> int:
 
 
 def _across(points: Sequence[TrendPoint], x: Callable[[int], float]) -> tuple[tuple[float, str], ...]:
-    """Return at most seven dates along the axis."""
+    """Return at most seven dates along the axis, the first and the last among them; none stands on another."""
     if len(points) == 1:
         return ((x(0), day(points[0])),)
     many = min(6, len(points) - 1)
-    places = sorted({round(turn * (len(points) - 1) / many) for turn in range(many + 1)})
-    return tuple((x(place), day(points[place])) for place in places)
+    last = len(points) - 1
+    kept, free = [0], DAY_WIDTH
+    for place in sorted({round(turn * last / many) for turn in range(1, many)}):
+        # The dates between are centred, those at the ends stand inside the plot.
+        begin = x(place) - DAY_WIDTH / 2
+        if begin >= free and begin + 2 * DAY_WIDTH <= WIDTH:
+            kept.append(place)
+            free = begin + DAY_WIDTH
+    return tuple((x(place), day(points[place])) for place in (*kept, last))
 
 
 def _marks(events: Sequence[TrendEvent], x: Callable[[int], float]) -> tuple[Mark, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -17,8 +17,7 @@ _COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_node
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each class that CMakeLists.txt registers and no source does, and each one of a source that it does not."""
     commands = [one for one in view.cmake.named(*_COMMANDS) if not one.defined]
-    text = view.cmake.text
-    if not commands and "rclcpp_components" not in text:
+    if not commands and "rclcpp_components" not in view.cmake.text:
         return
     registered, complete = view.registered
     components = [one for one in registered if not one.base]
@@ -32,14 +31,17 @@ def found(view: PackageView) -> Iterator[Hit]:
                 yield command.hit("cmake.component_class", message, name)
     for each in components:
         # What is not ported yet lies there and is built by nothing.
-        if not view.cmake.may_build(each.path):
-            continue
-        last = each.name.rpartition("::")[2]
-        if not any(same_class(name, each.name) for _, name in built) and not re.search(rf"\b{re.escape(last)}\b", text):
+        if view.cmake.may_build(each.path) and not _is_built(each.name, [name for _, name in built], view.cmake.text):
             message = (
                 f"component {each.name!r} is registered by no command of CMakeLists.txt; expected {_COMMANDS[0]}()"
             )
             yield Hit("cmake.component_class", message, each.line, context=each.name, path=each.path)
+
+
+def _is_built(name: str, built: Iterable[str], text: str) -> bool:
+    """Whether a class is among those that commands register, or named anywhere in the text of CMakeLists.txt."""
+    last = name.rpartition("::")[2]
+    return any(same_class(one, name) for one in built) or re.search(rf"\b{re.escape(last)}\b", text) is not None
 
 
 def _classes(command: Written) -> Iterator[str]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import is_ros_package
-from roslens.source.rules.views.cmake_view import Written
+from roslens.source.rules.views.cmake_view import CmakeView, Written
 
 _AFTER = frozenset(
     {"INCLUDE_DIRS", "LIBRARIES", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS", "SKIP_CMAKE_CONFIG_GENERATION"}
@@ -42,18 +43,24 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 
 def _export(view: PackageView) -> tuple[Written, set[str]] | None:
-    cmake = view.cmake
-    if catkin := cmake.first("catkin_package"):
-        words = list(catkin.words)
-        if "INCLUDE_DIRS" not in words or any("$" in word for word in words):
-            return None
-        exported: set[str] = set()
-        if "CATKIN_DEPENDS" in words:
-            for word in words[words.index("CATKIN_DEPENDS") + 1 :]:
-                if word in _AFTER:
-                    break
-                exported.add(word)
-        return catkin, exported
+    catkin = view.cmake.first("catkin_package")
+    return _of_catkin(catkin) if catkin else _of_ament(view.cmake)
+
+
+def _of_catkin(catkin: Written) -> tuple[Written, set[str]] | None:
+    words = list(catkin.words)
+    if "INCLUDE_DIRS" not in words or any("$" in word for word in words):
+        return None
+    if "CATKIN_DEPENDS" not in words:
+        return catkin, set()
+    return catkin, set(takewhile(_is_package, words[words.index("CATKIN_DEPENDS") + 1 :]))
+
+
+def _is_package(word: str) -> bool:
+    return word not in _AFTER
+
+
+def _of_ament(cmake: CmakeView) -> tuple[Written, set[str]] | None:
     end = cmake.first("ament_package")
     if end is None or not cmake.first("ament_export_include_directories", "ament_export_targets"):
         return None

@@ -10,6 +10,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import CmakeView, Written
 
 _MAKES = ("add_executable", "ament_auto_add_executable", "cuda_add_executable")
 _ASIDE = frozenset({"test", "tests", "examples", "example", "benchmark", "benchmarks"})
@@ -29,17 +30,23 @@ def found(view: PackageView) -> Iterator[Hit]:
         if one.defined or one.for_tests or one.conditions or not one.words or "$" in one.words[0]:
             continue
         name = one.words[0]
-        if name in names or {"EXCLUDE_FROM_ALL", "IMPORTED", "ALIAS"} & set(one.words) or _is_aside(one.path, name):
-            continue
-        if any(_is_aside(word, "") for word in one.words[1:]):
-            continue  # an example or a tool of the developers, run from where it is built
-        used = [each for each in cmake.commands if each is not one and name in each.words]
-        if any(each.name in ("add_test", "add_custom_command", "ament_add_test", "add_rostest") for each in used):
+        if name in names or _is_for_the_build(one, cmake):
             continue
         message = f"executable {name!r} is built and not installed; expected install(TARGETS {name} …)"
         severity = None if 2 in view.ros else Severity.NOTE
         hit = one.hit("cmake.program_not_installed", message, name)
         yield msgspec.structs.replace(hit, severity=severity)
+
+
+def _is_for_the_build(one: Written, cmake: CmakeView) -> bool:
+    """Whether an executable is for the build, for tests or for developers, who run it from where it is built."""
+    name, *words = one.words
+    if {"EXCLUDE_FROM_ALL", "IMPORTED", "ALIAS"} & set(one.words) or _is_aside(one.path, name):
+        return True
+    if any(_is_aside(word, "") for word in words):
+        return True
+    used = [each for each in cmake.commands if each is not one and name in each.words]
+    return any(each.name in ("add_test", "add_custom_command", "ament_add_test", "add_rostest") for each in used)
 
 
 def _is_aside(path: str, name: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -31,17 +31,24 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     """Yield a finding for each topic that such nodes share."""
     for nodes in _copies(configuration):
         published = [(node, _published(node)) for node in nodes]
-        for place in sorted({place for _node, ends in published for place in ends}):
-            sharing: dict[str, list[tuple[ConfiguredNode, ConfiguredEndpoint]]] = {}
-            for node, ends in published:
-                if place in ends:
-                    sharing.setdefault(ends[place].endpoint.name, []).append((node, ends[place]))
-            for name, of_name in sorted(sharing.items()):
-                if surroundings.is_external(name) or any(one.remapped for _node, one in of_name):
-                    continue
-                others = [(node, ends) for node, ends in published if node in [each for each, _one in of_name]]
-                if len(of_name) > 1 and (apart := _kept_apart(others)):
-                    yield _told(name, of_name, apart)
+        for name, of_name in _sharing(published):
+            if surroundings.is_external(name) or any(one.remapped for _node, one in of_name):
+                continue
+            others = [(node, ends) for node, ends in published if node in [each for each, _one in of_name]]
+            if len(of_name) > 1 and (apart := _kept_apart(others)):
+                yield _told(name, of_name, apart)
+
+
+def _sharing(
+    published: Sequence[tuple[ConfiguredNode, Mapping[_Place, ConfiguredEndpoint]]],
+) -> Iterator[tuple[str, list[tuple[ConfiguredNode, ConfiguredEndpoint]]]]:
+    """Yield, for each place of the code that publishes, its topics with who publishes on them from there."""
+    for place in sorted({place for _node, ends in published for place in ends}):
+        sharing: dict[str, list[tuple[ConfiguredNode, ConfiguredEndpoint]]] = {}
+        for node, ends in published:
+            if place in ends:
+                sharing.setdefault(ends[place].endpoint.name, []).append((node, ends[place]))
+        yield from sorted(sharing.items())
 
 
 def _copies(configuration: Configuration) -> list[list[ConfiguredNode]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import msgspec
 
@@ -17,6 +17,7 @@ _OF_BUILDS = (".", "snapcraft", "docker", "compose", "circle", "appveyor", "azur
 """How files begin that say how a machine of its own builds or documents the package."""
 _OF_CONTAINERS = ("/home/user", "/home/ros", "/root")
 """Home folders of the users that containers have: whoever starts it there finds the path."""
+_HOMES = (b"/home/", b"/root/", b"/Users/")
 _HOME = re.compile(r"(?:^|[\s'\"=:(\[,])((?:file://)?/(?:home|Users|root)/[\w.@+-]+(?:/[^\s'\"<>,)\]]*)?)")
 
 
@@ -24,29 +25,37 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield the first path below a home folder in each attribute, line of YAML or text of a launch file in Python."""
     for file in view.launch:
         for element, _ in file.elements:
-            for value in (*element.attributes.values(), element.text()):
-                if match := _HOME.search(value):
-                    hit = file.hit("launch.absolute_path", element, _message(match[1]), match[1])
-                    yield msgspec.structs.replace(hit, severity=_severity(match[1]))
-                    break
+            match = _first_home((*element.attributes.values(), element.text()))
+            if match:
+                hit = file.hit("launch.absolute_path", element, _message(match[1]), match[1])
+                yield msgspec.structs.replace(hit, severity=_severity(match[1]))
     others = view.of_language(Language.YAML, Language.LAUNCH_YAML, Language.LAUNCH_PYTHON, roles=(Role.OWN,))
     for one in others:
         text = view.read(one.path)
-        if one.path.rpartition("/")[2].startswith(_OF_BUILDS):
-            continue
-        if b"/home/" not in text and b"/root/" not in text and b"/Users/" not in text:
-            continue
-        for number, line in enumerate(text.decode("utf-8", "replace").splitlines(), 1):
-            match = _HOME.search(re.sub(r"(?:^|\s)#.*", "", line))
-            if match:
-                yield Hit(
-                    "launch.absolute_path",
-                    _message(match[1]),
-                    number,
-                    context=match[1],
-                    path=one.path,
-                    severity=_severity(match[1]),
-                )
+        if not one.path.rpartition("/")[2].startswith(_OF_BUILDS) and any(home in text for home in _HOMES):
+            yield from _hits(one.path, text.decode("utf-8", "replace"))
+
+
+def _first_home(values: Iterable[str]) -> re.Match[str] | None:
+    for value in values:
+        if match := _HOME.search(value):
+            return match
+    return None
+
+
+def _hits(path: str, text: str) -> Iterator[Hit]:
+    """Yield each line that names a path below a home folder, comments aside."""
+    for number, line in enumerate(text.splitlines(), 1):
+        match = _HOME.search(re.sub(r"(?:^|\s)#.*", "", line))
+        if match:
+            yield Hit(
+                "launch.absolute_path",
+                _message(match[1]),
+                number,
+                context=match[1],
+                path=path,
+                severity=_severity(match[1]),
+            )
 
 
 def _severity(path: str) -> Severity | None:

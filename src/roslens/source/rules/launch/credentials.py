@@ -32,12 +32,16 @@ def found(view: PackageView) -> Iterator[Hit]:
                 yield file.hit("launch.credentials", element, _message(name), name)
     for one in view.of_language(Language.YAML, Language.LAUNCH_YAML, roles=(Role.OWN,)):
         text = view.read(one.path)
-        if b"passw" not in text.lower() and b"key" not in text and b"token" not in text and b"secret" not in text:
-            continue
-        for number, line in enumerate(text.decode("utf-8", "replace").splitlines(), 1):
-            match = _YAML.match(line)
-            if match and _is_secret(match[1], match[2]):
-                yield Hit("launch.credentials", _message(match[1]), number, context=match[1], path=one.path)
+        if b"passw" in text.lower() or b"key" in text or b"token" in text or b"secret" in text:
+            yield from _hits(one.path, text.decode("utf-8", "replace"))
+
+
+def _hits(path: str, text: str) -> Iterator[Hit]:
+    """Yield each line of YAML that gives a secret."""
+    for number, line in enumerate(text.splitlines(), 1):
+        match = _YAML.match(line)
+        if match and _is_secret(match[1], match[2]):
+            yield Hit("launch.credentials", _message(match[1]), number, context=match[1], path=path)
 
 
 def _is_secret(name: str, value: str) -> bool:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from posixpath import normpath
 
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.workspace.elements import Element
 
 _OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
 _FILES = frozenset({"file", "textfile", "binfile", "from", "value", "args", "command", "default"})
@@ -36,22 +37,35 @@ def found(view: PackageView) -> Iterator[Hit]:
     names = {path.rpartition("/")[2] for path in view.listing}
     for file in view.launch:
         for element, _ in () if file.is_test else file.elements:
-            for key, value in element.attributes.items():
-                match = _OWN.search(value.strip()) if key in _FILES else None
-                if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
-                    continue
-                # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
-                if match[0].startswith("$(find ") and 1 not in view.ros:
-                    continue
-                path = normpath(match[2])
-                # What the program fills in: `Object_XXX.xml`.
-                if "XXX" in path:
-                    continue
-                name = path.rpartition("/")[2]
-                # Builds make files of templates, and install them elsewhere.
-                made = name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names
-                if not view.exists(view.path(path)) and not (2 in view.ros and name in names) and not made:
-                    yield file.hit("launch.missing_file", element, _message(path, name, view), path)
+            for path in _own_paths(element, view):
+                if not _is_there(path, names, view):
+                    yield file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
+
+
+def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
+    """Yield the paths of files below the own package that an element names."""
+    for key, value in element.attributes.items():
+        match = _OWN.search(value.strip()) if key in _FILES else None
+        if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
+            continue
+        # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
+        if match[0].startswith("$(find ") and 1 not in view.ros:
+            continue
+        path = normpath(match[2])
+        # What the program fills in: `Object_XXX.xml`.
+        if "XXX" not in path:
+            yield path
+
+
+def _is_there(path: str, names: Collection[str], view: PackageView) -> bool:
+    """Whether a path of the package leads to a file, or will once it is built; ``names`` are those of its files."""
+    if view.exists(view.path(path)):
+        return True
+    name = path.rpartition("/")[2]
+    if 2 in view.ros and name in names:
+        return True
+    # Builds make files of templates, and install them elsewhere.
+    return name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names
 
 
 def _installs_what_it_builds(view: PackageView) -> bool:

@@ -21,12 +21,17 @@ def found(view: PackageView) -> Iterator[Hit]:
         if file.broken or file.is_test:
             continue
         for element, _ in file.elements:
-            for value in (*element.attributes.values(), element.text()):
-                for name in ROS_1_ARGUMENT.findall(value):
-                    if name not in declared:
-                        declared.add(name)
-                        message = f"$(arg {name}) is used, and the file has no <arg name={name!r}>; expected it"
-                        yield file.hit("launch.undeclared_argument", element, message, name)
+            for name in _used(element):
+                if name not in declared:
+                    declared.add(name)
+                    message = f"$(arg {name}) is used, and the file has no <arg name={name!r}>; expected it"
+                    yield file.hit("launch.undeclared_argument", element, message, name)
+
+
+def _used(element: Element) -> Iterator[str]:
+    """Yield the names of arguments that stand in the attributes and the text of an element."""
+    for value in (*element.attributes.values(), element.text()):
+        yield from ROS_1_ARGUMENT.findall(value)
 
 
 def _declares(element: Element, around: str) -> bool:

@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.workspace.elements import Element
 
 _ALWAYS = frozenset({"if", "unless"})
 _NODE = frozenset({
@@ -36,15 +37,20 @@ def found(view: PackageView) -> Iterator[Hit]:
         if file.is_test or "$(var " in file.text or " exec=" in file.text or "find-pkg-share" in file.text:
             continue
         for element, _ in file.elements:
-            known = _KNOWN.get(element.tag)
-            if known is None:
-                continue
-            for name in element.attributes:
-                if name not in known and name not in _ALWAYS and ":" not in name:
-                    message = f"<{element.tag}> has no attribute {name!r}: roslaunch ignores it"
-                    close = get_close_matches(name, known, 1)
-                    advice = f"; meant {close[0]!r}?" if close else f"; expected {', '.join(sorted(known))}"
-                    yield file.hit("launch.unknown_attribute", element, message + advice, name)
+            for name, message in _ignored(element):
+                yield file.hit("launch.unknown_attribute", element, message, name)
+
+
+def _ignored(element: Element) -> Iterator[tuple[str, str]]:
+    """Yield the attributes of an element that roslaunch does not know, each with what is said of it."""
+    known = _KNOWN.get(element.tag)
+    if known is None:
+        return
+    for name in element.attributes:
+        if name not in known and name not in _ALWAYS and ":" not in name:
+            close = get_close_matches(name, known, 1)
+            advice = f"; meant {close[0]!r}?" if close else f"; expected {', '.join(sorted(known))}"
+            yield name, f"<{element.tag}> has no attribute {name!r}: roslaunch ignores it{advice}"
 
 
 RULE = PackageRule(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from roslens.model.edit import Edit
 from roslens.source.rules.hit import Hit
@@ -20,36 +20,44 @@ def found(view: PackageView) -> Iterator[Hit]:
     kinds: dict[str, set[str]] = {}
     for one in view.package.dependencies:
         kinds.setdefault(one.name, set()).add(one.kind)
-    told: set[str] = set()
+    reported: set[str] = set()
     for use in view.uses:
         declared = kinds.get(use.name)
-        if declared is None or use.when == TEST or use.name in told or not use.required or use.name == "catkin":
-            continue
-        wanted = _FOR_BUILD if use.when == BUILD else _FOR_RUN
-        if declared & wanted or (use.when == RUN and not _runs(use, view)):
-            continue
-        if not declared & {"build", "exec", "run", "test", "doc", "buildtool"}:
+        if declared is None or use.name in reported or not _is_for_something_else(use, declared, view):
             continue
         if use.when == BUILD and _is_brought(use.name, kinds):
             continue
-        told.add(use.name)
-        has = ", ".join(f"<{kind if kind == 'depend' else f'{kind}_depend'}>" for kind in sorted(declared))
-        expected = "<build_depend> or <depend>" if use.when == BUILD else "<exec_depend> or <depend>"
-        place = next(one for one in view.package.dependencies if one.name == use.name).location
-        at = f"{use.path}:{use.line}"
-        message = f"{use.name!r} is declared by {has}, and {at} uses it: {use.how}; expected {expected}"
-        yield Hit(
-            "package.dependency_kind",
-            message,
-            place.line,
-            place.column,
-            context=use.name,
-            path=place.path,
-            edits=_widened(use.name, declared, view),
-        )
+        reported.add(use.name)
+        yield _hit(use, declared, view)
 
 
-def _widened(name: str, declared: set[str], view: PackageView) -> tuple[Edit, ...]:
+def _is_for_something_else(use: Use, declared: Set[str], view: PackageView) -> bool:
+    """Whether what is used is declared, and not for what it is used for."""
+    if use.when == TEST or not use.required or use.name == "catkin":
+        return False
+    wanted = _FOR_BUILD if use.when == BUILD else _FOR_RUN
+    if declared & wanted or (use.when == RUN and not _runs(use, view)):
+        return False
+    return bool(declared & {"build", "exec", "run", "test", "doc", "buildtool"})
+
+
+def _hit(use: Use, declared: Set[str], view: PackageView) -> Hit:
+    has = ", ".join(f"<{kind if kind == 'depend' else f'{kind}_depend'}>" for kind in sorted(declared))
+    expected = "<build_depend> or <depend>" if use.when == BUILD else "<exec_depend> or <depend>"
+    place = next(one for one in view.package.dependencies if one.name == use.name).location
+    at = f"{use.path}:{use.line}"
+    return Hit(
+        "package.dependency_kind",
+        f"{use.name!r} is declared by {has}, and {at} uses it: {use.how}; expected {expected}",
+        place.line,
+        place.column,
+        context=use.name,
+        path=place.path,
+        edits=_widened(use.name, declared, view),
+    )
+
+
+def _widened(name: str, declared: Set[str], view: PackageView) -> tuple[Edit, ...]:
     """Return what makes the only declaration of a package one for the build and for running."""
     manifest = view.manifest_edits
     elements = list(manifest.elements(text=name))

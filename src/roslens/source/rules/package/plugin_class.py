@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.model.source import Language, Role
 from roslens.source.extract.builds.plugin_xml import PluginClass
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
-from roslens.source.rules.views.registered_classes import same_class
+from roslens.source.rules.views.registered_classes import Registered, same_class
 
 _ASKING = frozenset({"pluginlib", "nodelet", "class_loader"})
 
@@ -23,8 +23,12 @@ def found(view: PackageView) -> Iterator[Hit]:
     if not complete or not plugins or any("<" in one.name for one in plugins):
         return
     described = list(_described(view))
-    if not described:
-        return
+    if described:
+        yield from _unregistered(described, plugins, view)
+        yield from _undescribed(described, plugins, view)
+
+
+def _unregistered(described: Iterable[PluginClass], plugins: Sequence[Registered], view: PackageView) -> Iterator[Hit]:
     for one in described:
         # What is left over from ROS 1 in a package for ROS 2 is read by nobody.
         if one.parent.startswith("nodelet::") and 1 not in view.ros:
@@ -34,6 +38,9 @@ def found(view: PackageView) -> Iterator[Hit]:
             expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
             message = f"no source registers class {one.type!r}; expected {expected}"
             yield Hit("package.plugin_class", message, where.line, context=one.type, path=where.path)
+
+
+def _undescribed(described: Sequence[PluginClass], plugins: Iterable[Registered], view: PackageView) -> Iterator[Hit]:
     for each in plugins:
         if each.path in view.by_path and view.by_path[each.path].role is Role.TEST:
             continue

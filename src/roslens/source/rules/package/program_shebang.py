@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import takewhile
 
 from roslens.model.edit import Edit, edit_at
 from roslens.model.finding import Severity
@@ -11,6 +12,7 @@ from roslens.model.source import Language
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 _INSTALLS = ("install", "catkin_install_python")
 _EXPECTED = "#!/usr/bin/env python3"
@@ -19,34 +21,39 @@ _OLD = re.compile(r"python2|\bpython$")
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each Python script that is installed as a program and whose first line does not name Python 3."""
-    told: set[str] = set()
+    looked_at: set[str] = set()
     for one in view.cmake.named(*_INSTALLS):
         if one.defined or "PROGRAMS" not in one.words:
             continue
-        for word in one.words[one.words.index("PROGRAMS") + 1 :]:
-            if word in ("DESTINATION", "PERMISSIONS", "RENAME"):
-                break
+        for word in takewhile(_is_no_option, one.words[one.words.index("PROGRAMS") + 1 :]):
             path = view.cmake.inside(word, one)
             file = view.by_path.get(path or "")
-            if path is None or file is None or file.language is not Language.PYTHON or path in told:
+            if path is None or file is None or file.language is not Language.PYTHON or path in looked_at:
                 continue
-            told.add(path)
-            first = view.read(path)[:200].partition(b"\n")[0].decode("utf-8", "replace").strip()
-            at = f"{one.path}:{one.command.line}"
-            if path.endswith("__init__.py"):
-                continue
-            if not first.startswith("#!"):
-                message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
-                edits = _begun(view.read(path), b"", path)
-                # A module among the programs is one too many, and nobody starts it.
-                severity = None if b"__main__" in view.read(path) else Severity.NOTE
-                yield Hit(
-                    "package.program_shebang", message, 1, context="#!", path=path, severity=severity, edits=edits
-                )
-            elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
-                message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
-                edits = _begun(view.read(path), first.encode(), path)
-                yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+            looked_at.add(path)
+            if not path.endswith("__init__.py"):
+                yield from _hits(path, one, view)
+
+
+def _is_no_option(word: str) -> bool:
+    return word not in ("DESTINATION", "PERMISSIONS", "RENAME")
+
+
+def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
+    """Yield what is wrong with the first line of a script that a command installs."""
+    text = view.read(path)
+    first = text[:200].partition(b"\n")[0].decode("utf-8", "replace").strip()
+    if not first.startswith("#!"):
+        at = f"{one.path}:{one.command.line}"
+        message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
+        # A module among the programs is one too many, and nobody starts it.
+        severity = None if b"__main__" in text else Severity.NOTE
+        edits = _begun(text, b"", path)
+        yield Hit("package.program_shebang", message, 1, context="#!", path=path, severity=severity, edits=edits)
+    elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
+        message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
+        edits = _begun(text, first.encode(), path)
+        yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
 
 
 def _begun(content: bytes, line: bytes, path: str) -> tuple[Edit, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslens.model.finding import Severity
 from roslens.model.source import Dependency, Language, Role
@@ -23,12 +23,26 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each dependency of the build whose name stands nowhere but in package.xml."""
     if view.package.metapackage or not view.cmake.exists or len(view.files) <= 2:
         return
+    if any(file.role is Role.VENDORED for file in view.files):
+        return
+    for name, one in _unnamed(_asked(view), view).items():
+        where = one.location
+        tag = one.kind if one.kind == "depend" else f"{one.kind}_depend"
+        message = f"nothing in the package names {name!r}; expected its use, or no <{tag}>"
+        yield Hit("package.unused_dependency", message, where.line, where.column, context=name, path=where.path)
+
+
+def _asked(view: PackageView) -> dict[str, Dependency]:
+    """Return the dependencies of which the rule asks, the first of each name."""
     asked: dict[str, Dependency] = {}
     for one in view.package.dependencies:
         if one.kind in _KINDS and one.active and _is_asked(one.name) and one.name not in asked:
             asked[one.name] = one
-    if any(file.role is Role.VENDORED for file in view.files):
-        return
+    return asked
+
+
+def _unnamed(asked: Mapping[str, Dependency], view: PackageView) -> dict[str, Dependency]:
+    """Return the dependencies that no file names, manifests and CMake files aside."""
     words = _words(view)
     left = {name: one for name, one in asked.items() if not _is_used(name, words, view)}
     for file in view.files if left else ():
@@ -37,12 +51,8 @@ def found(view: PackageView) -> Iterator[Hit]:
         text = view.read(file.path)
         left = {name: one for name, one in left.items() if name.encode() not in text}
         if not left:
-            return
-    for name, one in left.items():
-        where = one.location
-        tag = one.kind if one.kind == "depend" else f"{one.kind}_depend"
-        message = f"nothing in the package names {name!r}; expected its use, or no <{tag}>"
-        yield Hit("package.unused_dependency", message, where.line, where.column, context=name, path=where.path)
+            break
+    return left
 
 
 def _is_asked(name: str) -> bool:

@@ -29,10 +29,7 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
         # What a container is given holds for all nodes of its process.
         names = {node.name for node in nodes}
         nodes = [*nodes, *(node for node in configuration.nodes if node.container in names)]
-        if not nodes or not all(node.resolved and node.proof.sure == "certain" for node in nodes):
-            continue
-        if nodes[0].kind == "container" and (nodes == [nodes[0]] or any(one.opens for one in configuration.unresolved)):
-            # What it is given may be for components that others load: no launch file that was read says which.
+        if not _is_known_who(nodes, configuration):
             continue
         for settings in _keyed(launched).values():
             keys = tuple(dict.fromkeys(one.node for one in settings))
@@ -42,6 +39,15 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
             first = min(settings, key=lambda one: one.evidence)
             held = list(dict.fromkeys(node.name for node in nodes if node.container not in names))
             yield Ignored(held[0], launch_proof(first.evidence), keys, proof, tuple(held[1:]))
+
+
+def _is_known_who(nodes: Sequence[ConfiguredNode], configuration: Configuration) -> bool:
+    """Whether it is known which nodes are started at a place, the first of them in the launch file itself."""
+    if not nodes or not all(node.resolved and node.proof.sure == "certain" for node in nodes):
+        return False
+    # What a container is given may be for components that others load: no launch file that was read says which.
+    alone = len(nodes) == 1 or any(one.opens for one in configuration.unresolved)
+    return nodes[0].kind != "container" or not alone
 
 
 def _keyed(launched: Launched) -> Mapping[str, Sequence[Setting]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Set
 
 import msgspec
 
@@ -55,27 +55,59 @@ def misplaced(configuration: Configuration) -> Iterator[Misplaced]:
     """Yield the parameters of a configuration that are set in another namespace than they are read in."""
     if configuration.generation != "ros1":
         return
-    read = {one.name for node in configuration.nodes for one in node.parameters if one.access}
-    shared = {one.name: one for one in configuration.parameters if one.set_by is not None}
-    values = {one.name for node in configuration.nodes for one in node.parameters if one.set_by is not None}
-    values |= shared.keys()
+    names = _Names.of(configuration)
     for node in configuration.nodes:
-        if not node.resolved or node.defined is None:
+        if node.resolved and node.defined is not None:
+            known = {one.name: one for one in node.parameters if one.access == "read" and one.proof is not None}
+            yield from _set_privately(node, known, names)
+            yield from _read_privately(node, known, names)
+
+
+class _Names(msgspec.Struct, frozen=True):
+    """Names of parameters of a configuration.
+
+    Attributes:
+        read: by any node.
+        shared: set for no node in particular.
+        values: set at all.
+    """
+
+    read: frozenset[str]
+    shared: Mapping[str, ConfiguredParameter]
+    values: frozenset[str]
+
+    @classmethod
+    def of(cls, configuration: Configuration) -> _Names:
+        parameters = [one for node in configuration.nodes for one in node.parameters]
+        shared = {one.name: one for one in configuration.parameters if one.set_by is not None}
+        values = {one.name for one in parameters if one.set_by is not None}
+        return cls(frozenset(one.name for one in parameters if one.access), shared, frozenset(values | shared.keys()))
+
+
+def _set_privately(
+    node: ConfiguredNode, known: Mapping[str, ConfiguredParameter], names: _Names
+) -> Iterator[Misplaced]:
+    """Yield what is set in the namespace of a node, and read by it in one around it."""
+    prefix = f"{node.name}/"
+    for one in node.parameters:
+        if one.set_by is None or not one.name.startswith(prefix) or _is_read(one.name, names.read):
             continue
-        known = {one.name: one for one in node.parameters if one.access == "read" and one.proof is not None}
-        prefix = f"{node.name}/"
-        for one in node.parameters:
-            if one.set_by is None or not one.name.startswith(prefix) or _is_read(one.name, read):
-                continue
-            elsewhere = [name for name in _outside(one.name.removeprefix(prefix), node) if name in known]
-            if elsewhere and not any(_is_set(name, values) for name in elsewhere):
-                yield Misplaced(node, one, known[elsewhere[0]], private=True)
-        for name, one in known.items():
-            if not name.startswith(prefix) or "*" in name or _is_set(name, values):
-                continue
-            places = [other for other in _outside(name.removeprefix(prefix), node) if other in shared]
-            if places and not any(_is_read(other, read) for other in places):
-                yield Misplaced(node, shared[places[0]], one, private=False)
+        elsewhere = [name for name in _outside(one.name.removeprefix(prefix), node) if name in known]
+        if elsewhere and not any(_is_set(name, names.values) for name in elsewhere):
+            yield Misplaced(node, one, known[elsewhere[0]], private=True)
+
+
+def _read_privately(
+    node: ConfiguredNode, known: Mapping[str, ConfiguredParameter], names: _Names
+) -> Iterator[Misplaced]:
+    """Yield what a node reads in its namespace, and is set in one around it."""
+    prefix = f"{node.name}/"
+    for name, one in known.items():
+        if not name.startswith(prefix) or "*" in name or _is_set(name, names.values):
+            continue
+        places = [other for other in _outside(name.removeprefix(prefix), node) if other in names.shared]
+        if places and not any(_is_read(other, names.read) for other in places):
+            yield Misplaced(node, names.shared[places[0]], one, private=False)
 
 
 def _outside(name: str, node: ConfiguredNode) -> Iterator[str]:
@@ -87,12 +119,12 @@ def _outside(name: str, node: ConfiguredNode) -> Iterator[str]:
     yield f"/{name}"
 
 
-def _is_read(name: str, read: set[str]) -> bool:
+def _is_read(name: str, read: Set[str]) -> bool:
     """Whether somebody reads a name, or a map that it is in."""
     return name in read or any(name.startswith(one.rstrip("/") + "/") for one in read)
 
 
-def _is_set(name: str, values: set[str]) -> bool:
+def _is_set(name: str, values: Set[str]) -> bool:
     """Whether a name is set, or something below it."""
     return name in values or any(one.startswith(f"{name}/") for one in values)
 

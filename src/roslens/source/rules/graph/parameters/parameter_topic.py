@@ -40,14 +40,23 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     patterns = [name for name in names if "*" in name]
     spaces = {space for name in (*names, *(node.name for node in configuration.nodes)) for space in _spaces(name)}
     for node in configuration.nodes:
-        for one in node.parameters if _is_understood(node) else ():
-            value = one.value or ""
-            if one.set_by is None or not _TOPIC.search(one.name) or not _GLOBAL.fullmatch(value):
+        for one, topic in _topics_named(node, ros1=configuration.generation == "ros1"):
+            if "/" + topic.split("/")[1] in spaces:
                 continue
-            if not _own(one, node, ros1=configuration.generation == "ros1") or "/" + value.split("/")[1] in spaces:
-                continue
-            if not any(fnmatchcase(value, other) for other in (*patterns, *surroundings.external)):
+            if not any(fnmatchcase(topic, other) for other in (*patterns, *surroundings.external)):
                 yield _told(one, node, [other.name for other in unknown], whole=surroundings.whole)
+
+
+def _topics_named(node: ConfiguredNode, *, ros1: bool) -> Iterator[tuple[ConfiguredParameter, str]]:
+    """Yield the parameters of a node that name a topic, with its name."""
+    if not _is_understood(node):
+        return
+    for one in node.parameters:
+        value = one.value or ""
+        if one.set_by is None or not _TOPIC.search(one.name) or not _GLOBAL.fullmatch(value):
+            continue
+        if _own(one, node, ros1=ros1):
+            yield one, value
 
 
 def _is_understood(node: ConfiguredNode) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import weighed
@@ -37,15 +37,18 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     seen: set[tuple[str, int, str]] = set()
     for node in configuration.nodes:
         groups = _groups(node)
-        for one in node.endpoints:
-            if one.endpoint.role is not Role.SERVICE_CLIENT or one.group.startswith(_REENTRANT):
-                continue
+        for one in filter(_is_exclusive_client, node.endpoints):
             for site in one.sites:
                 wait = waits.get((site.path, site.line))
                 place = (site.path, site.line, one.endpoint.name)
                 if wait is not None and place not in seen and one.group in groups.get(_plain(wait.function), ()):
                     seen.add(place)
                     yield _told(node, End(node, one), wait)
+
+
+def _is_exclusive_client(one: ConfiguredEndpoint) -> bool:
+    """Whether it is a client whose answer waits for the callbacks of its group."""
+    return one.endpoint.role is Role.SERVICE_CLIENT and not one.group.startswith(_REENTRANT)
 
 
 def _plain(function: str) -> str:

@@ -45,12 +45,12 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     for node in configuration.nodes:
         if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node):
             continue
-        one = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
-        if one is None or (one.value or "").lower() == "false":
-            if _stamps(node):
-                real.append(node)
-        elif one.value is not None and one.value.lower() == "true" and one.set_by is not None:
-            simulated.append((node, one.set_by))
+        setting = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
+        value = (setting.value or "").lower() if setting is not None else "false"
+        if value == "false" and _stamps(node):
+            real.append(node)
+        elif value == "true" and setting is not None and setting.set_by is not None:
+            simulated.append((node, setting.set_by))
     real = [node for node in real if any(not exclude_each_other(node.clauses, one.clauses) for one, _ in simulated)]
     if simulated and real:
         yield _told(simulated, real, missing_parts(configuration))

@@ -65,17 +65,8 @@ def include_lines(content: bytes, code: bytes) -> IncludeLines:
         content: of the file.
         code: the same with comments blanked (:mod:`~roslens.source.syntax.comments`).
     """
-    guard = _GUARD.match(code)
-    top = 0
-    if guard is not None and (guard[1] or guard[2]) == guard[3]:
-        top = guard.end()
-    elif (once := _ONCE.search(code)) is not None:
-        guard, top = None, once.end()
-    else:
-        guard = None
-        first = re.search(rb"\S", code)
-        top = code.rfind(b"\n", 0, first.start()) + 1 if first else len(code)
-    depth = -1 if guard is not None else 0
+    top, guarded = _top(code)
+    depth = -1 if guarded else 0
     found: list[IncludeLine] = []
     other: list[int] = []
     for match in _LINE.finditer(code):
@@ -92,6 +83,17 @@ def include_lines(content: bytes, code: bytes) -> IncludeLines:
         elif match.start() >= top:
             other.append(match.start())
     return IncludeLines(tuple(found), tuple(other), top)
+
+
+def _top(code: bytes) -> tuple[int, bool]:
+    """Return where a first include may stand, and whether a guard of three lines is around the code."""
+    guard = _GUARD.match(code)
+    if guard is not None and (guard[1] or guard[2]) == guard[3]:
+        return guard.end(), True
+    if (once := _ONCE.search(code)) is not None:
+        return once.end(), False
+    first = re.search(rb"\S", code)
+    return (code.rfind(b"\n", 0, first.start()) + 1 if first else len(code)), False
 
 
 def place_for_standard(content: bytes, lines: IncludeLines, header: str, *, own: str = "") -> tuple[int, str]:

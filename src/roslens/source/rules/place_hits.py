@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePosixPath
 
 from roslens.model.entity import Entity, EntityKind
@@ -48,17 +48,22 @@ def place_hits(
     for path in sorted(hits):
         counted, is_c = _counted(PurePosixPath(path)), path.endswith(".c")
         for hit in hits[path]:
-            if hit.rule not in selection or (hit.only and hit.only not in counted):
-                continue
-            if is_c and getattr(rules[hit.rule], "in_c", True) is False:
-                continue
-            if hit.callback and hit.callback not in known:
+            if hit.rule not in selection or not _counts(hit, rules[hit.rule], counted, known, is_c=is_c):
                 continue
             entity = hit.entity or around.innermost(path, hit.line) or f"file:{path}"
             key = (hit.rule, entity, hit.context)
             found.append(_finding(hit, path, entity, seen[key], selection, rules[hit.rule]))
             seen[key] += 1
     return tuple(found)
+
+
+def _counts(hit: Hit, rule: Rule, counted: Collection[str], callbacks: Collection[str], *, is_c: bool) -> bool:
+    """Whether a hit is one in a file of this kind, and in a function that is a callback where it has to be."""
+    if hit.only and hit.only not in counted:
+        return False
+    if is_c and getattr(rule, "in_c", True) is False:
+        return False
+    return not hit.callback or hit.callback in callbacks
 
 
 def _counted(path: PurePosixPath) -> tuple[str, ...]:

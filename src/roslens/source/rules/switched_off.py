@@ -29,10 +29,9 @@ def switched_off(code: bytes) -> Sequence[range]:
         if word in (b"if", b"ifdef", b"ifndef"):
             open_since.append(line if word == b"if" and _NEVER.match(match[2]) else 0)
         elif open_since:
-            if open_since[-1]:
-                found.append(range(open_since[-1], line + 1))
-            if word == b"endif":
-                open_since.pop()
-            else:
-                open_since[-1] = 0
+            since = open_since.pop()
+            if since:
+                found.append(range(since, line + 1))
+            if word != b"endif":
+                open_since.append(0)
     return found

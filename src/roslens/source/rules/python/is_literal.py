@@ -20,14 +20,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     children = node.children
     for at, sign in enumerate(children):
-        if sign.type in ("is", "is not") and 0 < at < len(children) - 1:
-            sides = (children[at - 1].type, children[at + 1].type)
-            if _LITERALS & set(sides):
-                expected = "==" if sign.type == "is" else "!="
-                message = f"{view.text(node)[:60]!r} asks for the same object; expected {expected!r}"
-                edits = view.edits((sign.start_byte, sign.end_byte, "==" if sign.type == "is" else "!="))
-                yield view.hit("python.is_literal", node, message, edits=edits)
-                return
+        if sign.type not in ("is", "is not") or not 0 < at < len(children) - 1:
+            continue
+        if _LITERALS & {children[at - 1].type, children[at + 1].type}:
+            expected = "==" if sign.type == "is" else "!="
+            message = f"{view.text(node)[:60]!r} asks for the same object; expected {expected!r}"
+            edits = view.edits((sign.start_byte, sign.end_byte, expected))
+            yield view.hit("python.is_literal", node, message, edits=edits)
+            return
 
 
 RULE = FileRule(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from tree_sitter import Node
 
@@ -19,12 +19,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     bases = {one.partition("<")[0].rpartition("::")[2] for one in bases_of(node, view)}
     if not bases:
         return
-    inherited: dict[str, set[int]] = {}
-    for other in _classes(view):
-        if class_name(other, view) in bases and other.start_byte < node.start_byte:
-            for member in members_of(other, view):
-                if member.declarator is not None and member.is_virtual and not member.name.startswith("~"):
-                    inherited.setdefault(member.name, set()).add(_key(member.declarator, view))
+    inherited = _virtual_in(bases, node.start_byte, view)
     for member in members_of(node, view):
         if member.declarator is None or member.is_override or member.name not in inherited or is_static(member.node):
             continue
@@ -35,6 +30,18 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"`{view.text(member.declarator)[:60]}` overrides; expected `override`",
                 edits=override_edits(member.node, member.declarator, view),
             )
+
+
+def _virtual_in(bases: Collection[str], before: int, view: FileView) -> dict[str, set[int]]:
+    """Return the virtual functions of classes that stand before a place: their keys, by name."""
+    found: dict[str, set[int]] = {}
+    for other in _classes(view):
+        if class_name(other, view) not in bases or other.start_byte >= before:
+            continue
+        for member in members_of(other, view):
+            if member.declarator is not None and member.is_virtual and not member.name.startswith("~"):
+                found.setdefault(member.name, set()).add(_key(member.declarator, view))
+    return found
 
 
 def _key(declarator: Node, view: FileView) -> int:

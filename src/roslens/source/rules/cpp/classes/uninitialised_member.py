@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -35,38 +36,17 @@ _TAKEN = re.compile(rb"(?:>>|\+\+|--|(?<!&)&|(?<!if )(?<!while )(?<!return )[(,]
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each scalar member that all constructors, which are all in this file, leave out."""
     name = class_name(node, view)
-    bodies: list[tuple[int, int]] = []
-    fields: list[tuple[str, Node]] = []
-    functions: list[Node] = []
-    is_whole = True
-    for member in members_of(node, view):
-        if member.declarator is not None:
-            if _SECOND_STEP.match(member.name):
-                return
-            if not member.is_deleted and not member.is_defaulted:
-                own = member.node.child_by_field_name("body")
-                is_whole = is_whole and own is not None
-                functions += [own] if own is not None else []
-            if member.name != name or member.is_deleted:
-                continue
-            if member.is_defaulted or _is_copy(member.declarator, name, view):
-                continue
-            body = member.node.child_by_field_name("body")
-            if body is None:
-                body = _outside(name, len(parameters_of(member.declarator)), view)
-            function = body.parent if body is not None else None
-            if body is None or function is None or _calls(body, view):
-                return
-            bodies.append((function.start_byte, function.end_byte))
-        else:
-            fields.extend(_scalars(member.node, view))
-    for field, place in fields if bodies else ():
+    members = _members(node, name, view)
+    if members is None or not members.constructors:
+        return
+    bodies = [(one.start_byte, one.end_byte) for one in members.constructors]
+    for field, place in members.fields:
         if not any(True for start, end in bodies for _ in word_places(field.encode(), view, start, end)):
             is_read = (
-                is_whole
+                members.is_whole
                 and not bases_of(node, view)
                 and not _is_base(name, view)
-                and _is_only_read(field, functions, view)
+                and _is_only_read(field, members.functions, view)
             )
             yield view.hit(
                 "cpp.uninitialised_member",
@@ -74,6 +54,53 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"`{field}` has no value after construction; expected one where it is declared",
                 severity=None if is_read else Severity.NOTE,
             )
+
+
+class _Members(NamedTuple):
+    """What a class is made of.
+
+    Attributes:
+        constructors: definitions of all of them but those that copy or are the compiler's.
+        fields: scalar ones without a value, each with its place.
+        functions: bodies of functions that are defined inside.
+        is_whole: whether all functions are.
+    """
+
+    constructors: list[Node]
+    fields: list[tuple[str, Node]]
+    functions: list[Node]
+    is_whole: bool
+
+
+def _members(node: Node, name: str, view: FileView) -> _Members | None:
+    """Return the members of a class; None where a member may be set by what is not seen."""
+    constructors: list[Node] = []
+    fields: list[tuple[str, Node]] = []
+    bodies: list[Node | None] = []
+    for member in members_of(node, view):
+        if member.declarator is None:
+            fields.extend(_scalars(member.node, view))
+            continue
+        if _SECOND_STEP.match(member.name):
+            return None
+        if member.is_deleted or member.is_defaulted:
+            continue
+        bodies.append(member.node.child_by_field_name("body"))
+        if member.name == name and not _is_copy(member.declarator, name, view):
+            constructor = _constructor(member.node, member.declarator, name, view)
+            if constructor is None:
+                return None
+            constructors.append(constructor)
+    functions = [body for body in bodies if body is not None]
+    return _Members(constructors, fields, functions, is_whole=len(functions) == len(bodies))
+
+
+def _constructor(declared: Node, declarator: Node, name: str, view: FileView) -> Node | None:
+    """Return the definition of a constructor; None where it is elsewhere, or leaves the work to others."""
+    body = declared.child_by_field_name("body")
+    if body is None:
+        body = _outside(name, len(parameters_of(declarator)), view)
+    return None if body is None or _calls(body, view) else body.parent
 
 
 def _is_base(name: str, view: FileView) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from tree_sitter import Node
 
@@ -22,42 +22,42 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.code.find(b"virtual", node.start_byte, node.end_byte) < 0:
         return
     name = class_name(node, view)
-    virtual, bodies = set(), []
+    virtual, functions = set(), []
     for member in members_of(node, view):
         if member.declarator is None:
             continue
         if member.name in (name, f"~{name}"):
-            bodies.append(member.node)
+            functions.append(member.node)
         elif has_token(member.node, "virtual") and not _is_final(member):
-            virtual.add(member.name)
+            virtual.add(member.name.encode())
     if not virtual or has_token(node, "virtual_specifier") or not name:
         return
-    bodies.extend(_outside(name, view))
-    names = {one.encode() for one in virtual}
-    for function in bodies:
+    for function in (*functions, *_outside(name, view)):
         body = function.child_by_field_name("body")
-        if body is None:
-            continue
-        for match in _CALLED.finditer(view.code, body.start_byte, body.end_byte):
-            if match[1] not in names:
-                continue
-            at = view.node_at(match.start(1), match.end(1))
-            call = above(at, "call_expression", "lambda_expression", "function_definition") if at is not None else None
-            callee = (
-                call.child_by_field_name("function") if call is not None and call.type == "call_expression" else None
+        for call, called in _calls(body, virtual, view) if body is not None else ():
+            yield view.hit(
+                "cpp.virtual_call_in_constructor",
+                call,
+                f"`{called}` is virtual, but in `{name}`'s constructor or destructor only `{name}::{called}` runs",
             )
-            if (
-                call is not None
-                and callee is not None
-                and callee.end_byte == match.end(1)
-                and not above_lambda(call, body)
-            ):
-                called = match[1].decode("utf-8", "replace")
-                yield view.hit(
-                    "cpp.virtual_call_in_constructor",
-                    call,
-                    f"`{called}` is virtual, but in `{name}`'s constructor or destructor only `{name}::{called}` runs",
-                )
+
+
+def _calls(body: Node, names: Collection[bytes], view: FileView) -> Iterator[tuple[Node, str]]:
+    """Yield the calls of members of these names in a body, outside of its lambdas."""
+    for match in _CALLED.finditer(view.code, body.start_byte, body.end_byte):
+        call = _call_at(match, view) if match[1] in names else None
+        if call is not None and not above_lambda(call, body):
+            yield call, match[1].decode("utf-8", "replace")
+
+
+def _call_at(match: re.Match[bytes], view: FileView) -> Node | None:
+    """Return the call of the name that a match found, if it is called there."""
+    at = view.node_at(match.start(1), match.end(1))
+    call = above(at, "call_expression", "lambda_expression", "function_definition") if at is not None else None
+    if call is None or call.type != "call_expression":
+        return None
+    callee = call.child_by_field_name("function")
+    return call if callee is not None and callee.end_byte == match.end(1) else None
 
 
 def _is_final(member: Member) -> bool:

@@ -15,17 +15,10 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield what follows a body without braces at the indentation of the body."""
-    if node.type == "else_clause":
-        body = node.named_children[-1] if node.named_child_count else None
-    else:
-        body = node.child_by_field_name("consequence") or node.child_by_field_name("body")
-    if body is None or body.type in ("compound_statement", "if_statement", "comment", "ERROR"):
+    body = _body(node)
+    whole = _statement(node) if body is not None else None
+    if body is None or whole is None:
         return
-    whole = node.parent if node.type == "else_clause" else node
-    if whole is None or (whole == node and node.child_by_field_name("alternative") is not None):
-        return
-    while whole.parent is not None and whole.parent.type in ("else_clause", "if_statement"):
-        whole = whole.parent
     following = next_statement(whole)
     if (
         following is None
@@ -51,6 +44,27 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         following,
         f"`{text}` is indented like the body of this branch, but is not in it; expected braces",
     )
+
+
+def _body(node: Node) -> Node | None:
+    """Return the body of a branch or loop; None of one with braces, or of another branch."""
+    if node.type == "else_clause":
+        body = node.named_children[-1] if node.named_child_count else None
+    else:
+        body = node.child_by_field_name("consequence") or node.child_by_field_name("body")
+    if body is None or body.type in ("compound_statement", "if_statement", "comment", "ERROR"):
+        return None
+    return body
+
+
+def _statement(node: Node) -> Node | None:
+    """Return the whole statement that a branch or loop ends; None of a branch that another one follows."""
+    whole = node.parent if node.type == "else_clause" else node
+    if whole is None or (whole == node and node.child_by_field_name("alternative") is not None):
+        return None
+    while whole.parent is not None and whole.parent.type in ("else_clause", "if_statement"):
+        whole = whole.parent
+    return whole
 
 
 def _lead(node: Node, view: FileView) -> bytes | None:

@@ -16,22 +16,27 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each condition of a chain that stands in it before."""
     if node.parent is not None and node.parent.type == "else_clause":
         return
+    if node.child_by_field_name("alternative") is None:
+        return
     seen: dict[str, int] = {}
-    one: Node | None = node
-    while one is not None and one.type == "if_statement":
-        condition, other = one.child_by_field_name("condition"), one.child_by_field_name("alternative")
-        if other is None and not seen:
-            return
-        where = (condition.start_byte, condition.end_byte) if condition is not None else (0, 0)
-        text = " ".join(view.content[where[0] : where[1]].decode("utf-8", "replace").split())
-        if condition is not None and text in seen and _is_pure(text):
+    for condition in _conditions(node):
+        text = " ".join(view.content[condition.start_byte : condition.end_byte].decode("utf-8", "replace").split())
+        if text in seen and _is_pure(text):
             yield view.hit(
                 "cpp.repeated_condition",
                 condition,
                 f"`{text[:60]}` is asked on line {seen[text]} too; expected another condition",
             )
+        seen.setdefault(text, view.place(condition.start_byte)[0])
+
+
+def _conditions(node: Node) -> Iterator[Node]:
+    """Yield the conditions of a chain of branches."""
+    one: Node | None = node
+    while one is not None and one.type == "if_statement":
+        condition, other = one.child_by_field_name("condition"), one.child_by_field_name("alternative")
         if condition is not None:
-            seen.setdefault(text, view.place(condition.start_byte)[0])
+            yield condition
         one = next((child for child in other.named_children if child.type == "if_statement"), None) if other else None
 
 

@@ -26,11 +26,7 @@ _NEEDLESS = frozenset(
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each semicolon behind something that needs none."""
     for match, node in places(_BEHIND, view, 1):
-        one = node
-        while (
-            one.parent is not None and one.parent.start_byte == match.start(1) and one.parent.end_byte == match.end(1)
-        ):
-            one = one.parent
+        one = _outermost(node, match.span(1))
         around = one.parent
         if around is not None and _is_function(around, one):
             yield view.hit(
@@ -44,6 +40,13 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             what = before.type.rpartition("_")[0].replace("_", " ")
             edits = _edits(match, view) if view.is_as_written(before) else ()
             yield view.hit("cpp.surplus_semicolon", one, f"`;` behind this {what}; expected nothing", edits=edits)
+
+
+def _outermost(node: Node, place: tuple[int, int]) -> Node:
+    """Return the outermost node that is nothing but the semicolon at a place."""
+    while node.parent is not None and node.parent.byte_range == place:
+        node = node.parent
+    return node
 
 
 def _edits(match: re.Match[bytes], view: FileView) -> tuple[Edit, ...]:

@@ -26,21 +26,27 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     for match in (
         one for word, pattern in _INTEGERS.items() if word in view.words for one in pattern.finditer(view.code)
     ):
-        before = view.code[max(match.start() - 1, 0) : match.start()]
-        if before.isalnum() or before == b"_" or (node := view.node_at(match.start(), match.end())) is None:
-            continue
-        one = node if node.type in ("primitive_type", "sized_type_specifier") else node.parent
-        if one is None or one.type not in ("primitive_type", "sized_type_specifier"):
-            continue
-        if is_sized and one.parent is not None and one.parent.type == "sized_type_specifier":
-            one = one.parent
-        if one.start_byte in seen:
+        one = _type_at(match.start(), match.end(), view, is_sized=is_sized)
+        if one is None or one.start_byte in seen:
             continue
         seen.add(one.start_byte)
         text = view.text(one)
         is_main = _MAIN.match(view.code, one.end_byte, one.end_byte + 40)
         if not is_main and "char" not in text and "double" not in text:
             yield view.hit("cpp.basic_type", one, f"`{text}` does not say its size; expected a type of <cstdint>")
+
+
+def _type_at(start: int, end: int, view: FileView, *, is_sized: bool) -> Node | None:
+    """Return the type that a word belongs to; ``is_sized`` where the file has words like ``long`` at all."""
+    before = view.code[max(start - 1, 0) : start]
+    if before.isalnum() or before == b"_" or (node := view.node_at(start, end)) is None:
+        return None
+    one = node if node.type in ("primitive_type", "sized_type_specifier") else node.parent
+    if one is None or one.type not in ("primitive_type", "sized_type_specifier"):
+        return None
+    if is_sized and one.parent is not None and one.parent.type == "sized_type_specifier":
+        return one.parent
+    return one
 
 
 RULE = FileRule(

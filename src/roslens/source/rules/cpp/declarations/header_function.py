@@ -29,23 +29,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             continue
         function = function_declarator(node)
         name = view.text(name_node(function))
-        if function is None or not name or "<" in name or name.isupper() or name == "main":
-            continue
-        if any(one.type == "virtual_specifier" for one in function.children):
-            continue
-        # A piece that is read inside of a class of others, as the plug-ins of Eigen are.
-        if "::" not in name and any(one.type == "type_qualifier" for one in function.children):
-            continue
-        if "::" in name and _is_inline_inside(name, view):
-            continue
-        body = node.child_by_field_name("body")
-        start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
-        head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
-        if (
-            _FREE.search(head)
-            or _behind_macro(node, function, view)
-            or (node.child_by_field_name("type") is None and "::" not in name)
-        ):
+        if function is None or not _is_plain(name, function, view) or _is_inline(node, function, name, view):
             continue
         yield view.hit(
             "cpp.header_function",
@@ -54,6 +38,28 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             only=GUARDED,
             edits=_edits(node, view),
         )
+
+
+def _is_plain(name: str, function: Node, view: FileView) -> bool:
+    """Whether a function is neither a template's nor made by a macro nor a member in a piece of a class."""
+    if not name or "<" in name or name.isupper() or name == "main":
+        return False
+    if any(one.type == "virtual_specifier" for one in function.children):
+        return False
+    # A piece that is read inside of a class of others, as the plug-ins of Eigen are.
+    if "::" not in name:
+        return not any(one.type == "type_qualifier" for one in function.children)
+    return not _is_inline_inside(name, view)
+
+
+def _is_inline(node: Node, function: Node, name: str, view: FileView) -> bool:
+    """Whether what stands before a function says that each file has its own, or may say so."""
+    body = node.child_by_field_name("body")
+    start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
+    head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
+    if _FREE.search(head) or _behind_macro(node, function, view):
+        return True
+    return node.child_by_field_name("type") is None and "::" not in name
 
 
 def _behind_macro(node: Node, function: Node, view: FileView) -> bool:

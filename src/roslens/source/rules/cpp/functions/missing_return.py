@@ -30,35 +30,33 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if kind is None or not body.named_child_count or body.type != "compound_statement":
         return
     text = view.text(kind)
-    if (
-        text in ("void", "auto", "noreturn")
-        or "NORETURN" in text
-        or "enable_if" in text
-        or "disable_if" in text
-        or _MACRO.fullmatch(text)
-        or node.has_error
-    ):
+    declarator, function = node.child_by_field_name("declarator"), function_declarator(node)
+    if declarator is None or function is None or node.has_error or not _is_result(text):
         return
     if node.type == "function_definition" and "noreturn" in view.text(node)[:60]:
         return
-    declarator = node.child_by_field_name("declarator")
-    function = function_declarator(node)
-    if declarator is None or function is None or (text == "decltype(auto)"):
-        return
     name = view.text(name_node(function))
-    if (
-        name in ("main", "wmain", text)
-        or _MACRO.fullmatch(name)
-        or _ENDS.search(view.code, body.start_byte, body.end_byte)
-    ):
+    if name in ("main", "wmain", text) or _MACRO.fullmatch(name) or _never_ends(body, view):
         return
     if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
-        return
-    if all(one.type == "comment" for one in body.named_children) or _ends_in_macro(body, view):
         return
     yield view.hit(
         "cpp.missing_return", function, f"`{name}` returns {text} but has no `return`; expected one, or `void`"
     )
+
+
+def _is_result(text: str) -> bool:
+    """Whether a type is certainly one of which a value has to be returned."""
+    if text in ("void", "auto", "noreturn", "decltype(auto)") or _MACRO.fullmatch(text):
+        return False
+    return not any(one in text for one in ("NORETURN", "enable_if", "disable_if"))
+
+
+def _never_ends(body: Node, view: FileView) -> bool:
+    """Whether a body is empty, or ends otherwise than at its end, as far as that can be seen."""
+    if _ENDS.search(view.code, body.start_byte, body.end_byte):
+        return True
+    return all(one.type == "comment" for one in body.named_children) or _ends_in_macro(body, view)
 
 
 def _ends_in_macro(body: Node, view: FileView) -> bool:

@@ -31,22 +31,29 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     least = sum(one.type == "parameter_declaration" for one in parameters)
     word, owner = last.encode(), name.rpartition("::")[0].encode()
     for at in word_places(word, view, body.start_byte, body.end_byte):
-        before = view.code[max(at - 80, 0) : at].rstrip()
-        if before.endswith((b".", b"->", b"::", b"~")) and not before.endswith(
-            (b"this->", b"this ->", owner + b"::" if owner else b"this->")
-        ):
-            continue
-        found_at = view.node_at(at, at + len(word))
-        call = above(found_at, "call_expression") if found_at is not None else None
-        function = call.child_by_field_name("function") if call is not None else None
-        if call is None or function is None or function.end_byte != at + len(word):
-            continue
-        if least <= len(arguments_of(call)) <= len(parameters):
+        call = None if _is_of_another(at, owner, view) else _call_at(at, at + len(word), view)
+        if call is not None and least <= len(arguments_of(call)) <= len(parameters):
             # Which of several functions of one name is called, types decide.
             if _heads(last, view) > 1:
                 return
             yield view.hit("cpp.recursion", call, f"`{last}` calls itself; expected a loop, or a bound on the depth")
             return
+
+
+def _is_of_another(at: int, owner: bytes, view: FileView) -> bool:
+    """Whether the name that begins at ``at`` is asked of something else than this object, or its class ``owner``."""
+    before = view.code[max(at - 80, 0) : at].rstrip()
+    if not before.endswith((b".", b"->", b"::", b"~")):
+        return False
+    return not before.endswith((b"this->", b"this ->", owner + b"::" if owner else b"this->"))
+
+
+def _call_at(start: int, end: int, view: FileView) -> Node | None:
+    """Return the call of what is named from ``start`` to ``end``, if it is called there."""
+    node = view.node_at(start, end)
+    call = above(node, "call_expression") if node is not None else None
+    function = call.child_by_field_name("function") if call is not None else None
+    return call if function is not None and function.end_byte == end else None
 
 
 def _heads(name: str, view: FileView) -> int:

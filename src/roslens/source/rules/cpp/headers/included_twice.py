@@ -29,21 +29,18 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     depth = 0
     outermost = 1 if view.code.lstrip().startswith((b"#ifndef", b"#if !defined")) else 0
     for match, line in lines_of(_INCLUDE, view):
-        if match[2]:
-            if depth > outermost:
-                continue
-            if (before := seen.setdefault(match[2], line)) != line and not match[2].endswith(
-                (b".inc\xbe", b".def\xa2")
-            ):
-                text = " ".join(view.lines[line - 1].decode("utf-8", "replace").split())[:80]
-                yield view.hit_at(
-                    "cpp.included_twice",
-                    line,
-                    f"`{text}` stands on line {before} too; expected it once",
-                    edits=_edits(match, before, view),
-                )
-        else:
+        if not match[2]:
             depth += 1 if match[1] == b"if" else -1
+            continue
+        before = seen.setdefault(match[2], line) if depth <= outermost else line
+        if before != line and not match[2].endswith((b".inc\xbe", b".def\xa2")):
+            text = " ".join(view.lines[line - 1].decode("utf-8", "replace").split())[:80]
+            yield view.hit_at(
+                "cpp.included_twice",
+                line,
+                f"`{text}` stands on line {before} too; expected it once",
+                edits=_edits(match, before, view),
+            )
 
 
 def _edits(match: re.Match[bytes], before: int, view: FileView) -> tuple[Edit, ...]:

@@ -34,8 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 def _arguments(node: Node, view: FileView) -> Node | None:
     """Return the argument that is the name of a node, where a node or ROS begins."""
-    text = view.text(node)
-    if text == "ros::init":
+    if view.text(node) == "ros::init":
         call = call_at(node)
         given = arguments(call) if call is not None else ()
         return given[2] if len(given) > 2 else None
@@ -44,13 +43,22 @@ def _arguments(node: Node, view: FileView) -> Node | None:
         around = around.parent
     if around is None or around.type == "compound_statement":
         return None
-    if around.type == "call_expression":
-        given = arguments(around) if _MADE.match(view.text(around.child_by_field_name("function"))) else ()
-        return given[0] if given else None
-    first = around.named_children[0]
+    return _of_call(around, view) if around.type == "call_expression" else _of_initializer(around, view)
+
+
+def _of_call(call: Node, view: FileView) -> Node | None:
+    """Return the first argument where a node is made."""
+    given = arguments(call) if _MADE.match(view.text(call.child_by_field_name("function"))) else ()
+    return given[0] if given else None
+
+
+def _of_initializer(initializer: Node, view: FileView) -> Node | None:
+    """Return the first argument where a class begins the node that it is."""
+    first = initializer.named_children[0]
     if view.text(first) not in ("Node", "rclcpp::Node", "LifecycleNode", "rclcpp_lifecycle::LifecycleNode"):
         return None
-    listed = next((one for one in around.named_children if one.type in ("argument_list", "initializer_list")), None)
+    lists = (one for one in initializer.named_children if one.type in ("argument_list", "initializer_list"))
+    listed = next(lists, None)
     return next(iter(listed.named_children), None) if listed is not None else None
 
 

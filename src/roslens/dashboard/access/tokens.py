@@ -88,17 +88,25 @@ def read_tokens(path: Path) -> dict[str, Person]:
         if not words:
             continue
         where = f"{path}:{number}"
-        if len(words) != 3 or words[0] not in {one.value for one in Role}:
-            # The line holds a secret: it is not quoted.
-            raise UsageError(f"{len(words)} words that are no token", where=where, expected=_EXPECTED)
-        role, name, token = words
-        if len(token) < SHORTEST or not token.isascii():
-            raise UsageError(
-                f"a token of {len(token)} characters for {name!r}", where=where, expected=_EXPECTED, advice=_ADVICE
-            )
+        token, person = _person(words, where)
         if token in found:
-            raise UsageError(f"{name!r} has the token of {found[token].name!r}", where=where, expected="one each")
-        found[token] = Person(name, Role(role))
+            raise UsageError(
+                f"{person.name!r} has the token of {found[token].name!r}", where=where, expected="one each"
+            )
+        found[token] = person
     if not found:
         raise UsageError("no token", where=str(path), expected=_EXPECTED, advice=_ADVICE)
     return found
+
+
+def _person(words: list[str], where: str) -> tuple[str, Person]:
+    """Return the token of a line, and who has it."""
+    if len(words) != 3 or words[0] not in {one.value for one in Role}:
+        # The line holds a secret: it is not quoted.
+        raise UsageError(f"{len(words)} words that are no token", where=where, expected=_EXPECTED)
+    role, name, token = words
+    if len(token) < SHORTEST or not token.isascii():
+        raise UsageError(
+            f"a token of {len(token)} characters for {name!r}", where=where, expected=_EXPECTED, advice=_ADVICE
+        )
+    return token, Person(name, Role(role))

@@ -92,16 +92,21 @@ def untangle(
     for sweep in range(sweeps):
         if fewest == 0:
             break
-        forward = sweep % 2 == 0
-        numbers = range(1, len(order)) if forward else range(len(order) - 2, -1, -1)
-        neighbours = columns.left if forward else columns.right
-        for number in numbers:
-            beside = order[number - 1 if forward else number + 1]
-            order[number] = _by_barycentre(order[number], beside, neighbours, lanes)
+        _sweep(order, columns, lanes, forward=sweep % 2 == 0)
         crossings = _crossings(order, columns) if counted else fewest
         if crossings < fewest:
             best, fewest = [list(column) for column in order], crossings
     return best if counted else order
+
+
+def _sweep(order: list[list[int]], columns: Columns, lanes: Sequence[int], *, forward: bool) -> None:
+    """Order each column by the one beside it, from the left or from the right."""
+    if forward:
+        for number in range(1, len(order)):
+            order[number] = _by_barycentre(order[number], order[number - 1], columns.left, lanes)
+    else:
+        for number in range(len(order) - 2, -1, -1):
+            order[number] = _by_barycentre(order[number], order[number + 1], columns.right, lanes)
 
 
 def _by_barycentre(

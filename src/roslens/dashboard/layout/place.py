@@ -23,20 +23,26 @@ def spread(
         right: neighbours in the column after.
         passes: how often each column is gone through.
     """
+    centre = _stacked(order, heights)
+    for turn in range(passes):
+        last = turn >= passes - 2
+        forward = turn % 2 == 0
+        beside = left if forward else right
+        for column in order if forward else reversed(order):
+            wanted = [_wish(centre, item, (*left[item], *right[item]) if last else beside[item]) for item in column]
+            for item, place in zip(column, settle(wanted, [heights[item] for item in column]), strict=True):
+                centre[item] = place
+    return centre
+
+
+def _stacked(order: Sequence[Sequence[int]], heights: Sequence[float]) -> list[float]:
+    """Return the centre of each item where the columns have no room between items."""
     centre = [0.0] * len(heights)
     for column in order:
         top = -sum(heights[item] for item in column) / 2
         for item in column:
             centre[item] = top + heights[item] / 2
             top += heights[item]
-    for turn in range(passes):
-        last = turn >= passes - 2
-        columns = order if turn % 2 == 0 else list(reversed(order))
-        for column in columns:
-            beside = left if turn % 2 == 0 else right
-            wanted = [_wish(centre, item, (*left[item], *right[item]) if last else beside[item]) for item in column]
-            for item, place in zip(column, settle(wanted, [heights[item] for item in column]), strict=True):
-                centre[item] = place
     return centre
 
 

@@ -5,6 +5,7 @@ A page holds a snapshot without what it does not show: raw values of rows and th
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from operator import attrgetter
 from typing import Any
 
@@ -22,6 +23,7 @@ _PLACE_OF_LINK = attrgetter("start", "end", "path", "by", "word")
 _OF_LINK = attrgetter("state", "rate", "latency", "bandwidth", "age", "lag")
 _OF_PICTURE = attrgetter("version", "width", "height", "left_out", "boxes", "as_lines")
 
+CellsTold = tuple[int | str | None, ...]
 LinkTold = tuple[int, str, str, str, str, float | None, float | None]
 
 
@@ -40,7 +42,7 @@ class Change(msgspec.Struct, frozen=True, omit_defaults=True):
     parts: dict[str, Any] = {}
     order: tuple[str, ...] | None = None
     rows: tuple[Row, ...] = ()
-    cells: tuple[tuple[int | str | None, ...], ...] = ()
+    cells: tuple[CellsTold, ...] = ()
     items: tuple[tuple[int, str], ...] = ()
     links: tuple[LinkTold, ...] = ()
 
@@ -63,18 +65,27 @@ def change(before: Snapshot, after: Snapshot) -> Change | None:
     if drawn is None:
         parts["picture"] = after.picture
     items, links = drawn or ((), ())
+    if moved:
+        pairs = [(old.get(row.key), place) for place, row in enumerate(after.rows)]
+    else:
+        pairs = [(before.rows[place], place) for place in changed]
+    whole, cells = _rows(pairs, after)
+    return Change(parts, order if moved else None, whole, cells, items, links)
+
+
+def _rows(pairs: Iterable[tuple[Row | None, int]], after: Snapshot) -> tuple[tuple[Row, ...], tuple[CellsTold, ...]]:
+    """Return the rows that are told as a whole, and of others the cells; each pair is what was, and its place now."""
     keys = tuple(key for key, _ in after.columns)
     whole, cells = [], []
-    for place in range(len(after.rows)) if moved else changed:
+    for was, place in pairs:
         row = after.rows[place]
-        was = old.get(row.key) if moved else before.rows[place]
         if was is row:
             continue
         if was is None or _BESIDES_VALUES(was) != _BESIDES_VALUES(row):
             whole.append(_held(row))
         elif was.shown != row.shown:
             cells.append((place, *map(row.shown.get, keys)))
-    return Change(parts, order if moved else None, tuple(whole), tuple(cells), items, links)
+    return tuple(whole), tuple(cells)
 
 
 def _held(row: Row) -> Row:
@@ -88,19 +99,29 @@ def _in_picture(before: Picture, after: Picture) -> tuple[tuple[tuple[int, str],
     same = _OF_PICTURE(before) == _OF_PICTURE(after)
     if not same or len(before.items) != len(after.items) or len(before.links) != len(after.links):
         return None
-    items, links = [], []
-    for place, (was_item, item) in enumerate(zip(before.items, after.items, strict=True)):
-        if was_item is item:
+    items, links = _items(before, after), _links(before, after)
+    return None if items is None or links is None else (items, links)
+
+
+def _items(before: Picture, after: Picture) -> tuple[tuple[int, str], ...] | None:
+    found = []
+    for place, (was, item) in enumerate(zip(before.items, after.items, strict=True)):
+        if was is item:
             continue
-        if _PLACE_OF_ITEM(was_item) != _PLACE_OF_ITEM(item):
+        if _PLACE_OF_ITEM(was) != _PLACE_OF_ITEM(item):
             return None
-        if was_item.state != item.state:
-            items.append((place, item.state))
-    for place, (was_link, link) in enumerate(zip(before.links, after.links, strict=True)):
-        if was_link is link:
+        if was.state != item.state:
+            found.append((place, item.state))
+    return tuple(found)
+
+
+def _links(before: Picture, after: Picture) -> tuple[LinkTold, ...] | None:
+    found = []
+    for place, (was, link) in enumerate(zip(before.links, after.links, strict=True)):
+        if was is link:
             continue
-        if _PLACE_OF_LINK(was_link) != _PLACE_OF_LINK(link):
+        if _PLACE_OF_LINK(was) != _PLACE_OF_LINK(link):
             return None
-        if _OF_LINK(was_link) != _OF_LINK(link):
-            links.append((place, *_OF_LINK(link)))
-    return tuple(items), tuple(links)
+        if _OF_LINK(was) != _OF_LINK(link):
+            found.append((place, *_OF_LINK(link)))
+    return tuple(found)

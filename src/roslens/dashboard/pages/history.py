@@ -80,22 +80,17 @@ def digits_of(trend: Trend) -> int:
 
 def _revisions(past: Past, request: Request) -> Table:
     """The revisions, the newest first, each with what it came with."""
-    counts = {key: past.known(key) for key in ("findings", "loc")}
     events: dict[int, list[str]] = {}
     for one in past.events:
         events.setdefault(one.point, []).append(one.text if one.kind == "release" else f"{one.kind}: {one.text}")
     rows = []
     for place in range(len(past.points) - 1, -1, -1):
         point = past.points[place]
-        findings, loc = (trend.whole[place] if trend is not None else None for trend in counts.values())
-        before = counts["findings"].whole[place - 1] if place and counts["findings"] is not None else None
-        change = findings - before if findings is not None and before is not None else None
-        previous = past.points[place - 1].commit if place else ""
-        compared = PageRef("difference", query=(("before", previous), ("after", point.commit))) if place else None
+        findings, change, loc = _counts(past, place)
         rows.append(
             (
                 Cell(day(point)),
-                Cell(revision_of(point), ref=compared if request.medium == "served" else None),
+                Cell(revision_of(point), ref=_compared(past, place) if request.medium == "served" else None),
                 Cell(", ".join(events.get(place, ()))),
                 Cell(findings),
                 Cell(change, text=f"{change:+,.0f}" if change else ""),
@@ -112,6 +107,24 @@ def _revisions(past: Past, request: Request) -> Table:
         Column("loc", "Code lines", "number", optional=True),
     )
     return Table("revisions", "Revisions", columns, tuple(rows[:limit]), total=len(rows))
+
+
+def _counts(past: Past, place: int) -> tuple[float | None, float | None, float | None]:
+    """Return the findings of a revision, how many more than before, and its lines of code, as far as known."""
+    of_findings, of_loc = past.known("findings"), past.known("loc")
+    findings = of_findings.whole[place] if of_findings is not None else None
+    before = of_findings.whole[place - 1] if place and of_findings is not None else None
+    change = findings - before if findings is not None and before is not None else None
+    return findings, change, of_loc.whole[place] if of_loc is not None else None
+
+
+def _compared(past: Past, place: int) -> PageRef | None:
+    """Return the page of what a revision changed; None of the first one."""
+    if not place:
+        return None
+    return PageRef(
+        "difference", query=(("before", past.points[place - 1].commit), ("after", past.points[place].commit))
+    )
 
 
 def _keys(past: Past) -> Table:

@@ -31,19 +31,13 @@ def build(site: Site, request: Request) -> View | None:
         return None
     kinds = site.kinds_measured[key]
     kind = next((kind for kind in kinds if kind.value == request.query.get("kind")), kinds[0] if kinds else None)
-    found: Values = site.view.values_of(request.key, kind) if kind else []
-    if kind is EntityKind.PACKAGE:
-        found = [one for one in found if one[1] != OUTSIDE_PACKAGES]
+    found = _found(site, request.key, kind)
     values = [value for _, _, value in found]
-    folded = kind is not None and kind not in quantity.kinds
-    digits = max(1, quantity.decimals) if folded and fold in {"", "mean"} else quantity.decimals
     whole = all(value == int(value) for value in values)
-    digits = 0 if whole else digits
+    digits = 0 if whole else _digits(quantity, kind, fold)
     figures = figures_of(values)
     bounds = _bounds(site, kind, request.key, values) if kind else None
-    worst = _worst(site, quantity, kind, found, digits, None if request.complete else WORST) if kind else None
-    beside = request.medium == "folder" and not request.complete
-    every = _worst(site, quantity, kind, found, digits, None) if kind and beside else None
+    worst, every = _worst_and_every(site, request, quantity, kind, found, digits)
     return View(
         ref=PageRef("metric", request.key, query=request.query.pairs),
         title=f"{quantity.title} ({fold})" if fold else quantity.title,
@@ -66,6 +60,31 @@ def build(site: Site, request: Request) -> View | None:
         },
         whole=(bounds, every) if bounds and every else (),
     )
+
+
+def _worst_and_every(
+    site: Site, request: Request, quantity: Quantity, kind: EntityKind | None, found: Values, digits: int
+) -> tuple[Table | None, Table | None]:
+    """Return the table of the worst, and of all where that is a page beside it."""
+    if kind is None:
+        return None, None
+    worst = _worst(site, quantity, kind, found, digits, None if request.complete else WORST)
+    beside = request.medium == "folder" and not request.complete
+    return worst, _worst(site, quantity, kind, found, digits, None) if beside else None
+
+
+def _found(site: Site, key: str, kind: EntityKind | None) -> Values:
+    """Return the values of what is shown; files of no package are no package."""
+    if kind is None:
+        return []
+    found = site.view.values_of(key, kind)
+    return [one for one in found if one[1] != OUTSIDE_PACKAGES] if kind is EntityKind.PACKAGE else found
+
+
+def _digits(quantity: Quantity, kind: EntityKind | None, fold: str) -> int:
+    """Return with how many decimals values are shown; a mean has one at least."""
+    folded = kind is not None and kind not in quantity.kinds
+    return max(1, quantity.decimals) if folded and fold in {"", "mean"} else quantity.decimals
 
 
 def _lines(site: Site, kind: EntityKind, key: str, *, whole: bool) -> list[tuple[float, str]]:

@@ -15,7 +15,8 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.tables.field_column import field_cell, field_column
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
-from roslens.judge.quality.quality_model import rule_id
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.quality.quality_model import QualityModel, rule_id
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
@@ -228,25 +229,7 @@ def _conditions(site: Site) -> Table:
         for constraint in model.constraints:
             for side in constraint.sides:
                 rule = rule_id(model, constraint, side)
-                broken = counts[rule] + among[rule]
-                metric = PageRef("metric", constraint.quantity, query=(("kind", constraint.kind.value),))
-                rows.append(
-                    (
-                        Cell("high" if side == "max" else "low") if broken else Cell("ok"),
-                        Cell(
-                            _of_what(constraint.subject or constraint.quantity, constraint.kind.value),
-                            ref=metric,
-                        ),
-                        Cell(constraint.limit_text(side)),
-                        Cell(model.name),
-                        Cell(
-                            broken,
-                            text=_beyond(broken, constraint.kind.value, side),
-                            # The page of a rule has those that break nothing else.
-                            ref=metric if among[rule] else PageRef("rule", rule) if broken else None,
-                        ),
-                    )
-                )
+                rows.append(_condition(model, constraint, side, counts[rule], among[rule]))
     columns = (
         Column("rating", "Rating", "mark"),
         Column("quantity", "Quantity"),
@@ -255,6 +238,21 @@ def _conditions(site: Site) -> Table:
         Column("broken", "Own code beyond it", "number"),
     )
     return Table("conditions", "Limits", columns, tuple(rows), total=len(rows), empty="No models.")
+
+
+def _condition(model: QualityModel, constraint: Constraint, side: str, alone: int, among: int) -> tuple[Cell, ...]:
+    """Return the row of a limit, which ``alone`` findings are beyond, and ``among`` that break others as well."""
+    broken = alone + among
+    metric = PageRef("metric", constraint.quantity, query=(("kind", constraint.kind.value),))
+    # The page of a rule has those that break nothing else.
+    beyond = PageRef("rule", rule_id(model, constraint, side)) if broken else None
+    return (
+        Cell("high" if side == "max" else "low") if broken else Cell("ok"),
+        Cell(_of_what(constraint.subject or constraint.quantity, constraint.kind.value), ref=metric),
+        Cell(constraint.limit_text(side)),
+        Cell(model.name),
+        Cell(broken, text=_beyond(broken, constraint.kind.value, side), ref=metric if among else beyond),
+    )
 
 
 def _of_what(subject: str, kind: str) -> str:

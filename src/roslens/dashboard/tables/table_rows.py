@@ -16,8 +16,7 @@ def rows_html(table: Table, link: Link) -> Markup:
     """Return the ``tr`` elements of a table; every text of a cell is escaped."""
     digits = table.digits()
     most = [table.most(place) if column.bar else 0.0 for place, column in enumerate(table.columns)]
-    classes = [_classes(column) for column in table.columns]
-    heads = [place == 0 and column.kind != "mark" for place, column in enumerate(table.columns)]
+    ends = [_ends(place, column) for place, column in enumerate(table.columns)]
     parts: list[str] = []
     for number, row in enumerate(table.rows):
         parts.append(f'<tr data-id="{escape(table.identities[number])}">' if table.identities else "<tr>")
@@ -28,12 +27,17 @@ def rows_html(table: Table, link: Link) -> Markup:
             )
             bar = _bar(cell.value, most[place]) if column.bar else ""
             inner = _inner(column, cell, digits[place], link)
-            if heads[place]:
-                parts.append(f'<th scope="row"{classes[place]}{sortable}>{bar}{inner}</th>')
-            else:
-                parts.append(f"<td{classes[place]}{sortable}>{bar}{inner}</td>")
+            opening, closing = ends[place]
+            parts.append(f"{opening}{sortable}>{bar}{inner}{closing}")
         parts.append("</tr>\n")
     return Markup("".join(parts))  # noqa: S704 - every text was escaped above
+
+
+def _ends(place: int, column: Column) -> tuple[str, str]:
+    """Return what a cell of a column begins and ends with; the first names what its row is about."""
+    if place == 0 and column.kind != "mark":
+        return f'<th scope="row"{_classes(column)}', "</th>"
+    return f"<td{_classes(column)}", "</td>"
 
 
 def _classes(column: Column) -> str:

@@ -75,18 +75,26 @@ def callback_around(node: Node, view: FileView, *, of_stream: bool = False) -> s
     The text is empty where the node certainly runs in one (a lambda that is handed over), None where no function or
     another lambda is around it. With ``of_stream`` only callbacks of subscriptions and timers count.
     """
-    names = REGISTERING_CPP if view.syntax == "cpp" else REGISTERING_PYTHON
-    if of_stream:
-        names = _STREAM_CPP if view.syntax == "cpp" else _STREAM_PYTHON
     for one in all_above(node):
-        if one.type == "lambda_expression" or (view.syntax == "python" and one.type == "lambda"):
-            return "" if _is_handed_over(one, view, names) else None
         if one.type == "function_definition":
-            if of_stream and runs_once(one, view):
-                return None
-            name = function_name(one, view)
-            return (STREAM + name if of_stream else name) if name else None
+            return _name_as_callback(one, view, of_stream=of_stream)
+        if one.type == "lambda_expression" or (view.syntax == "python" and one.type == "lambda"):
+            return "" if _is_handed_over(one, view, _registering(view, of_stream=of_stream)) else None
     return None
+
+
+def _registering(view: FileView, *, of_stream: bool) -> frozenset[str]:
+    """Return the functions that callbacks are handed over to."""
+    if view.syntax == "cpp":
+        return _STREAM_CPP if of_stream else REGISTERING_CPP
+    return _STREAM_PYTHON if of_stream else REGISTERING_PYTHON
+
+
+def _name_as_callback(function: Node, view: FileView, *, of_stream: bool) -> str | None:
+    if of_stream and runs_once(function, view):
+        return None
+    name = function_name(function, view)
+    return (STREAM + name if of_stream else name) if name else None
 
 
 def runs_once(function: Node, view: FileView) -> bool:
@@ -166,18 +174,24 @@ def _named_python(call: Node, view: FileView) -> Iterator[str]:
     around = above(call, "class_definition")
     of_class = view.text(around.child_by_field_name("name")) if around is not None else ""
     for one in arguments.named_children if arguments is not None else ():
-        value = one.child_by_field_name("value") if one.type == "keyword_argument" else one
-        if value is not None and value.type == "call" and callee_name(value, view) == "partial":
-            listed = value.child_by_field_name("arguments")
-            value = next(iter(listed.named_children), None) if listed is not None else None
-        if value is not None and value.type == "lambda":
-            body = value.child_by_field_name("body")
-            value = body.child_by_field_name("function") if body is not None and body.type == "call" else None
+        value = _handed_over(one, view)
         text = view.text(value)
         if value is not None and value.type == "identifier":
             yield text
         elif of_class and text.startswith("self.") and text.count(".") == 1:
             yield f"{of_class}.{text.removeprefix('self.')}"
+
+
+def _handed_over(argument: Node, view: FileView) -> Node | None:
+    """Return the function that an argument comes to: itself, what ``partial`` is given or a lambda calls."""
+    value = argument.child_by_field_name("value") if argument.type == "keyword_argument" else argument
+    if value is not None and value.type == "call" and callee_name(value, view) == "partial":
+        listed = value.child_by_field_name("arguments")
+        value = next(iter(listed.named_children), None) if listed is not None else None
+    if value is not None and value.type == "lambda":
+        body = value.child_by_field_name("body")
+        return body.child_by_field_name("function") if body is not None and body.type == "call" else None
+    return value
 
 
 def _is_handed_over(function: Node, view: FileView, names: Set[str]) -> bool:

@@ -170,7 +170,11 @@ def _lookouts(rules: _Arrangement, view: FileView) -> Iterator[tuple[FileRule, I
     for rule, part in rules.quoted:
         if part in view.content:
             yield rule, _quoted(view, part)
-    by_kind = rules.by_kind
+    yield from _of_kinds(rules.by_kind, view)
+
+
+def _of_kinds(by_kind: Mapping[str, Sequence[FileRule]], view: FileView) -> Iterator[tuple[FileRule, Sequence[Node]]]:
+    """Yield the rules on kinds of nodes that a file has, with these nodes."""
     for kind, nodes in view.of_kinds.items():
         if not nodes or kind not in by_kind:
             continue

@@ -180,15 +180,18 @@ def _of_kind(kind: MacroKind) -> Rule:
             for macro in text.macros(start, end)
             if _is_of(kind, text.code, *macro)
         }
-        if found and kind.everywhere:
-            names = set(found.values())
-            for macro in text.macros(0, len(text.code)):
-                if text.code[macro[0] : macro[1]] in names and _is_of(kind, text.code, *macro):
-                    found[macro] = b""
-        for start, last, end in found:
+        everywhere = _others_named(text, kind, frozenset(found.values())) if found and kind.everywhere else ()
+        for start, last, end in dict.fromkeys((*found, *everywhere)):
             yield last if kind.a_type else start, last if kind.name_only else end, b""
 
     return rule
+
+
+def _others_named(text: _Text, kind: MacroKind, names: frozenset[bytes]) -> Iterator[tuple[int, int, int]]:
+    """Yield the macros of a kind with one of some names, wherever they stand."""
+    for macro in text.macros(0, len(text.code)):
+        if text.code[macro[0] : macro[1]] in names and _is_of(kind, text.code, *macro):
+            yield macro
 
 
 def _is_of(kind: MacroKind, code: bytes, start: int, last: int, end: int) -> bool:
@@ -227,20 +230,28 @@ def _given(text: _Text, faults: list[Node]) -> Iterator[Edit]:
         if found is None:
             continue
         start, opening, closing = found
-        statement = _STATEMENT_BEFORE.search(code, max(0, start - _LONGEST_CALL), start) is not None
-        behind = _BEHIND_CALL.match(code, closing)
-        semicolon = behind is not None and behind[0].endswith(b";")
-        if statement and (behind is None or (semicolon and not _in_function(fault))):
-            calls[start] = (start, behind.end() if behind else closing, b"")
-            names.add(code[start:opening].strip())
-        else:
+        end = _end_of_statement(code, fault, start, closing)
+        if end is None:
             calls[start] = (opening + 1, closing - 1, b"")
+        else:
+            calls[start] = (start, end, b"")
+            names.add(code[start:opening].strip())
     for start, last, end in text.macros(0, len(code)) if names else ():
         behind = _BEHIND_CALL.match(code, end)
         alone = behind is None or behind[0].endswith(b";")
         if code[start:last] in names and alone and _STATEMENT_BEFORE.search(code[max(0, start - _NEAR) : start]):
             calls.setdefault(start, (start, behind.end() if behind else end, b""))
     yield from calls.values()
+
+
+def _end_of_statement(code: bytes, fault: Node, start: int, closing: int) -> int | None:
+    """Return where a call ends that is a statement outside of functions; None where it is none."""
+    if _STATEMENT_BEFORE.search(code, max(0, start - _LONGEST_CALL), start) is None:
+        return None
+    behind = _BEHIND_CALL.match(code, closing)
+    if behind is None:
+        return closing
+    return behind.end() if behind[0].endswith(b";") and not _in_function(fault) else None
 
 
 def _call_around(text: _Text, position: int) -> tuple[int, int, int] | None:
@@ -314,13 +325,11 @@ def _without_semicolons(text: _Text, faults: list[Node]) -> Iterator[Edit]:
             continue
         end = len(code[max(0, fault.start_byte - _LONGEST_COMMENT) : fault.start_byte].rstrip())
         end += max(0, fault.start_byte - _LONGEST_COMMENT)
-        opening = _opening(code, end - 1) if code[end - 1 : end] == b")" else 0
-        name = _WORD_BEFORE.search(code[max(0, opening - _NEAR) : opening])
-        if not opening or name is None or name[1] in _STEERING:
+        found = _call_before(code, end)
+        if found is None:
             continue
+        name, opening = found
         start = opening - len(name[0])
-        if not _STATEMENT_BEFORE.search(code[max(0, start - _NEAR) : start]):
-            continue
         if code[end : end + _NEAR].lstrip()[:1] == b"{":
             yield start, end, b"for(;;)" if b"for" in name[1].lower() else b""
         elif end - opening == 2:
@@ -328,6 +337,16 @@ def _without_semicolons(text: _Text, faults: list[Node]) -> Iterator[Edit]:
         elif code[end - 2] not in b"\r\n":
             yield opening + 1, end - 2, b""
             yield end - 2, end, b");"
+
+
+def _call_before(code: bytes, end: int) -> tuple[re.Match[bytes], int] | None:
+    """Return the name of a call that ends at ``end`` and begins a statement, and where its arguments open."""
+    opening = _opening(code, end - 1) if code[end - 1 : end] == b")" else 0
+    name = _WORD_BEFORE.search(code[max(0, opening - _NEAR) : opening])
+    if not opening or name is None or name[1] in _STEERING:
+        return None
+    start = opening - len(name[0])
+    return (name, opening) if _STATEMENT_BEFORE.search(code[max(0, start - _NEAR) : start]) else None
 
 
 def _beside_texts(text: _Text, faults: list[Node]) -> Iterator[Edit]:

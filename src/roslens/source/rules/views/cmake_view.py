@@ -19,7 +19,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.views.package_files import PackageFiles
 
 if TYPE_CHECKING:
-    from roslens.source.extract.builds.cmake_syntax import Body, Command
+    from roslens.source.extract.builds.cmake_syntax import Block, Body, Command
 
 MOST_VALUES = 400
 """Of one argument or variable; a list that is longer is cut."""
@@ -157,28 +157,37 @@ class CmakeView:
 
         for one in body:
             if isinstance(one, Command):
-                written = Written(one, at[0], conditions, inside, self._words(one), at[1])
-                self._remember(written)
+                written = self._write(one, at, conditions, inside)
                 yield written
                 if (further := self._further(written)) is not None:
                     folder = at[1] if written.name == "include" else dirname(further)
                     yield from self._file(further, folder, conditions, inside, depth + 1)
+            else:
+                yield from self._branches(one, at, conditions, inside, depth)
+
+    def _branches(
+        self, block: Block, at: tuple[str, str], conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
+    ) -> Iterator[Written]:
+        earlier: list[str] = []
+        for opening, part in block.branches:
+            if opening.name in _LOOPS | _DEFINITIONS:
+                yield self._write(opening, at, conditions, inside)
+                yield from self._body(part, at, conditions, (*inside, opening.name), depth)
                 continue
-            earlier: list[str] = []
-            for opening, part in one.branches:
+            around = (*conditions, *(f"NOT ({other})" for other in earlier))
+            if opening.name in ("if", "elseif"):
                 text = " ".join(argument.written for argument in opening.arguments)
-                if opening.name in _LOOPS | _DEFINITIONS:
-                    written = Written(opening, at[0], conditions, inside, self._words(opening), at[1])
-                    self._remember(written)
-                    yield written
-                    yield from self._body(part, at, conditions, (*inside, opening.name), depth)
-                elif opening.name in ("if", "elseif"):
-                    around = (*conditions, *(f"NOT ({other})" for other in earlier), text)
-                    yield from self._body(part, at, around, inside, depth)
-                    earlier.append(text)
-                else:
-                    around = (*conditions, *(f"NOT ({other})" for other in earlier))
-                    yield from self._body(part, at, around, inside, depth)
+                around = (*around, text)
+                earlier.append(text)
+            yield from self._body(part, at, around, inside, depth)
+
+    def _write(
+        self, command: Command, at: tuple[str, str], conditions: tuple[str, ...], inside: tuple[str, ...]
+    ) -> Written:
+        """Return a command as it is written, and remember what it sets."""
+        written = Written(command, at[0], conditions, inside, self._words(command), at[1])
+        self._remember(written)
+        return written
 
     def _remember(self, written: Written) -> None:
         name, words = written.name, written.words

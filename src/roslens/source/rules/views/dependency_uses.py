@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from posixpath import dirname
 
 import msgspec
 
-from roslens.model.source import Language, Role
+from roslens.model.source import Language, Role, SourceFile
 from roslens.source.rules.system_packages import is_ros_package
-from roslens.source.rules.views.cmake_view import CmakeView
+from roslens.source.rules.views.cmake_view import CmakeView, Written
 from roslens.source.rules.views.launch_view import LaunchXml
 from roslens.source.rules.views.package_files import PackageFiles
+from roslens.source.syntax.facts import FileFacts
+from roslens.source.workspace.elements import Element
 
 _FOUND = re.compile(r"\$\(find(?:-pkg-share|-pkg-prefix)?\s+([\w-]+)\)")
 _FOUND_IN_PYTHON = re.compile(
@@ -23,6 +25,8 @@ _FOUND_IN_PYTHON = re.compile(
 MOST_USES = 1_000
 """Of a package; one that uses more is made by a program."""
 BUILD, RUN, TEST = "build", "run", "test"
+_WHEN = {"cpp": BUILD}
+"""When sources of a syntax need what they name, where that is not when they run."""
 """When it is used."""
 
 _AFTER_COMPONENTS = frozenset({"OPTIONAL_COMPONENTS", "REQUIRED", "QUIET", "NO_MODULE", "CONFIG", "EXACT", "MODULE"})
@@ -67,16 +71,20 @@ def _of_build(cmake: CmakeView) -> Iterator[Use]:
         when = TEST if one.for_tests else BUILD
         # In a condition it may be for the other ROS, or another system.
         required = "REQUIRED" in one.words and not (one.conditions and when == BUILD)
-        name, *rest = one.words
-        if name != "catkin":
-            if "$" not in name:
-                yield Use(name, when, f"find_package({name})", one.path, one.command.line, required)
-            continue
-        if "COMPONENTS" in rest:
-            for part in rest[rest.index("COMPONENTS") + 1 :]:
-                if part not in _AFTER_COMPONENTS and "$" not in part:
-                    how = f"find_package(catkin COMPONENTS {part})"
-                    yield Use(part, when, how, one.path, one.command.line, required)
+        for name, how in _found_by(one):
+            yield Use(name, when, how, one.path, one.command.line, required)
+
+
+def _found_by(one: Written) -> Iterator[tuple[str, str]]:
+    """Yield the packages that a ``find_package`` looks for, each with how that is written."""
+    name, *rest = one.words
+    if name != "catkin":
+        if "$" not in name:
+            yield name, f"find_package({name})"
+        return
+    for part in rest[rest.index("COMPONENTS") + 1 :] if "COMPONENTS" in rest else ():
+        if part not in _AFTER_COMPONENTS and "$" not in part:
+            yield part, f"find_package(catkin COMPONENTS {part})"
 
 
 def _of_sources(view: PackageFiles) -> Iterator[Use]:
@@ -92,18 +100,21 @@ def _of_sources(view: PackageFiles) -> Iterator[Use]:
         if _AROUND.search(folder):
             continue
         is_test = file.role is Role.TEST or "test" in folder
-        for written, line in facts.includes:
-            if facts.syntax == "cpp":
-                name, when = _included(written), TEST if is_test else BUILD
-                if written.strip('<>"') in copies:
-                    continue
-                how = f"#include {written}"
-            elif file.language is Language.LAUNCH_PYTHON:
-                continue
-            else:
-                name, when, how = written.partition(".")[0], TEST if is_test else RUN, f"import {written}"
+        when = TEST if is_test else _WHEN.get(facts.syntax, RUN)
+        for name, how, line in _asked_for(file, facts, copies):
             if name and name not in own and is_ros_package(name):
                 yield Use(name, when, how, file.path, line)
+
+
+def _asked_for(file: SourceFile, facts: FileFacts, copies: Collection[str]) -> Iterator[tuple[str, str, int]]:
+    """Yield what a source includes or imports: the first part of its name, how that is written, and the line."""
+    if facts.syntax == "cpp":
+        for written, line in facts.includes:
+            if written.strip('<>"') not in copies:
+                yield _included(written), f"#include {written}", line
+    elif file.language is not Language.LAUNCH_PYTHON:
+        for written, line in facts.includes:
+            yield written.partition(".")[0], f"import {written}", line
 
 
 def _of_launch(view: PackageFiles, launch: Sequence[LaunchXml]) -> Iterator[Use]:
@@ -113,12 +124,20 @@ def _of_launch(view: PackageFiles, launch: Sequence[LaunchXml]) -> Iterator[Use]
         if left or file.is_test or _AROUND.search(view.inside(dirname(file.path))):
             continue
         for element, _ in file.elements:
-            names = [name for value in element.attributes.values() for name in _FOUND.findall(value)]
-            if element.tag in ("node", "composable_node"):
-                names.append(element.attributes.get("pkg", ""))
-            for name in names:
-                if _is_literal(name):
-                    yield Use(name, RUN, f"launch file {view.inside(file.path)}", file.path, file.line(element))
+            for name in filter(_is_literal, _named_by(element)):
+                yield Use(name, RUN, f"launch file {view.inside(file.path)}", file.path, file.line(element))
+    yield from _of_launch_python(view)
+
+
+def _named_by(element: Element) -> list[str]:
+    """Return the packages that an element of a launch file names."""
+    names = [name for value in element.attributes.values() for name in _FOUND.findall(value)]
+    if element.tag in ("node", "composable_node"):
+        names.append(element.attributes.get("pkg", ""))
+    return names
+
+
+def _of_launch_python(view: PackageFiles) -> Iterator[Use]:
     for one in view.of_language(Language.LAUNCH_PYTHON, roles=(Role.OWN,)):
         if _AROUND.search(view.inside(dirname(one.path))) or "test" in view.inside(one.path):
             continue

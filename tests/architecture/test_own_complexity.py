@@ -8,7 +8,7 @@ from roslens.source.syntax.python import parse_python
 
 SOURCE = Path(__file__).parents[2] / "src" / "roslens"
 LIMIT = 15
-ABOVE, WORST = 135, 43
+ABOVE, WORST = 85, 43
 """So many functions are above the limit, and the worst is this: whoever divides one lowers the numbers."""
 SLACK = 8
 

@@ -8,6 +8,8 @@ of time) runs its task again elsewhere; a task that ends its worker twice is los
 from __future__ import annotations
 
 import os
+import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -18,6 +20,8 @@ from roslens.source.engines.task_limits import TaskLimits, run_limited
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
+
+    from roslens.children.worker_pool import Method
 
 ENGINES = ("in-process", "processes")
 """Names of engines; besides, the address of a scheduler is one."""
@@ -79,7 +83,7 @@ class ProcessPool:
 
         limited = partial(run_limited, function, self.limits)
         coming = iter(tasks)
-        with worker_pool(min(self.jobs, len(tasks)) or 1, "forkserver" if os.name == "posix" else "spawn") as pool:
+        with worker_pool(min(self.jobs, len(tasks)) or 1, _method()) as pool:
             futures: dict[Future[Result], Task] = {}
             broken = False
             while True:
@@ -119,6 +123,16 @@ class ProcessPool:
                 left.append(task)
                 return True
         return False
+
+
+def _method() -> Method:
+    """Return how workers are started: a copy of this process has imported all that they need.
+
+    One of several threads may hold a lock that a copy would wait for; what macOS itself runs does not survive a fork.
+    """
+    if os.name != "posix":
+        return "spawn"
+    return "fork" if sys.platform == "linux" and threading.active_count() == 1 else "forkserver"
 
 
 def _bounds(limits: TaskLimits) -> str:

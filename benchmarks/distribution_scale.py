@@ -108,6 +108,14 @@ if __name__ == "__main__":
 """
 
 
+CALM = {
+    "DASK_DISTRIBUTED__ADMIN__TICK__INTERVAL": "1s",
+    "DASK_DISTRIBUTED__ADMIN__SYSTEM_MONITOR__INTERVAL": "5s",
+    "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",
+}
+"""What docs/reference/engines.md has scheduler and workers started with."""
+
+
 @contextmanager
 def cluster(folder: Path, workers: int) -> Iterator[tuple[str, int]]:
     """Lend the address of a scheduler, and its process; its workers are processes below it."""
@@ -115,7 +123,7 @@ def cluster(folder: Path, workers: int) -> Iterator[tuple[str, int]]:
     script.write_text(CLUSTER)
     with subprocess.Popen(
         [sys.executable, str(script), str(workers)],
-        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=os.environ | CALM,
     ) as process:  # fmt: skip
         assert process.stdout is not None
         yield process.stdout.readline().strip(), process.pid

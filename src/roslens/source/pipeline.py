@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
+    from roslens.source.engines.cluster_ahead import ClusterAhead
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack
     from roslens.source.kept_outcomes import KeptOutcomes
@@ -76,7 +77,7 @@ def analyse(
     look_back: LookBack | None = None,
     revision: PastRevision | None = None,
     kept_runs: int | None = KEPT_RUNS,
-    engine: str = "",
+    engine: str | ClusterAhead = "",
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 

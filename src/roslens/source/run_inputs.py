@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
+    from roslens.source.engines.cluster_ahead import ClusterAhead
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import Past
     from roslens.source.tools.running.tool_stage import ToolStage
@@ -78,7 +79,7 @@ class Run(msgspec.Struct, frozen=True):
     fetched: FetchedSet
     revision: PastRevision | None
     kept_runs: int | None
-    engine: str
+    engine: str | ClusterAhead
     left_out: Mapping[str, frozenset[str]] = {}
 
     def key_kept(self, key: str, *, lost: bool = False) -> str:

@@ -12,6 +12,7 @@ import pytest
 from roslens.children.safe_path import safe_environment
 from roslens.model.errors import UsageError
 from roslens.source.engines import dask_engine
+from roslens.source.engines.cluster_ahead import ClusterAhead
 from roslens.source.engines.dask_engine import DaskEngine, _reaches_workers, _Standing
 from roslens.source.engines.executor import InProcess, ProcessPool, executor_for
 from roslens.source.engines.task_limits import TaskLimits
@@ -87,6 +88,42 @@ def test_results_that_went_with_a_lost_cluster_are_made_here(tmp_path, monkeypat
         found = DaskEngine(local.scheduler_address, rest=InProcess(), folder=str(tmp_path), limits=free)
         assert dict(found.run(int, ["1", "2", "3", "4"])) == {"1": 1, "2": 2, "3": 3, "4": 4}
         assert found.done_here == 2
+
+
+def test_a_cluster_is_connected_to_before_there_is_work(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    free = TaskLimits(seconds=0, memory_bytes=0)
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0", protocol="tcp://", host="127.0.0.1"
+    ) as local:
+        ahead = ClusterAhead(local.scheduler_address, str(tmp_path), os.getpid)
+        found = engine(ahead.address, connection=ahead.client, limits=free)
+        assert dict(found.run(int, ["1", "2"])) == {"1": 1, "2": 2}
+        assert found.done_here == 0
+        unused = ClusterAhead(local.scheduler_address, str(tmp_path), os.getpid)
+        unused.close()
+        unused.thread.join()
+        assert unused.client().status == "closed"
+        blind = ClusterAhead(local.scheduler_address, "/nowhere", os.getpid)
+        with pytest.raises(UsageError, match='does not see "/nowhere"'):
+            list(engine(blind.address, connection=blind.client).run(int, ["1"]))
+
+
+def test_dask_prints_nothing_here():
+    pytest.importorskip("distributed")
+    words = """
+import logging
+from roslens.model.errors import UsageError
+from roslens.source.engines.dask_engine import fit_client
+try:
+    fit_client("tcp://127.0.0.1:9", "", connect_s=0.2)
+except UsageError:
+    logging.getLogger("distributed.client").error("the scheduler is gone")
+    logging.getLogger("tornado.application").error("a callback failed")
+    print("done")
+"""
+    done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == ("done\n", "")
 
 
 @pytest.mark.nightly

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, closing, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from roslens.cli.terminal.streams import LineProgress, NoProgress, TerminalProgress
     from roslens.cli.workplace.configuration import Configuration
     from roslens.source.answer import Answer
+    from roslens.source.engines.cluster_ahead import ClusterAhead
     from roslens.source.settings import SourceSettings
     from roslens.store.runs import Store
 
@@ -69,7 +71,7 @@ def analysed(
     kept = None if options.no_cache else own_folder(root) / CACHE
     answers = kept.with_name(ANSWERS) if kept is not None else None
     beyond = None if unchanged is not None else graph_look(options, configuration, settings, root, kept, progress)
-    with Cache.open(kept) as cache:
+    with Cache.open(kept) as cache, _engine(options, configuration, root, store) as engine:
         try:
             outcome = analyse(
                 options.paths,
@@ -83,7 +85,7 @@ def analysed(
                 log=None if options.no_store else root / FOLDER / "log",
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
-                engine=getattr(options, "engine", None) or configuration.engine,
+                engine=engine,
                 unchanged=unchanged,
                 look_back=None if unchanged is not None else process_look(options, settings, answers),
             )
@@ -92,6 +94,21 @@ def analysed(
         for warning in cache.warnings:
             print(f"roslens: {warning}", file=sys.stderr)
     return outcome
+
+
+def _engine(
+    options: argparse.Namespace, configuration: Configuration, root: Path, store: Store
+) -> AbstractContextManager[str | ClusterAhead]:
+    """Return where packages are measured; where all of them are new, a cluster is connected to from now on."""
+    from roslens.source.engines.executor import is_cluster
+
+    engine = getattr(options, "engine", None) or configuration.engine
+    if not is_cluster(engine) or store.latest() is not None:
+        return nullcontext(engine)
+    from roslens.source.engines.cluster_ahead import ClusterAhead
+    from roslens.source.measure.make_ready import make_ready
+
+    return closing(ClusterAhead(engine, str(root), make_ready))
 
 
 def settings_of(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import concurrent.futures
+import logging
 import os
 import socket
 import time
@@ -51,6 +52,7 @@ class DaskEngine:
         patience_s: float = 60.0,
         connect_s: float = 10.0,
         clock: Callable[[], float] = time.monotonic,
+        connection: Callable[[], Any] | None = None,
     ) -> None:
         """Connect to nothing yet.
 
@@ -62,14 +64,13 @@ class DaskEngine:
             patience_s: seconds that a cluster may be without workers, or out of reach.
             connect_s: seconds within which the scheduler has to answer first.
             clock: tells seconds.
+            connection: returns one that :func:`fit_client` made; None has it made when there is work.
         """
-        self._address = address
-        self._folder = folder
         self._rest = rest
         self._limits = limits or TaskLimits()
         self._patience_s = patience_s
-        self._connect_s = connect_s
         self._clock = clock
+        self._connection = connection or (lambda: fit_client(address, folder, connect_s=connect_s))
         self._blamed: list[Any] = []
         self.done_here = 0
 
@@ -83,11 +84,10 @@ class DaskEngine:
         """
         if not tasks:
             return
-        client = _connected(self._address, self._connect_s)
+        client = self._connection()
         left = list(reversed(tasks))
         under_way: dict[Any, list[Task]] = {}
         try:
-            _check(client, self._folder)
             # Results that the scheduler hands on cost it more than all else that it does.
             client.direct_to_workers = _reaches_workers(client)
             yield from self._on_cluster(client, function, left, under_way)
@@ -203,6 +203,40 @@ def _reaches_workers(client: Any) -> bool:
     return True
 
 
+def fit_client(address: str, folder: str, *, connect_s: float = 10.0, prepare: Callable[[], None] | None = None) -> Any:
+    """Return a connection to a cluster whose workers do the work as this process would.
+
+    Args:
+        address: of the scheduler.
+        folder: that workers have to see; empty for none.
+        connect_s: seconds within which the scheduler has to answer.
+        prepare: is called on each worker; None for nothing.
+
+    Raises:
+        UsageError: the cluster cannot be reached, or its workers are not fit for the work.
+    """
+    client = _connected(address, connect_s)
+    try:
+        _check(client, folder)
+        if prepare is not None:
+            client.run(prepare)
+    except BaseException:
+        with suppress(Exception):
+            client.close(timeout=5)
+        raise
+    return client
+
+
+def _silence() -> None:
+    """Have Dask print nothing here, unless the user configured what: results say what was lost, and why."""
+    import dask
+
+    if dask.config.get("logging", default=None) is None:
+        for name in list(logging.root.manager.loggerDict):
+            if name.partition(".")[0] in ("distributed", "tornado"):
+                logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+
+
 def _library() -> Any:
     import distributed
 
@@ -218,6 +252,7 @@ def _connected(address: str, connect_s: float) -> Any:
             expected="roslens[dask]",
             advice="Install it with `pip install roslens[dask]`, here and on the workers",
         ) from error
+    _silence()
     try:
         client = distributed.Client(address, timeout=connect_s, set_as_default=False)
     except (OSError, ValueError, RuntimeError, TimeoutError) as error:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Future
 
     from roslens.children.worker_pool import Method
+    from roslens.source.engines.cluster_ahead import ClusterAhead
 
 ENGINES = ("in-process", "processes")
 """Names of engines; besides, the address of a scheduler is one."""
@@ -139,13 +140,18 @@ def _bounds(limits: TaskLimits) -> str:
     return f", which may take {limits.seconds:g} s and {limits.memory_bytes / 1e9:g} GB"
 
 
-def executor_for(jobs: int, engine: str = "", *, folder: str = "", useful: int = 0) -> Executor:
+def is_cluster(engine: str) -> bool:
+    """Return whether an engine is the address of a scheduler."""
+    return engine.startswith(("tcp://", "tls://"))
+
+
+def executor_for(jobs: int, engine: str | ClusterAhead = "", *, folder: str = "", useful: int = 0) -> Executor:
     """Return what runs tasks.
 
     Args:
         jobs: how many at once; 0 means one per processor. A cluster has as many as it has threads.
         engine: one of :data:`ENGINES`, the address of a scheduler (``tcp://…`` or ``tls://…``), or empty for what fits
-            ``jobs``.
+            ``jobs``; or a cluster that is being connected to already.
         folder: that workers of a cluster have to see, as this process does; empty for none.
         useful: more worker processes than this are not worth starting; 0 for any number.
 
@@ -153,10 +159,12 @@ def executor_for(jobs: int, engine: str = "", *, folder: str = "", useful: int =
         UsageError: there is no such engine.
     """
     wanted = jobs or os.cpu_count() or 1
-    if engine.startswith(("tcp://", "tls://")):
+    address = engine if isinstance(engine, str) else engine.address
+    if is_cluster(address):
         from roslens.source.engines.dask_engine import DaskEngine
 
-        return DaskEngine(engine, folder=folder, rest=ProcessPool(wanted))
+        connection = None if isinstance(engine, str) else engine.client
+        return DaskEngine(address, folder=folder, rest=ProcessPool(wanted), connection=connection)
     if engine not in ("", *ENGINES):
         raise UsageError(
             f"engine {engine!r}",

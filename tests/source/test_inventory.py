@@ -61,6 +61,38 @@ def test_other_settings_look_again(tmp_path: Path):
     assert {file.role for file in second.files["arm"] if file.path.endswith(".cpp")} == {Role.VENDORED}
 
 
+def test_roles_that_another_version_told_are_told_again(tmp_path: Path, monkeypatch):
+    seen = workspace(tmp_path, a__cpp="int a;")
+    first = take_inventory(seen, WorkspaceSettings(), {})
+    assert take_inventory(seen, WorkspaceSettings(), first.learned).learned == {}
+    monkeypatch.setattr("roslens.source.inventory.analyser_version", lambda: "of tomorrow")
+    assert "arm/a.cpp" in take_inventory(seen, WorkspaceSettings(), first.learned).learned
+
+
+TINYXML = "// Original code by Lee Thomason (www.grinninglizard.com)\nint a;\n"
+
+
+def roles(found) -> dict[str, Role]:
+    return {file.path: file.role for file in found.files["arm"] if file.path.endswith(".cpp")}
+
+
+def test_a_copied_file_without_a_folder_of_its_own_is_of_others(tmp_path: Path):
+    seen = workspace(tmp_path, a__cpp="int a;", b__cpp="int b;", xml__cpp=TINYXML)
+    settings = WorkspaceSettings()
+    assert roles(take_inventory(seen, settings, {})) == {
+        "arm/a.cpp": Role.OWN,
+        "arm/b.cpp": Role.OWN,
+        "arm/xml.cpp": Role.VENDORED,
+    }
+    ours = WorkspaceSettings(own=("arm/xml.cpp",))
+    assert roles(take_inventory(seen, ours, {}))["arm/xml.cpp"] is Role.OWN
+
+
+def test_the_home_of_a_library_has_no_copies_of_it(tmp_path: Path):
+    seen = workspace(tmp_path, a__cpp="int a;", b__cpp=TINYXML, xml__cpp=TINYXML)
+    assert set(roles(take_inventory(seen, WorkspaceSettings(), {})).values()) == {Role.OWN}
+
+
 def test_a_header_is_c_only_among_c(tmp_path: Path):
     found = take_inventory(workspace(tmp_path, a__c="int a;", a__h="int a;"), WorkspaceSettings(), {})
     assert {file.language for file in found.files["arm"] if file.path.endswith(".h")} == {Language.C}

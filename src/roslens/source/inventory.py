@@ -13,7 +13,7 @@ import msgspec
 from roslens.intake.bounded_file import MOST_SOURCE_BYTES, TooLargeError, read_bounded
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Role, SourceFile
-from roslens.source.keys import content_hash, key_of
+from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
@@ -43,7 +43,7 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
 
     Files without a language of interest are left out.
     """
-    rules = key_of(settings)[:8]
+    rules = key_of(analyser_version(), settings)[:8]
     files: dict[str, tuple[SourceFile, ...]] = {}
     failures: list[Failure] = []
     learned: dict[str, FileStat] = {}
@@ -64,7 +64,7 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
                 continue
             kept.append(SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash))
         others[found.package.id] = tuple(unnamed)
-        files[found.package.id] = _with_headers(_with_vendored(found, kept, settings))
+        files[found.package.id] = _with_headers(_with_vendored(found, _with_libraries(kept, settings), settings))
     return Inventory(files, tuple(failures), learned, others)
 
 
@@ -93,6 +93,14 @@ def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: Works
         else file
         for file in files
     ]
+
+
+def _with_libraries(files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:
+    """Return the files of a package whose heads are all of one library as its own: it is the home of that library."""
+    copied = {file.path for file in files if file.role is Role.VENDORED and role_by_path(file.path, settings) is None}
+    if not copied or 2 * len(copied) <= sum(file.language.parsed_as != "" for file in files):
+        return files
+    return [msgspec.structs.replace(file, role=Role.OWN) if file.path in copied else file for file in files]
 
 
 def _with_headers(files: list[SourceFile]) -> tuple[SourceFile, ...]:

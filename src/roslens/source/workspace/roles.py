@@ -1,8 +1,9 @@
 """What a file is to its package: own, test, generated or vendored.
 
 The path decides first. Patterns of the user come before what is known here, and among them ``own`` before all. A path
-that says nothing leaves it to the comments that the content begins with, where generators sign their work: behind
-the first line of code a signature belongs to a template, so the generator itself is no generated file.
+that says nothing leaves it to the comments that the content begins with, where generators sign their work and libraries
+have their title: behind the first line of code a signature belongs to a template, so the generator itself is no
+generated file.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from functools import lru_cache
 
 from roslens.model.source import Role
 from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.copied_heads import is_copied
 from roslens.source.workspace.globs import compiled
 
 HEAD = 2048
@@ -48,7 +50,8 @@ def in_folder_of_tests(path: str) -> bool:
 def role_by_content(content: bytes) -> Role:
     """Return ``generated`` or ``vendored`` where the comments before the first code say so, else ``own``."""
     head = content[:HEAD]
-    if b"JSON for Modern C++" in head:
+    # What is looked for is rare, and to find out where the comments end takes longer than to look for it.
+    if is_copied(head) and is_copied(_leading_comments(head)):
         return Role.VENDORED
     if b"enerated" not in head and b"GENERATED" not in head:
         return Role.OWN

@@ -14,6 +14,10 @@ from contextlib import contextmanager
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGPROF", "SIGALRM", "SIGUSR1", "SIGUSR2")
 _RAISING = tuple(getattr(signal, name) for name in _NAMES if hasattr(signal, name))
 
+_get = getattr(signal.getsignal, "__wrapped__", signal.getsignal)
+_set = getattr(signal.signal, "__wrapped__", signal.signal)
+"""The functions of C below those of Python, which make enumerations of all they take and give: that takes longer."""
+
 
 @contextmanager
 def held_signals() -> Iterator[list[int]]:
@@ -29,13 +33,13 @@ def held_signals() -> Iterator[list[int]]:
     before = {}
     try:
         for number in _RAISING:
-            handler = signal.getsignal(number)
+            handler = _get(number)
             if callable(handler):
                 before[number] = handler
-                signal.signal(number, note)
+                _set(number, note)
         yield came
     finally:
         for number, handler in before.items():
-            signal.signal(number, handler)
+            _set(number, handler)
         for number in dict.fromkeys(came):
             signal.raise_signal(number)

@@ -6,7 +6,7 @@ from roslens.model.source import Language
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules import match_file as module
 from roslens.source.rules.match_file import match_file
-from roslens.source.rules.rule import FileRule
+from roslens.source.rules.rule import TESTS, TESTS_HINTS, FileRule
 from roslens.source.settings import MacroSettings
 
 
@@ -152,3 +152,7 @@ def test_a_rule_on_the_whole_file_goes_through_what_it_gathers(monkeypatch):
     match_file(parsed.view())
     module._plan.cache_clear()
     assert seen == ["return 1;", "b"] * 2
+
+
+def test_each_mention_of_tests_has_a_hint():
+    assert all(any(hint in one for hint in TESTS_HINTS) for one in TESTS)

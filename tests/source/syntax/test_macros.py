@@ -98,3 +98,19 @@ def test_settings_of_a_project():
 def test_a_name_that_is_no_pattern(name):
     with pytest.raises(ValueError, match="name of a macro"):
         load_macros(MacroSettings(blank=(name,)))
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.lists(
+        st.sampled_from(
+            ("Foo & foo", "(bar);", "(b->c());", " ", "\n", "const A<int> &", "x", "::type", ">", "* = nullptr", "*=0 ")
+        ),
+        max_size=12,
+    ).map("".join)
+)
+def test_what_a_rewrite_needs_is_wherever_its_pattern_is(text):
+    needing = [row for row in MACROS._rewrites if row.needs is not None]
+    assert len(needing) == 2
+    for row in needing:
+        assert row.pattern.search(text.encode()) is None or row.needs.search(text.encode())

@@ -9,6 +9,9 @@ from tree_sitter import Node
 
 from roslens.source.rules.file_view import FileView
 
+WORD_BYTES = frozenset((*b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", *range(0x80, 0x100)))
+"""What words are made of; those above ASCII are letters of other scripts, and what stands in strings."""
+
 
 def places(pattern: re.Pattern[bytes], view: FileView, group: int = 0) -> Iterator[tuple[re.Match[bytes], Node]]:
     """Yield each match in the code of a file, with the smallest node around one of its groups.
@@ -34,14 +37,10 @@ def word_places(word: bytes, view: FileView, start: int = 0, end: int | None = N
     """
     code = view.code
     last = len(code) if end is None else end
+    length = len(word)
     at = code.find(word, start, last)
     while at >= 0:
-        behind = at + len(word)
-        if not (_is_word(code, at - 1) or _is_word(code, behind)):
+        behind = at + length
+        if not ((at and code[at - 1] in WORD_BYTES) or (behind < len(code) and code[behind] in WORD_BYTES)):
             yield at
         at = code.find(word, behind, last)
-
-
-def _is_word(code: bytes, at: int) -> bool:
-    one = code[at : at + 1] if at >= 0 else b""
-    return one.isalnum() or one == b"_" or one >= b"\x80"

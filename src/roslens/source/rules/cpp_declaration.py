@@ -89,7 +89,8 @@ def _is_named_before(word: bytes, end: int, view: FileView) -> bool:
     starts = _outermost(view)
     place = bisect_right(starts, end)
     start = starts[place - 1] if place else 0
-    return view.code.find(word, start, end) >= 0 and next(word_places(word, view, start, end), None) is not None
+    # Most are not there at all, and to ask for places begins a walk.
+    return view.code.find(word, start, end) >= 0 and any(True for _ in word_places(word, view, start, end))
 
 
 def _outermost(view: FileView) -> Sequence[int]:

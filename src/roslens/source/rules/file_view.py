@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
@@ -17,7 +16,7 @@ from roslens.source.syntax.text_lines import TextLines
 _LONGEST_CONTEXT = 200
 _LARGE = 1000
 _WORDS = bytes(byte if byte < 0x80 and (chr(byte).isalnum() or chr(byte) == "_") else 0x20 for byte in range(256))
-_CPP_ALONE = re.compile(rb"\b(?:namespace|class|template|typename|virtual|nullptr|operator)\b|::")
+_CPP_ALONE = frozenset((b"namespace", b"class", b"template", b"typename", b"virtual", b"nullptr", b"operator"))
 _OPEN = frozenset(
     (
         *("namespace_definition", "declaration_list", "linkage_specification"),
@@ -88,7 +87,8 @@ class FileView:
     @cached_property
     def is_cpp_alone(self) -> bool:
         """Whether no compiler of C can read the file."""
-        return b"__cplusplus" not in self.code and _CPP_ALONE.search(self.code) is not None
+        is_other = not _CPP_ALONE.isdisjoint(self.words) or b"::" in self.code
+        return is_other and b"__cplusplus" not in self.code
 
     @cached_property
     def kept(self) -> dict[object, object]:
@@ -101,23 +101,23 @@ class FileView:
 
     def text(self, node: Node | None) -> str:
         """Return the source of a node with its white space squeezed, and none inside of parentheses; empty for none."""
-        text = self._squeezed(node)
-        return text.replace("( ", "(").replace(" )", ")") if "( " in text or " )" in text else text
-
-    def _squeezed(self, node: Node | None) -> str:
         if node is None:
             return ""
-        return " ".join(self.source[node.start_byte : node.end_byte].decode("utf-8", "replace").split())
+        text = self.source[node.start_byte : node.end_byte].decode("utf-8", "replace")
+        if text.isidentifier():
+            return text
+        text = " ".join(text.split())
+        return text.replace("( ", "(").replace(" )", ")") if "( " in text or " )" in text else text
 
     def _context(self, node: Node) -> str:
         """Return the beginning of the text of a node, without reading all of a large one."""
-        start, end = node.start_byte, node.end_byte
+        start, end = node.byte_range
         if end - start > _LARGE:
             text = " ".join(self.source[start : start + _LARGE].decode("utf-8", "replace").split())
             # The last character may have been cut in two.
             if len(text) > _LONGEST_CONTEXT:
                 return text[:_LONGEST_CONTEXT]
-        return self._squeezed(node)[:_LONGEST_CONTEXT]
+        return " ".join(self.source[start:end].decode("utf-8", "replace").split())[:_LONGEST_CONTEXT]
 
     def place(self, position: int) -> tuple[int, int]:
         """Return the line and column, both 1-based, of a position in bytes."""

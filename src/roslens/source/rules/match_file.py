@@ -9,16 +9,17 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property
-from itertools import islice
+from itertools import compress, islice
 from operator import attrgetter
 
 import msgspec
 from tree_sitter import Language, Node, Query, QueryCursor
 
 from roslens.model.failure import Failure
+from roslens.source.rules.code_pattern import WORD_BYTES
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.rule import TESTS, TOOL, FileRule
+from roslens.source.rules.rule import TESTS, TESTS_HINTS, TOOL, FileRule
 from roslens.source.rules.switched_off import switched_off
 from roslens.source.rules.table import file_rules
 from roslens.source.syntax.query.asked_nodes import patterns_of, taken_from
@@ -50,6 +51,8 @@ class _Plan:
     def __init__(self, syntax: str, language: Language, wanted: frozenset[str] | None) -> None:
         self.rules = tuple(rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted)
         self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in self.rules}}
+        self.parts = tuple(sorted({part for parts in self.mentions.values() for part in parts}))
+        self.known_concerns: dict[tuple[bool, ...], frozenset[_Concern]] = {}
         self.concerns = {(rule.mentions, rule.spares_tests) for rule in self.rules}
         self.kinds = frozenset(kind for rule in self.rules for kind in (*rule.kinds, *rule.gathers))
         self._arrangements: dict[frozenset[_Concern], _Arrangement] = {}
@@ -142,18 +145,18 @@ def _once(hits: Iterable[Hit]) -> Iterator[Hit]:
 def _concerns(plan: _Plan, view: FileView) -> frozenset[_Concern]:
     """Return which pairs of what rules want mentioned and whether they spare tests a file satisfies."""
     content = view.content
-    # One part is asked for by many rules, and the first that is there will do.
-    present: dict[bytes, bool] = {}
-
-    def has(part: bytes) -> bool:
-        known = present.get(part)
-        if known is None:
-            known = present[part] = part in content
-        return known
-
-    mentioned = {one for one, parts in plan.mentions.items() if not parts or any(map(has, parts))}
-    is_test = any(one in content for one in TESTS)
-    return frozenset(one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test))
+    is_test = any(hint in content for hint in TESTS_HINTS) and any(one in content for one in TESTS)
+    # What many rules ask for is looked for once.
+    present = (is_test, *[part in content for part in plan.parts])
+    found = plan.known_concerns.get(present)
+    if found is None:
+        there = frozenset(compress(plan.parts, present[1:]))
+        found = plan.known_concerns[present] = frozenset(
+            (parts, spares_tests)
+            for parts, spares_tests in plan.concerns
+            if (not parts or not there.isdisjoint(plan.mentions[parts])) and not (spares_tests and is_test)
+        )
+    return found
 
 
 def _lookouts(rules: _Arrangement, view: FileView) -> Iterator[tuple[FileRule, Iterator[Node] | Sequence[Node]]]:
@@ -209,7 +212,8 @@ class _Asked:
         extend, room = kept.extend, len(kept) + MOST_HITS
         try:
             if rule.found_among is not None:
-                extend(islice(rule.found_among(list(nodes), view), MOST_HITS))
+                among = nodes if isinstance(nodes, Sequence) else list(nodes)
+                extend(islice(rule.found_among(among, view), MOST_HITS))
                 return
             for node in nodes:
                 extend(found(node, view))
@@ -231,13 +235,17 @@ def _anchor(text: str) -> tuple[bytes, frozenset[bytes]]:
 def _anchored(view: FileView, anchor: bytes) -> Iterator[Node]:
     """Yield the nodes at which an anchor stands as whole words."""
     code = view.code
-    before, after = _is_word(anchor[0]), _is_word(anchor[-1])
+    before, after, length = anchor[0] in WORD_BYTES, anchor[-1] in WORD_BYTES, len(anchor)
+    node_at = view.root.descendant_for_byte_range
     at = code.find(anchor)
     while at >= 0:
-        end = at + len(anchor)
-        torn = (before and at > 0 and _is_word(code[at - 1])) or (after and end < len(code) and _is_word(code[end]))
-        if not torn and (node := view.node_at(at, end)) is not None:
-            yield node
+        end = at + length
+        if not (
+            (before and at and code[at - 1] in WORD_BYTES) or (after and end < len(code) and code[end] in WORD_BYTES)
+        ):
+            node = node_at(at, end)
+            if node is not None:
+                yield node
         at = code.find(anchor, end)
 
 
@@ -249,10 +257,6 @@ def _quoted(view: FileView, part: bytes) -> Iterator[Node]:
         if node is not None and "string" in node.type:
             yield node
         at = view.source.find(part, at + len(part))
-
-
-def _is_word(byte: int) -> bool:
-    return byte >= 0x80 or chr(byte).isalnum() or byte == ord("_")
 
 
 def _order(hit: Hit) -> tuple[int, int, str, str]:

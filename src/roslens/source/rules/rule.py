@@ -38,6 +38,8 @@ ROSPY = ("rospy",)
 RCLPY = ("rclpy",)
 TESTS = (b"gtest", b"gmock", b"unittest", b"pytest", b"rostest", b"launch_testing", b"catch2", b"catch.hpp")
 """What files of tests mention."""
+TESTS_HINTS = (b"test", b"mock", b"catch")
+"""Each of :data:`TESTS` holds one of these: looking for few is quicker."""
 ROS_PYTHON = (*ROSPY, *RCLPY)
 """Values of ``mentions``: what code of nodes cannot do without."""
 

@@ -45,7 +45,7 @@ def timed_parse(parser: Parser, source: bytes, earlier: Tree | None = None) -> T
 
 
 def _stop(came: list[int]) -> Callable[..., bool]:
-    return lambda *_told: bool(came) or is_spent()
+    return lambda _at, _has_error: bool(came) or is_spent()
 
 
 def _stop_if_spent() -> None:

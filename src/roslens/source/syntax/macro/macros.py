@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from hashlib import blake2b
 from importlib.resources import files
-from typing import Any
+from typing import Any, NamedTuple
 
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.macro.macro_blocks import name_blocks
@@ -38,8 +38,20 @@ _REMEMBERED = 10_000
 _MOST_UNCLOSED = 20
 
 
-_Rewrite = tuple[list[bytes], re.Pattern[bytes], bytes]
-"""Words of which a file has to hold one, a pattern, and what takes the place of its group."""
+class _Rewrite(NamedTuple):
+    """What a pattern finds becomes something else.
+
+    Attributes:
+        words: of which a file has to hold one; none for any file.
+        needs: a pattern that is found much sooner and has to be there.
+        pattern: its group is what is replaced.
+        with_: what takes its place.
+    """
+
+    words: Sequence[bytes]
+    needs: re.Pattern[bytes] | None
+    pattern: re.Pattern[bytes]
+    with_: bytes
 
 
 class MacroPreset:
@@ -101,12 +113,18 @@ class MacroPreset:
 
 
 def _rewrite(row: dict[str, Any]) -> _Rewrite:
-    return list(map(str.encode, row.get("words", ()))), re.compile(row["pattern"].encode()), row["with"].encode()
+    needs = row.get("needs")
+    return _Rewrite(
+        list(map(str.encode, row.get("words", ()))),
+        None if needs is None else re.compile(needs.encode()),
+        re.compile(row["pattern"].encode()),
+        row["with"].encode(),
+    )
 
 
 def _rewritten(content: bytes, rewrites: Iterable[_Rewrite]) -> bytes:
-    for words, pattern, with_ in rewrites:
-        if words and not any(word in content for word in words):
+    for words, needs, pattern, with_ in rewrites:
+        if (words and not any(word in content for word in words)) or (needs and not needs.search(content)):
             continue
         spans = [match.span(1) for match in pattern.finditer(content)]
         if spans:

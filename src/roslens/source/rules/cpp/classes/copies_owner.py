@@ -8,12 +8,14 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import Member, bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _FREES = re.compile(rb"\bdelete\b|\bfree\s*\(|\bf?close\s*\(")
+_DESTRUCTOR = re.compile(rb"\s*::\s*~\s*([^\s(]+)\s*\(")
 _MACROS = (b"DISALLOW_COPY", b"NON_COPYABLE", b"NONCOPYABLE", b"Q_DISABLE_COPY", b"Q_OBJECT", b"DISABLE_COPY")
 _OWNERS = (
     b"unique_ptr",
@@ -95,10 +97,14 @@ def _freed(destructor: Node, name: str, view: FileView) -> str:
 
 
 def _defined_elsewhere(name: str, view: FileView) -> Node | None:
-    match = re.search(rb"\b%s\s*::\s*~\s*%s\s*\(" % (name.encode(), name.encode()), view.code)
-    node = view.node_at(match.start(), match.end()) if match else None
-    function = above(node, "function_definition") if node is not None else None
-    return function.child_by_field_name("body") if function is not None else None
+    word = name.encode()
+    for at in word_places(word, view):
+        match = _DESTRUCTOR.match(view.code, at + len(word))
+        if match is not None and match[1] == word:
+            node = view.node_at(at, match.end())
+            function = above(node, "function_definition") if node is not None else None
+            return function.child_by_field_name("body") if function is not None else None
+    return None
 
 
 RULE = FileRule(

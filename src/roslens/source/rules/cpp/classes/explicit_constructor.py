@@ -30,12 +30,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if is_same or "initializer_list" in text or parameters[0].type.startswith("variadic"):
             continue
         at = member.declarator.start_byte
-        edits = view.edits((at, at, "explicit "))
         yield view.hit(
             "cpp.explicit_constructor",
             member.declarator,
             f"constructor `{view.text(member.declarator)[:60]}` converts; expected `explicit`",
-            edits=edits if _is_entity(node, view) else (),
+            edits=view.edits((at, at, "explicit ")) if _is_entity(node, view) else (),
         )
 
 

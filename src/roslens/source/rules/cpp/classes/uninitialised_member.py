@@ -30,6 +30,8 @@ _SECOND_STEP = re.compile(
 _NEAR = 40
 _BEFORE_BASE = 200
 _GIVEN = re.compile(rb"\s*(?:(?:[-+*/|&^%]|<<|>>)?=(?!=)|\+\+|--|\[|\{)")
+_CONSTRUCTOR = re.compile(rb"(?:<\w+>)?\s*::\s*([^\s(]+)\s*\(")
+"""Behind the name of a class: a constructor that is defined outside, if the name follows once more."""
 _TAKEN = re.compile(rb"(?:>>|\+\+|--|(?<!&)&|(?<!if )(?<!while )(?<!return )[(,])\s*$")
 
 
@@ -173,10 +175,9 @@ def _outside(name: str, count: int, view: FileView) -> Node | None:
     word = name.encode()
     if not name or b"::" not in view.code:
         return None
-    behind = re.compile(rb"(?:<\w+>)?\s*::\s*%s\s*\(" % word)
     for start in word_places(word, view):
-        match = behind.match(view.code, start + len(word))
-        if match is None:
+        match = _CONSTRUCTOR.match(view.code, start + len(word))
+        if match is None or match[1] != word:
             continue
         at = view.node_at(start, match.end())
         function = at if at is None or at.type == "function_definition" else above(at, "function_definition")

@@ -15,6 +15,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _CALLED = re.compile(rb"(?<![\w.>:])(?:this\s*->\s*)?\b(\w+)\s*\(")
+_BEHIND_CLASS = re.compile(rb"\s*::\s*~?([^\s(~]+)\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -74,10 +75,9 @@ def _outside(name: str, view: FileView) -> Iterator[Node]:
     word = name.encode()
     if word + b"::" not in view.code:
         return
-    behind = re.compile(rb"\s*::\s*~?%s\s*\(" % word)
     for start in word_places(word, view):
-        match = behind.match(view.code, start + len(word))
-        if match is None:
+        match = _BEHIND_CLASS.match(view.code, start + len(word))
+        if match is None or match[1] != word:
             continue
         at = view.node_at(start, match.end())
         function = at if at is None or at.type == "function_definition" else above(at, "function_definition")

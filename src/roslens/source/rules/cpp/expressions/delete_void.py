@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
+from typing import cast
 
 from tree_sitter import Node
 
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_TO_VOID = re.compile(rb"void\s*\*+\s*(?:const\s+)?([\w\x80-\xff]+)")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -19,7 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     text = view.text(operand)
     if operand.type == "identifier":
-        if not re.search(rb"void\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code):
+        if text.encode() not in _to_void(view):
             return
         declared = re.findall(rb"(\w+)\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code)
         is_void = bool(declared) and set(declared) == {b"void"}
@@ -31,6 +34,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             node,
             f"`{view.text(node)}` of a `void*` runs no destructor; expected a pointer with its type",
         )
+
+
+def _to_void(view: FileView) -> Set[bytes]:
+    """Return the names that a file declares as pointers to void."""
+    found = view.kept.get("pointers to void")
+    if found is None:
+        found = view.kept["pointers to void"] = frozenset(_TO_VOID.findall(view.code))
+    return cast("frozenset[bytes]", found)
 
 
 RULE = FileRule(

@@ -84,12 +84,15 @@ def _declares(view: FileView) -> bool:
     """
     if b"#undef" in view.code or (b"EIGEN_" in view.code and b"namespace" not in view.code):
         return False
-    return any(one.type not in _SAYS_NOTHING for one in view.root.named_children)
+    # One by one, as mostly the first that is neither comment nor directive does; all of a file are many.
+    root = view.root
+    nodes = (root.named_child(place) for place in range(root.named_child_count))
+    return any(one is not None and one.type not in _SAYS_NOTHING for one in nodes)
 
 
 def _around(first: int, view: FileView) -> tuple[Edit, ...]:
     """Return what puts a guard around the code of a header that defines something, so that it is read once anyway."""
-    if b"#undef" in view.code or not any(one.type in _DEFINING for one in view.root.children) or view.root.has_error:
+    if b"#undef" in view.code or view.root.has_error or not _defines(view):
         return ()
     start = view.code.rfind(b"\n", 0, first) + 1
     # What stands right above the code is about it, unless it is where the file begins.
@@ -101,6 +104,13 @@ def _around(first: int, view: FileView) -> tuple[Edit, ...]:
     end = len(view.content)
     name = GUARD_NAME
     return view.edits((start, start, f"#ifndef {name}\n#define {name}\n\n"), (end, end, f"{tail}\n#endif  // {name}\n"))
+
+
+def _defines(view: FileView) -> bool:
+    """Return whether something stands at the level of the file that can be defined once only."""
+    root = view.root
+    nodes = (root.named_child(place) for place in range(root.named_child_count))
+    return any(one is not None and one.type in _DEFINING for one in nodes)
 
 
 RULE = FileRule(

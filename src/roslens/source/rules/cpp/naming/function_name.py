@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 from tree_sitter import Node
 
@@ -24,10 +25,21 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     cls = whole.rpartition("::")[0].rpartition("::")[2].partition("<")[0]
     if name == cls or name.lower() == name:
         return
-    around = enclosing_class(node)
-    if around is not None and name == class_name(around, view):
-        return
+    # What stands around a node is asked from the root of the tree on: only where a class has that name.
+    if name in _classes(view):
+        around = enclosing_class(node)
+        if around is not None and name == class_name(around, view):
+            return
     yield view.hit("cpp.function_name", named, f"function `{name}`; expected `{name[0].upper() + name[1:]}`")
+
+
+def _classes(view: FileView) -> frozenset[str]:
+    """Return the names of the classes of a file."""
+    found = view.kept.get("names of classes")
+    if found is None:
+        nodes = (*view.nodes("class_specifier"), *view.nodes("struct_specifier"))
+        found = view.kept["names of classes"] = frozenset(class_name(one, view) for one in nodes)
+    return cast("frozenset[str]", found)
 
 
 RULE = FileRule(
@@ -44,5 +56,6 @@ RULE = FileRule(
     good="void StopMotor() {}\n",
     syntax="cpp",
     kinds=("function_definition",),
+    gathers=("class_specifier", "struct_specifier"),
     found=found,
 )

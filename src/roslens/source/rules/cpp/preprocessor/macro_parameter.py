@@ -12,11 +12,13 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_OPERATORS = frozenset("*/%")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a macro one of whose parameters stands bare beside an arithmetic operator."""
     parameters, value = node.child_by_field_name("parameters"), view.text(node.child_by_field_name("value"))
-    if parameters is None or "#" in value or '"' in value:
+    if parameters is None or "#" in value or '"' in value or _OPERATORS.isdisjoint(value):
         return
     for one in parameters.named_children:
         name = view.text(one)

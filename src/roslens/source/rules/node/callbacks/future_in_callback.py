@@ -25,8 +25,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     body = body_of(function) if function is not None else None
     if call is None or of is None or body is None:
         return
+    written = view.text(body)
+    if not any(one in written for one in _REQUESTS):
+        return
     name = re.escape(view.text(of).removesuffix(".future"))
-    if not re.search(rf"(?<![\w.]){name}\s*=[^;]*\b({'|'.join(_REQUESTS)})\b", view.text(body)):
+    if not re.search(rf"(?<![\w.]){name}\s*=[^;]*\b({'|'.join(_REQUESTS)})\b", written):
         return
     if _asks_whether_it_is_there(name, call, body, view):
         return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import cast
 
 import msgspec
 from tree_sitter import Node
@@ -112,9 +113,14 @@ def _renamed(place: Node, row: Deprecated, view: FileView) -> tuple[Edit, ...]:
 
 def _is_defined(name: str, view: FileView) -> bool:
     """Tell whether the file defines a class or its constructor: who deprecates a name has to keep it for a while."""
-    word = re.escape(re.split(r"::|->|\.", name)[-1].encode())
-    defined = rb"\b(?:class|struct)\s+(?:\w+\s+)?%s\s*(?:final\s*)?[:{]|\b%s\s*::\s*~?%s\s*\("
-    return re.search(defined % (word, word, word), view.code) is not None
+    last = re.split(r"::|->|\.", name)[-1]
+    key = ("defined", last)
+    found = view.kept.get(key)
+    if found is None:
+        word = re.escape(last.encode())
+        defined = rb"\b(?:class|struct)\s+(?:\w+\s+)?%s\s*(?:final\s*)?[:{]|\b%s\s*::\s*~?%s\s*\("
+        found = view.kept[key] = re.search(defined % (word, word, word), view.code) is not None
+    return cast("bool", found)
 
 
 def _is_chosen(node: Node, view: FileView) -> bool:

@@ -41,12 +41,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if not name or "[" in name or (function is not None and is_conditional(call, function)) or is_static(call, view):
         return
     start = statement_around(call).end_byte
-    published = rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(\.|->)\s*(publish)\b"
-    match = re.search(published, view.code[start : body.end_byte])
+    match = _published_once(name, view.code[start : body.end_byte])
     if match is None or _TIME_PASSES.search(view.code[body.start_byte : start + match.end()]):
         return
-    if re.search(published, view.code[start + match.end() : body.end_byte]):
-        return  # it is said again, later or by a timer
     place = view.node_at(start + match.start(2), start + match.end(2))
     if place is not None and function_around(place) == function and loop_around(place) == loop_around(call):
         yield view.hit(
@@ -55,6 +52,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{name}` publishes in the function that makes it, before any subscription is matched: the message is "
             "lost; expected it later, or transient local (latched)",
         )
+
+
+def _published_once(name: str, code: bytes) -> re.Match[bytes] | None:
+    """Return where a publisher publishes, None where it does not or does again: later, or by a timer."""
+    if b"publish" not in code:
+        return None
+    published = re.compile(rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(\.|->)\s*(publish)\b")
+    match = published.search(code)
+    return None if match is None or published.search(code[match.end() :]) else match
 
 
 RULE = FileRule(

@@ -14,6 +14,8 @@ from roslens.source.rules.rule import ROSCPP, FileRule
 
 _KINDS = rb"(?:PoseStamped|TransformStamped|PoseWithCovarianceStamped)"
 
+_DECLARED = re.compile(rb"geometry_msgs::" + _KINDS + rb"\s+([\w\x80-\xff]+)")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a local pose or transform that is sent and whose rotation is never touched, though its place is."""
@@ -22,8 +24,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = arguments(call) if call is not None else ()
     if call is None or body is None or len(given) != 1 or given[0].type != "identifier":
         return
-    name = re.escape(view.text(given[0]).encode())
     code = view.code[body.start_byte : call.start_byte]
+    if (word := view.text(given[0]).encode()) not in _DECLARED.findall(code):
+        return
+    name = re.escape(word)
     if not re.search(rb"geometry_msgs::" + _KINDS + rb"\s+" + name + rb"\s*(?:\(\s*\))?\s*;", code):
         return
     uses = re.findall(rb"\b" + name + rb"\b((?:\s*\.\s*\w+)*)", code)[1:]

@@ -15,6 +15,7 @@ from roslens.source.rules.node.messages.stamped import COMMANDS, STAMPED
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _NAMES = "|".join(sorted(STAMPED))
+_DECLARED = re.compile(rb"_msgs::(?:msg::)?(?:" + _NAMES.encode() + rb")\s+([\w\x80-\xff]+)")
 _MEMBERS = rb"\s*(\.|->)\s*(?!header\b)\w"
 
 
@@ -25,8 +26,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = arguments(call) if call is not None else ()
     if call is None or body is None or len(given) != 1 or given[0].type != "identifier":
         return
-    name = re.escape(view.text(given[0]).encode())
     code = view.code[body.start_byte : call.end_byte]
+    # A pattern with the name in it is compiled for each name; most are no local messages with a header.
+    if (word := view.text(given[0]).encode()) not in _DECLARED.findall(code):
+        return
+    name = re.escape(word)
     made = re.search(
         rb"(?:^|[;{}])\s*\w+_msgs::(?:msg::)?(" + _NAMES.encode() + rb")\s+" + name + rb"\s*(\(\s*\)|\{\s*\})?\s*;",
         code,

@@ -14,6 +14,8 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _ZERO = rb"(?:ros|rclcpp)::Time\(\s*(?:0(?:\.0)?)?(?:\s*,\s*0)?\s*\)"
 
+_ZEROED = re.compile(rb"stamp\s*=\s*" + _ZERO)
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield ``publish(m)`` of a variable whose stamp the function sets to 0, and to nothing else."""
@@ -22,8 +24,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = arguments(call) if call is not None else ()
     if call is None or body is None or len(given) != 1 or given[0].type not in ("identifier", "pointer_expression"):
         return
-    name = re.escape(view.text(given[0]).lstrip("*&").encode())
     code = view.code[body.start_byte : call.start_byte]
+    if _ZEROED.search(code) is None:
+        return
+    name = re.escape(view.text(given[0]).lstrip("*&").encode())
     stamp = rb"(?<![\w.])" + name + rb"\s*(?:\.|->)\s*header\s*\.\s*stamp\s*=(?!=)\s*"
     if re.search(stamp + _ZERO + rb"\s*;", code) and len(re.findall(stamp, code)) == 1:
         yield view.hit(

@@ -26,15 +26,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     # A parameter that was declared has a value.
     if view.text(node) == "get_parameter" and (b"declare" in view.code or b"add_parameter" in view.code):
         return
-    if _is_asked_elsewhere(given[0], call, view):
-        return
     name = view.text(given[1])
     before = " ".join(view.code[body.start_byte : call.start_byte].decode("utf-8", "replace").split())
     if not re.search(rf"[;{{}}] {_PLAIN} (?:\w+, )*{name}(?:, \w+)*;", before):
         return
     if "hasParam" in before or "has_parameter" in before:
         return
-    if re.search(rf"\b{name} = |\b{name}\)|>> {name}\b", before):
+    if re.search(rf"\b{name} = |\b{name}\)|>> {name}\b", before) or _is_asked_elsewhere(given[0], call, view):
         return
     yield view.hit(
         "node.parameter_unchecked",
@@ -49,10 +47,14 @@ def _is_asked_elsewhere(name: Node, call: Node, view: FileView) -> bool:
     """Return whether the file asks in a condition for a parameter of the same name, or sets it."""
     if name.type != "string_literal":
         return False
-    text = re.escape(view.source[name.start_byte : name.end_byte])
+    text = view.source[name.start_byte : name.end_byte]
     others = view.source[: call.start_byte] + view.source[call.end_byte :]
+    if text not in others:
+        return False
     return (
-        re.search(rb"(?:\bif\s*\([^;{]*|[sS]et_?[pP]aram\w*\s*\(\s*|[hH]as_?[pP]aram\w*\s*\(\s*)" + text, others)
+        re.search(
+            rb"(?:\bif\s*\([^;{]*|[sS]et_?[pP]aram\w*\s*\(\s*|[hH]as_?[pP]aram\w*\s*\(\s*)" + re.escape(text), others
+        )
         is not None
     )
 

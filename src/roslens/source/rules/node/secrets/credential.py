@@ -22,10 +22,10 @@ _KNOWN = re.compile(
     rb"\bxox[bp]-[0-9A-Za-z-]{20,}|\bAIza[0-9A-Za-z_-]{35}\b|\bglpat-[0-9A-Za-z_-]{20})"
 )
 NAMES = (
-    *("assword", "asswd", "ASSWORD", "ASSWD", "assphrase", "ecret", "ECRET", "pi_key", "piKey", "PI_KEY", "ccess_key"),
-    *("auth_token", "AUTH_TOKEN", "PRIVATE KEY", "AKIA", "ghp_", "AIza", "glpat-", "xoxb-", "xoxp-"),
+    *("assw", "ASSW", "assphrase", "ecret", "ECRET", "_key", "piKey", "PI_KEY"),
+    *("auth_token", "AUTH_TOKEN", "PRIVATE KEY", "AKIA", "ghp_", "AIza", "glpat-", "xox"),
 )
-"""What a file with a secret mentions: looking for these is quicker than for the patterns."""
+"""What a file with a secret mentions: looking for these few is quicker than for the patterns."""
 
 _NO_SECRET = re.compile(
     rb"(?i)^(password|passwd|secret|changeme|example|your|default|none|null|true|false|test|xxx+|\.+)|_|/"

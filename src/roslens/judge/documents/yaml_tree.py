@@ -46,12 +46,22 @@ class Scalar(msgspec.Struct, frozen=True):
         """Whether there is no value at all (``key:``, ``key: ~`` or ``key: null``)."""
         return self.plain and self.text in {"", "~", "null", "Null", "NULL"}
 
+    @property
+    def each(self) -> tuple[Node, ...]:
+        """It alone, as the items of a list of one."""
+        return (self,)
+
 
 class Items(msgspec.Struct, frozen=True):
     """A list."""
 
     place: Place
     nodes: tuple[Node, ...]
+
+    @property
+    def each(self) -> tuple[Node, ...]:
+        """Its items."""
+        return self.nodes
 
 
 class Table(msgspec.Struct, frozen=True):
@@ -60,6 +70,16 @@ class Table(msgspec.Struct, frozen=True):
     place: Place
     nodes: dict[str, Node]
     keys: dict[str, Place]
+
+    @property
+    def each(self) -> tuple[Node, ...]:
+        """It alone, as the items of a list of one."""
+        return (self,)
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The single values in it as written, by their keys."""
+        return {key: node.text for key, node in self.nodes.items() if isinstance(node, Scalar)}
 
 
 Node = Scalar | Items | Table

@@ -11,7 +11,7 @@ from fnmatch import fnmatchcase
 
 import msgspec
 
-from roslens.judge.documents.yaml_tree import Items, Scalar, Table, read_tree
+from roslens.judge.documents.yaml_tree import Items, Table, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.node_facts import EndpointFact
 from roslens.source.extract.parameters.assemble_parameters import Values
@@ -58,13 +58,10 @@ def items_of(name: str, values: Values) -> list[dict[str, str]] | None:
         root = read_tree(setting.value.known.encode(), setting.evidence.path).root
     except DocumentError:
         return None
-    if not isinstance(root, Items):
-        return None
-    return [
-        {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
-        for item in root.nodes
-        if isinstance(item, Table)
-    ]
+    match root:
+        case Items(nodes=nodes):
+            return [item.texts for item in nodes if isinstance(item, Table)]
+    return None
 
 
 def _side_by_side(hole: Hole, values: Values) -> Iterator[Text]:

@@ -57,6 +57,9 @@ def _of_class(controller: Controller, units: Units) -> Iterator[EndpointFact]:
 
 def _named(name: Text, controller: Text) -> Text:
     def own(part: str | Hole) -> bool:
-        return isinstance(part, Hole) and isinstance(part.reason, OfController)
+        match part:
+            case Hole(reason=OfController()):
+                return True
+        return False
 
     return Text.of(*(controller if own(one) else one for one in name.parts))

@@ -70,8 +70,9 @@ class _Known:
 
     def hash_of(self, name: str) -> Checksum:
         found = self._below(name, ())
-        if isinstance(found, str):
-            return Checksum(unknown=found)
+        match found:
+            case str():
+                return Checksum(unknown=found)
         described = {
             "type_description": self._descriptions[name],
             "referenced_type_descriptions": [self._descriptions[one] for one in sorted(found)],
@@ -98,8 +99,9 @@ class _Known:
             if reason:
                 return reason
             below = self._below(nested, (*above, name))
-            if isinstance(below, str):
-                return below
+            match below:
+                case str():
+                    return below
             found |= {nested, *below}
         self._references[name] = frozenset(found)
         return self._references[name]

@@ -166,6 +166,16 @@ class Branch(msgspec.Struct, frozen=True, array_like=True, tag="if"):
     otherwise: tuple[Statement, ...] = ()
     line: int = 0
 
+    @property
+    def head(self) -> tuple[Expression | None, ...]:
+        """What is evaluated before its parts."""
+        return (self.condition,)
+
+    @property
+    def parts(self) -> tuple[tuple[Statement, ...], ...]:
+        """The statements of each of its ways."""
+        return self.then, self.otherwise
+
 
 class Loop(msgspec.Struct, frozen=True, array_like=True, tag="loop"):
     """``for`` and ``while``; ``target`` and ``over`` are of a loop over a sequence, None and the condition else.
@@ -179,6 +189,16 @@ class Loop(msgspec.Struct, frozen=True, array_like=True, tag="loop"):
     body: tuple[Statement, ...]
     line: int = 0
     update: tuple[Statement, ...] = ()
+
+    @property
+    def head(self) -> tuple[Expression | None, ...]:
+        """What is evaluated before its parts."""
+        return self.target, self.over
+
+    @property
+    def parts(self) -> tuple[tuple[Statement, ...], ...]:
+        """The statements of a turn, which may be none."""
+        return ((*self.body, *self.update),)
 
 
 class Leave(msgspec.Struct, frozen=True, array_like=True, tag="leave", gc=False):

@@ -16,23 +16,22 @@ def is_read_first(body: Sequence[Statement], place: Expression) -> bool:
     What is set under a condition is not set for sure. A call that reads a member is not looked into.
     """
     for one in body:
-        if isinstance(one, Assign) and one.target == place and one.operator == "=":
-            return one.value is not None and _holds(one.value, place)
-        if isinstance(one, Assign):
-            if _holds((one.target, one.value), place):
-                return True
-        elif isinstance(one, Branch | Loop):
-            if _reads(one, place):
-                return True
-        elif _holds(one, place):
+        match one:
+            case Assign(operator="=") if one.target == place:
+                return one.value is not None and _holds(one.value, place)
+            case Assign():
+                read = _holds((one.target, one.value), place)
+            case Branch() | Loop():
+                read = _reads(one, place)
+            case _:
+                read = _holds(one, place)
+        if read:
             return True
     return False
 
 
 def _reads(one: Branch | Loop, place: Expression) -> bool:
-    parts = (one.then, one.otherwise) if isinstance(one, Branch) else ((*one.body, *one.update),)
-    head = one.condition if isinstance(one, Branch) else (one.target, one.over)
-    return _holds(head, place) or any(is_read_first(part, place) for part in parts)
+    return _holds(one.head, place) or any(is_read_first(part, place) for part in one.parts)
 
 
 def _holds(whole: object, place: Expression) -> bool:

@@ -66,11 +66,10 @@ def yaml_actions(path: str, content: bytes) -> tuple[Action, ...]:
         DocumentError: it is no YAML, or has no list ``launch``.
     """
     tree = read_tree(content, path)
-    root = tree.root
-    inner = root.nodes.get("launch") if isinstance(root, Table) else None
-    if not isinstance(inner, Items):
-        raise DocumentError("no list `launch`", where=Location(path, 1, 1), expected="launch: with a list of actions")
-    return tuple(_actions(_yaml_entities(path, tree, inner)))
+    match tree.root:
+        case Table(nodes={"launch": Items() as inner}):
+            return tuple(_actions(_yaml_entities(path, tree, inner)))
+    raise DocumentError("no list `launch`", where=Location(path, 1, 1), expected="launch: with a list of actions")
 
 
 def _xml_entity(path: str, document: Document, element: Element) -> Entity:
@@ -83,11 +82,12 @@ def _xml_entity(path: str, document: Document, element: Element) -> Entity:
 
 
 def _yaml_entities(path: str, tree: Tree, node: Node) -> list[Entity]:
-    if isinstance(node, Items):
-        return [one for inner in node.nodes for one in _yaml_entities(path, tree, inner)]
-    if not isinstance(node, Table):
-        return []
-    return [_yaml_entity(path, tree, kind, inner) for kind, inner in node.nodes.items()]
+    match node:
+        case Items(nodes=items):
+            return [one for inner in items for one in _yaml_entities(path, tree, inner)]
+        case Table(nodes=parts):
+            return [_yaml_entity(path, tree, kind, inner) for kind, inner in parts.items()]
+    return []
 
 
 def _yaml_entity(path: str, tree: Tree, kind: str, node: Node) -> Entity:
@@ -100,15 +100,15 @@ def _yaml_entity(path: str, tree: Tree, kind: str, node: Node) -> Entity:
             children = _yaml_entities(path, tree, node)
         case Table():
             for key, inner in node.nodes.items():
-                if isinstance(inner, Scalar):
-                    attributes[key] = inner.text
-                elif isinstance(inner, Items) and not any(isinstance(one, Table) for one in inner.nodes):
-                    attributes[key] = yaml_written(inner)
-                elif key == "children":
-                    children += _yaml_entities(path, tree, inner)
-                else:
-                    every = inner.nodes if isinstance(inner, Items) else (inner,)
-                    children += [_yaml_entity(path, tree, key, one) for one in every]
+                match inner:
+                    case Scalar():
+                        attributes[key] = inner.text
+                    case Items() if not any(isinstance(one, Table) for one in inner.nodes):
+                        attributes[key] = yaml_written(inner)
+                    case _ if key == "children":
+                        children += _yaml_entities(path, tree, inner)
+                    case _:
+                        children += [_yaml_entity(path, tree, key, one) for one in inner.each]
         case _:
             attributes["value"] = node.text
     return Entity(kind, evidence, attributes, tuple(children))

@@ -341,8 +341,9 @@ def _written(condition: Condition) -> Written | Not:
 
 
 def _shown(value: Value) -> str:
-    if isinstance(value, str | Text):
-        return str(value)
+    match value:
+        case str() | Text():
+            return str(value)
     inside = ", ".join(_shown(part) for part in value.parts)
     return inside if value.kind in ("configuration", "text", "unknown") else f"{value.kind}({inside})"
 

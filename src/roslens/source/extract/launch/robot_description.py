@@ -278,7 +278,11 @@ def _conditional(element: Element, place: _Place, *, wanted: bool) -> tuple[Desc
         condition = Written(written) if wanted else Not(Written(written))
         return _children(element, msgspec.structs.replace(place, conditions=(*place.conditions, condition)))
     value = _converted(known)
-    holds = bool(value) if not isinstance(value, str) else value.strip().lower() not in ("", "false")
+    match value:
+        case str():
+            holds = value.strip().lower() not in ("", "false")
+        case _:
+            holds = bool(value)
     return _children(element, place) if holds is wanted else ()
 
 

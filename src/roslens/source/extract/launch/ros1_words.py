@@ -16,10 +16,12 @@ def words_of(text: Text) -> tuple[Text, ...]:
     word: list[str | Hole] = []
     quote, escaped, begun = "", False, False
     for sign in _signs(text):
-        if isinstance(sign, Hole):
-            word.append(sign)
-            begun = True
-        elif escaped:
+        match sign:
+            case Hole():
+                word.append(sign)
+                begun = True
+                continue
+        if escaped:
             # Within quotes a backslash is one, but before the quote and another backslash.
             word.append(sign if not quote or sign in (quote, "\\") else f"\\{sign}")
             escaped = False

@@ -47,9 +47,12 @@ def words(written: str) -> tuple[Value, ...]:
     found: list[list[Value]] = []
     word: list[Value] = []
     for piece in _pieces(written, 0) if written.strip() else ():
-        if not isinstance(piece, str):
-            word.append(piece)
-            continue
+        match piece:
+            case str():
+                pass
+            case _:
+                word.append(piece)
+                continue
         try:
             first, *more = shlex.split(piece) or [""]
         except ValueError as error:

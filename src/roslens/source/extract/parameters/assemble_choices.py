@@ -16,6 +16,7 @@ from roslens.source.extract.symbolic.text import (
     Choice,
     Condition,
     Conditions,
+    Hole,
     IsSet,
     IsTrue,
     NoException,
@@ -123,7 +124,10 @@ def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
 
 
 def _is_not_set(text: Text) -> bool:
-    return text.only is not None and isinstance(text.only.reason, NotSet)
+    match text.only:
+        case Hole(reason=NotSet()):
+            return True
+    return False
 
 
 def _is_of_many(text: Text) -> bool:

@@ -67,7 +67,11 @@ def _renamed(part: Hole, hole: Hole, item: str | Hole) -> Hole:
     if name is None:
         return msgspec.structs.replace(part, named=named)
     reason = _of_parameter(part.reason, name)
-    default = part.default if len(named) < 2 or not isinstance(reason, OfParameter) else named[1].usual
+    match reason, named:
+        case OfParameter(), (_, of_default, *_):
+            default = of_default.usual
+        case _:
+            default = part.default
     return Hole(reason, name, default, part.below, among=part.among)
 
 
@@ -86,11 +90,16 @@ def _is_own_list(reason: Reason) -> bool:
 
     Of what else is made of a list nobody knows what it is.
     """
-    inner = reason.of if isinstance(reason, EachOf | ItemOf) else reason
-    if isinstance(inner, EachOf | ItemOf | PartOf | OfMany) or node_of_reason(inner) != FIRST:
-        return False
+    match reason:
+        case EachOf(of=inner) | ItemOf(of=inner):
+            pass
+        case inner:
+            pass
+    match inner:
+        case EachOf() | ItemOf() | PartOf() | OfMany():
+            return False
     # A name or text of which a part is unknown has that in braces.
-    return "{" not in str(inner)
+    return node_of_reason(inner) == FIRST and "{" not in str(inner)
 
 
 def items_among(hole: Hole, value: Text | None) -> list[str] | None:
@@ -101,7 +110,7 @@ def items_among(hole: Hole, value: Text | None) -> list[str] | None:
     if known is None or not (known.startswith("[") and known.endswith("]")):
         return None
     names = listed(known)
-    if not isinstance(hole.reason, ItemOf):
-        return names
-    place = hole.reason.place
-    return [names[place]] if -len(names) <= place < len(names) else []
+    match hole.reason:
+        case ItemOf(place=place):
+            return [names[place]] if -len(names) <= place < len(names) else []
+    return names

@@ -32,14 +32,25 @@ def ros1_parameters(content: bytes, path: str, line: int = 0) -> list[Setting]:
     tree = read_tree(content, path, last_counts=True)
     if tree.root is None:
         return []
-    leaves = (one for one in _leaves(tree.root, ()) if not (isinstance(one[1], Table) and one[0]))
-    return [_ros1(names, node, _setting(names, "/", node, tree, line)) for names, node in leaves]
+    found = []
+    for names, node in _leaves(tree.root, ()):
+        match names, node:
+            case (_, *_), Table():
+                # What is empty sets nothing.
+                pass
+            case _:
+                found.append(_ros1(names, node, _setting(names, "/", node, tree, line)))
+    return found
 
 
 def _ros1(names: tuple[str, ...], node: Node, setting: Setting) -> Setting:
     """Return a parameter as rosparam types it; a name that begins with ``/`` is one of its own."""
     first = max((place for place, one in enumerate(names) if one.startswith("/")), default=0)
-    turned = angle(node.text) if isinstance(node, Scalar) and node.plain else None
+    match node:
+        case Scalar(text=text, plain=True):
+            turned = angle(text)
+        case _:
+            turned = None
     return msgspec.structs.replace(
         setting,
         name=Text.of("/".join(names[first:])) if first else setting.name,
@@ -63,9 +74,10 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
     for nodes, table in _of_nodes(tree.root, (), tree):
         pattern = "/" + "/".join(piece.strip("/") for piece in nodes if piece.strip("/"))
         for names, node in _leaves(table, ()):
-            if isinstance(node, Table):
-                # What is empty sets nothing.
-                continue
+            match node:
+                case Table():
+                    # What is empty sets nothing.
+                    continue
             if not names or is_mixed(node):
                 raise _refused(node, tree, "a list of values of several types" if names else "no table of parameters")
             setting = _setting(names, ".", node, tree, 0, pattern)
@@ -74,25 +86,31 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
 
 
 def _refused(node: Node, tree: Tree, what: str) -> DocumentError:
+    match node:
+        case Items():
+            expected = "values of one type, such as [1.0, 2.5] or ['1', 'a']"
+        case _:
+            expected = "ros__parameters: {name: value}"
     return DocumentError(
         f"{what}: {written(node)}" if written(node) else what,
         where=tree.location(node.place),
-        expected="values of one type, such as [1.0, 2.5] or ['1', 'a']"
-        if isinstance(node, Items)
-        else "ros__parameters: {name: value}",
+        expected=expected,
         advice="ROS 2 refuses the whole file, and the node does not start",
     )
 
 
 def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[tuple[str, ...], Node]]:
-    if not isinstance(node, Table):
-        raise DocumentError(
-            "a value outside of ros__parameters",
-            where=tree.location(node.place),
-            expected="node: {ros__parameters: {name: value}}",
-            advice="ROS 2 refuses the whole file; indent the parameters below ros__parameters",
-        )
-    for key, inner in node.nodes.items():
+    match node:
+        case Table(nodes=nodes):
+            pass
+        case _:
+            raise DocumentError(
+                "a value outside of ros__parameters",
+                where=tree.location(node.place),
+                expected="node: {ros__parameters: {name: value}}",
+                advice="ROS 2 refuses the whole file; indent the parameters below ros__parameters",
+            )
+    for key, inner in nodes.items():
         if key == _ROS2:
             yield above, inner
         else:
@@ -104,9 +122,10 @@ def _leaves(node: Node, above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...
         case Table() if node.nodes:
             merged = node.nodes.get("<<")
             # What a table has itself holds over what is merged into it, and of several the first one.
-            for one in reversed(merged.nodes) if isinstance(merged, Items) else (merged,):
-                if isinstance(one, Table):
-                    yield from _leaves(one, above)
+            for one in reversed(merged.each) if merged is not None else ():
+                match one:
+                    case Table():
+                        yield from _leaves(one, above)
             for key, inner in node.nodes.items():
                 if key != "<<":
                     yield from _leaves(inner, (*above, key))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.judge.documents.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import Node, Place, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.node_facts import Evidence, Terms
 from roslens.source.extract.parameters.parameter_file import written
@@ -80,38 +80,42 @@ def declarations_of(content: bytes, path: str) -> tuple[str, tuple[Declaration, 
     """
     # The generator reads with PyYAML, which takes the last of two keys of one name.
     tree = read_tree(content, path, last_counts=True)
-    root = tree.root
-    if not isinstance(root, Table) or len(root.nodes) != 1:
-        raise DocumentError(
-            "not one outermost key",
-            where=tree.location(Place(1, 0)),
-            expected="one key, the namespace of the parameters",
-            advice="generate_parameter_library refuses the file; put all parameters below one key",
-        )
-    ((namespace, inner),) = root.nodes.items()
-    return namespace, tuple(_declared(inner, (), tree, root.keys[namespace]))
+    match tree.root:
+        case Table(nodes=nodes, keys=keys) if len(nodes) == 1:
+            ((namespace, inner),) = nodes.items()
+            return namespace, tuple(_declared(inner, (), tree, keys[namespace]))
+    raise DocumentError(
+        "not one outermost key",
+        where=tree.location(Place(1, 0)),
+        expected="one key, the namespace of the parameters",
+        advice="generate_parameter_library refuses the file; put all parameters below one key",
+    )
 
 
 def _declared(node: Node, names: tuple[str, ...], tree: Tree, place: Place) -> Iterator[Declaration]:
     """Yield the parameters below a node; a table whose first value is one holds others (parse_yaml.py, parse_dict)."""
-    if not isinstance(node, Table) or not node.nodes:
-        return
-    if isinstance(next(iter(node.nodes.values())), Table):
-        for key, inner in node.nodes.items():
-            if isinstance(inner, Table):
+    match node:
+        case Table(nodes=nodes) if nodes:
+            first = next(iter(nodes.values()))
+        case _:
+            return
+    kind_node = nodes.get("type")
+    match first, kind_node:
+        case Table(), _:
+            for key, inner in nodes.items():
                 yield from _declared(inner, (*names, key), tree, node.keys[key])
-    elif names and isinstance(kind := node.nodes.get("type"), Scalar) and kind.text != "none":
-        yield _declaration(node, ".".join(names), kind.text, tree, place)
+        case _, Scalar(text=kind) if names and kind != "none":
+            yield _declaration(node, ".".join(names), kind, tree, place)
 
 
 def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: Place) -> Declaration:
     location = tree.location(place)
     fixed = _FIXED.fullmatch(written_type)
     kind = fixed[1] if fixed else written_type
-    default, read_only = node.nodes.get("default_value"), node.nodes.get("read_only")
+    default = node.nodes.get("default_value")
     described, more = _text(node.nodes.get("description")), _text(node.nodes.get("additional_constraints"))
     validation = node.nodes.get("validation")
-    checks = dict(_checks(validation)) if isinstance(validation, Table) else {}
+    checks = dict(_checks(validation))
     constraints = [one for name, values in checks.items() if (one := _words(name, values))]
     constraints += [f"at most {fixed[2]} {'signs' if kind == 'string' else 'items'}"] if fixed else []
     allowed = checks.get("one_of", ())
@@ -119,11 +123,11 @@ def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: P
         name,
         kind,
         Evidence(location.path, location.line, location.column),
-        None if default is None or (isinstance(default, Scalar) and default.empty) else written(default),
+        None if default is None or _is_empty(default) else written(default),
         _range(checks),
         " ".join(described.split()),
         Terms(
-            read_only=isinstance(read_only, Scalar) and read_only.text.lower() in _TRUE,
+            read_only=node.texts.get("read_only", "").lower() in _TRUE,
             allowed=tuple(allowed),
             constraints=tuple(one for one in (*constraints, more) if one),
         ),
@@ -131,15 +135,26 @@ def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: P
 
 
 def _text(node: Node | None) -> str:
-    return node.text if isinstance(node, Scalar) and not node.empty else ""
+    match node:
+        case Scalar(empty=False, text=text):
+            return text
+    return ""
 
 
-def _checks(validation: Table) -> Iterator[tuple[str, list[str]]]:
+def _is_empty(node: Node) -> bool:
+    match node:
+        case Scalar():
+            return node.empty
+    return False
+
+
+def _checks(validation: Node | None) -> Iterator[tuple[str, list[str]]]:
     """Yield the functions that check a value, and what they are given, one list in another one flattened."""
-    for name, node in validation.nodes.items():
-        items = node.nodes if isinstance(node, Items) else (node,)
-        flat = [two for one in items for two in (one.nodes if isinstance(one, Items) else (one,))]
-        yield name.replace("<>", ""), [written(one) for one in flat if not (isinstance(one, Scalar) and one.empty)]
+    match validation:
+        case Table(nodes=nodes):
+            for name, node in nodes.items():
+                flat = [two for one in node.each for two in one.each]
+                yield name.replace("<>", ""), [written(one) for one in flat if not _is_empty(one)]
 
 
 def _range(checks: dict[str, list[str]]) -> str:

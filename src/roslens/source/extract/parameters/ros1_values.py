@@ -43,8 +43,14 @@ def type_of_value(text: str, kind: str) -> str:
         if not _fits(text.strip(), _KINDS[kind]):
             raise ValueError(f"{text!r} is not of the type {kind}")
         return _KINDS[kind]
-    value = converted(text)
-    return "bool" if isinstance(value, bool) else _KINDS[{int: "int", float: "double"}.get(type(value), "str")]
+    match converted(text):
+        case bool():
+            return "bool"
+        case int():
+            return _KINDS["int"]
+        case float():
+            return _KINDS["double"]
+    return _KINDS["str"]
 
 
 def _fits(text: str, kind: str) -> bool:
@@ -73,7 +79,10 @@ def angle(text: str) -> float | None:
         value = float(text[4:-1]) * math.pi / 180 if text[0] == "d" else evaluate(text[4:-1])
     except (UnknownError, ValueError):
         return None
-    return float(value) if isinstance(value, int | float) else None
+    match value:
+        case int() | float():
+            return float(value)
+    return None
 
 
 def _tag(text: str) -> str:

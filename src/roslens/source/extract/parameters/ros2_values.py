@@ -130,7 +130,9 @@ def _type(node: Node, of_text: Callable[[str], str]) -> str:
 
 def is_mixed(node: Node) -> bool:
     """Whether a list has values of several types, so that rcl refuses the file; what is substituted may be any."""
-    if not isinstance(node, Items) or not all(isinstance(one, Scalar) for one in node.nodes):
-        return False
-    texts = [one for one in node.nodes if isinstance(one, Scalar)]
-    return len({type_in_file(one) for one in texts}) > 1 and not any("$(" in one.text for one in texts)
+    match node:
+        case Items(nodes=nodes):
+            texts = [one for one in nodes if isinstance(one, Scalar)]
+            mixed = len(texts) == len(nodes) and len({type_in_file(one) for one in texts}) > 1
+            return mixed and not any("$(" in one.text for one in texts)
+    return False

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.ir.program import Assign, Call, Expression, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.static_storage import no_place
@@ -16,24 +17,32 @@ from roslens.source.extract.transfer.static_storage import no_place
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-_PLAIN = (Text, bool, int, float, QosValue)
-
 
 def refer(ctx: Context, statement: Assign) -> bool:
     """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
-    frame, name, value = ctx.state.frame, statement.target, statement.value
-    if not isinstance(name, Name) or value is None or value == name:
-        return False
-    if isinstance(value, Call) and not value.arguments and not value.keywords:
-        return _refer_to_result(ctx, statement, name, value)
-    if not _stays(value):
-        return False
-    if not isinstance(ctx.value(value), _PLAIN):
+    match statement:
+        case Assign(target=Name() as name, value=Call(arguments=(), keywords=()) as call):
+            return _refer_to_result(ctx, statement, name, call)
+        case Assign(target=Name() as name, value=Name() | Member() as value) if value != name and _stays(value):
+            return _refer_to_place(ctx, statement, name, value)
+    return False
+
+
+def _refer_to_place(ctx: Context, statement: Assign, name: Name, value: Expression) -> bool:
+    frame = ctx.state.frame
+    if not _is_plain(ctx.value(value)):
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
         return False
     frame.names.pop(name.name, None)
     frame.aliases = {**frame.aliases, name.name: (value, statement.operator == "*")}
     return True
+
+
+def _is_plain(value: Value) -> bool:
+    match value:
+        case Text() | bool() | int() | float() | QosValue():
+            return True
+    return False
 
 
 def _refer_to_result(ctx: Context, statement: Assign, name: Name, call: Call) -> bool:
@@ -42,7 +51,7 @@ def _refer_to_result(ctx: Context, statement: Assign, name: Name, call: Call) ->
     no_place(ctx)
     value = ctx.objects.converted(statement.declared, ctx.value(call)) if statement.declared else ctx.value(call)
     frame.names.pop(name.name, None)
-    if ctx.state.gave is not None and isinstance(value, _PLAIN):
+    if ctx.state.gave is not None and _is_plain(value):
         frame.aliases = {**frame.aliases, name.name: (call, statement.operator == "*")}
     else:
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
@@ -55,12 +64,15 @@ def assign_referred(ctx: Context, name: str, value: Value) -> None:
     expression, pointer = ctx.state.frame.aliases[name]
     if pointer:
         reason = f"what {name} points to"
-        value = unknown(reason) if isinstance(ctx.value(expression), Text) else Unknown(reason)
+        value = Unknown(reason) if text_of(ctx.value(expression)) is None else unknown(reason)
     ctx.assign(expression, value)
 
 
 def _stays(value: Expression) -> bool:
     """Whether an expression means the same place later on: a name, or a member of what is one."""
-    while isinstance(value, Member):
-        value = value.of
-    return isinstance(value, Name)
+    match value:
+        case Member(of=of):
+            return _stays(of)
+        case Name():
+            return True
+    return False

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Names, Table, Unknown, Value, as_text
-from roslens.source.extract.domain.kinds import is_whole, known_text
+from roslens.source.extract.domain.kinds import is_whole, known_text, table_of, text_of
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
@@ -44,7 +44,9 @@ def changed_by(
         case Text():
             changes = ctx.dialect.texts_change and name in _OF_TEXTS
             return _text(ctx, _root(written), of, name, arguments) if changes else None
-        case list() if name in _OF_LISTS and not isinstance(of, Words):
+        case Words():
+            return None
+        case list() if name in _OF_LISTS:
             return _list(ctx, of, name, [*arguments, *keywords.values()])
         case dict() if name in _OF_TABLES:
             return _table(ctx, of, name, arguments, keywords)
@@ -59,26 +61,31 @@ def is_open(ctx: Context) -> Condition | None:
 
 def put_item(ctx: Context, of: Table | list[Value], key: Value, value: Value) -> None:
     """Put an item into a table or list."""
-    if isinstance(of, dict):
-        ctx.state.store.put(of, hashable(key), value)
-    elif is_whole(key) and -len(of) <= key < len(of):
-        ctx.state.store.items(of)
-        of[key] = value
-    else:
-        ctx.state.store.items(of)
-        _forget(of, "an item of a list that was changed")
+    match of:
+        case dict():
+            ctx.state.store.put(of, hashable(key), value)
+        case list() if is_whole(key) and -len(of) <= key < len(of):
+            ctx.state.store.items(of)
+            of[key] = value
+        case _:
+            ctx.state.store.items(of)
+            _forget(of, "an item of a list that was changed")
 
 
 def _root(written: Expression) -> Expression:
     """Return what is changed where calls are in a row: ``name.append("a").append("b")``."""
-    while isinstance(written, Call) and isinstance(written.function, Member) and written.function.name in _OF_TEXTS:
-        written = written.function.of
+    match written:
+        case Call(function=Member(of=of, name=name)) if name in _OF_TEXTS:
+            return _root(of)
     return written
 
 
 def _text(ctx: Context, written: Expression, of: Text, name: str, arguments: list[Value]) -> tuple[Value] | None:
-    if not isinstance(written, Name | Member | Call):
-        return None
+    match written:
+        case Name() | Member() | Call():
+            pass
+        case _:
+            return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
     if listed and not _is_sign(arguments):
         # A parameter may be a list, of which nobody knows the items.
@@ -93,7 +100,7 @@ def _text(ctx: Context, written: Expression, of: Text, name: str, arguments: lis
 
 
 def _is_sign(arguments: list[Value]) -> bool:
-    return len(arguments) == 1 and isinstance(arguments[0], Text) and len(arguments[0].known or "") == 1
+    return len(arguments) == 1 and len(known_text(arguments[0]) or "") == 1
 
 
 def _doubtful(of: Text, name: str) -> Text:
@@ -103,7 +110,7 @@ def _doubtful(of: Text, name: str) -> Text:
 
 def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
     """Return a text after a change; None where that is unknown. ``name`` is a method of std::string, or of QString."""
-    texts = [one if isinstance(one, Text) else None for one in arguments]
+    texts = [text_of(one) for one in arguments]
     numbers = [one if type(one) is int and one >= 0 else None for one in arguments]
     if name == "clear":
         return Text.of("")
@@ -135,10 +142,13 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
 
 
 def _list(ctx: Context, of: list[Value], name: str, arguments: list[Value]) -> tuple[Value]:
-    if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
-        ctx.state.store.items(of)
-        of += arguments[0]
-        return (None,)
+    match name, arguments:
+        case "extend", [Words(), *_]:
+            pass
+        case "extend", [list(added), *_]:
+            ctx.state.store.items(of)
+            of += added
+            return (None,)
     first = arguments[0] if arguments else None
     ctx.state.store.items(of, less=name not in _GROWING)
     if not is_open(ctx):
@@ -171,7 +181,7 @@ def _is_place(value: Value, of: list[Value]) -> bool:
 
 
 def _all_known(of: list[Value]) -> bool:
-    return all(isinstance(one, Text) and one.known is not None for one in of)
+    return all(known_text(one) is not None for one in of)
 
 
 def _forget(of: list[Value] | Table, reason: str) -> Unknown:
@@ -188,10 +198,11 @@ def _table(
     ctx: Context, of: Table, name: str, arguments: list[Value], keywords: Names,
 ) -> tuple[Value]:  # fmt: skip
     first = arguments[0] if arguments else None
-    if name == "update" and (first is None or isinstance(first, dict)):
-        for key, value in (*(first or {}).items(), *((Text.of(one), keywords[one]) for one in keywords)):
-            put_item(ctx, of, key, value)
-        return (None,)
+    match name, first:
+        case "update", None | dict():
+            for key, value in (*table_of(first).items(), *((Text.of(one), keywords[one]) for one in keywords)):
+                put_item(ctx, of, key, value)
+            return (None,)
     if name == "setdefault" and arguments:
         if hashable(first) not in of:
             ctx.state.store.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
@@ -208,4 +219,7 @@ def _table(
 
 
 def _is_key(value: Value) -> bool:
-    return isinstance(value, int | str) or (isinstance(value, Text) and value.known is not None)
+    match value:
+        case int() | str():
+            return True
+    return known_text(value) is not None

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
-from roslens.source.extract.ir.program import Assign, Call, Evaluate, Expression, Member, Name
+from roslens.source.extract.domain.kinds import all_of_kind
+from roslens.source.extract.ir.program import Assign, Branch, Call, Expression, Loop, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 
 if TYPE_CHECKING:
@@ -49,7 +50,9 @@ def read_first(ctx: Context, name: str, value: Value) -> Value:
             return msgspec.structs.replace(value, unknown=reason)
         case Text():
             return unknown(reason)
-    return Unknown(reason) if isinstance(value, int | float) else value
+        case int() | float():
+            return Unknown(reason)
+    return value
 
 
 def of_object(ctx: Context, defined: Defined, name: str, value: Value) -> Value:
@@ -61,10 +64,9 @@ def of_object(ctx: Context, defined: Defined, name: str, value: Value) -> Value:
 
 def _for_objects(ctx: Context, defined: Defined, name: str, before: Value, value: Value) -> None:
     """Let objects that are at hand have it too, but for those that have one of their own."""
-    thing = ctx.state.frame.self
-    held = [thing, *ctx.state.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
-    for one in held:
-        of_class = isinstance(one, Obj) and one.defined is not None and defined in ctx.index.chain(one.defined)
+    frame = ctx.state.frame
+    for one in all_of_kind((frame.self, *frame.names.values(), *(frame.members or {}).values()), Obj):
+        of_class = one.defined is not None and defined in ctx.index.chain(one.defined)
         if of_class and one.fields.get(name) == before:
             ctx.state.store.put(one.fields, name, value)
 
@@ -102,20 +104,20 @@ def _owner(function: Function) -> str:
 
 def _gather(body: tuple[Statement, ...], owner: str, found: set[Place]) -> None:
     for one in body:
-        if isinstance(one, Assign):
-            target = one.target
-            match target:
-                case Member(of=Name(name=of)) if of != "self":
-                    found.add((owner if of == "cls" else of.rpartition(".")[2], target.name))
-                case Member() if _is_own_class(target.of):
-                    found.add((owner, target.name))
-        elif not isinstance(one, Evaluate):
-            for part in ("then", "otherwise", "body", "update"):
-                _gather(getattr(one, part, ()), owner, found)
+        match one:
+            case Assign(target=Member(of=Name(name=of), name=name)) if of != "self":
+                found.add((owner if of == "cls" else of.rpartition(".")[2], name))
+            case Assign(target=Member(of=of, name=name)) if _is_own_class(of):
+                found.add((owner, name))
+            case Branch():
+                _gather((*one.then, *one.otherwise), owner, found)
+            case Loop():
+                _gather((*one.body, *one.update), owner, found)
 
 
 def _is_own_class(of: Expression) -> bool:
     """Whether an expression is ``self.__class__`` or ``type(self)``."""
-    if isinstance(of, Member):
-        return of.name == "__class__"
-    return isinstance(of, Call) and of.function == Name("type") and of.arguments == (Name("self"),)
+    match of:
+        case Member(name="__class__") | Call(function=Name(name="type"), arguments=(Name(name="self"),)):
+            return True
+    return False

@@ -72,7 +72,11 @@ def set_around(ctx: Context, function: Callable, frame: Frame) -> None:
     if around is None or not ctx.index.programs[function.path].dialect.copies_are_captured:
         return
     own = {parameter.name for parameter in what.parameters}
-    holds, names = (around, around.frame.names) if isinstance(around, Around) else ({}, around)
+    holds: Names = {}
+    names = around
+    match around:
+        case Around():
+            holds, names = around, around.frame.names
     for name, after in frame.names.items():
         before = names.get(name)
         if before is None or after is before or name in own or name in holds or after == before:
@@ -80,8 +84,9 @@ def set_around(ctx: Context, function: Callable, frame: Frame) -> None:
         lost = _lost(name, before)
         if lost is not None:
             names[name] = lost
-    if isinstance(around, Around) and around.frame.aliases:
-        _set_referred(ctx, around, frame, own)
+    match around:
+        case Around() if around.frame.aliases:
+            _set_referred(ctx, around, frame, own)
 
 
 def _set_referred(ctx: Context, around: Around, frame: Frame, own: set[str]) -> None:

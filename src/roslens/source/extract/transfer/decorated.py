@@ -33,13 +33,21 @@ def decorated(ctx: Context, function: Callable) -> Callable | Unknown:
             return Unknown(f"result of {what.name}(), which is decorated")
         made: Value = itself
         for one in reversed(known):
-            decorator = ctx.value(one)
-            made = ctx.call(Invocation(decorator, [made])) if isinstance(decorator, Callable) else None
-        return made if isinstance(made, Callable) else Unknown(f"result of {what.name}(), which is decorated")
+            match ctx.value(one):
+                case Callable() as decorator:
+                    made = ctx.call(Invocation(decorator, [made]))
+                case _:
+                    made = None
+        match made:
+            case Callable():
+                return made
+        return Unknown(f"result of {what.name}(), which is decorated")
     finally:
         ctx.state.frame = outer
 
 
 def _is_known(ctx: Context, decorator: Expression) -> bool:
-    name = decorator.function if isinstance(decorator, Call) else decorator
-    return isinstance(name, Name) and ctx.named.function(name.name, 1) is not None
+    match decorator:
+        case Call(function=Name(name=name)) | Name(name=name):
+            return ctx.named.function(name, 1) is not None
+    return False

@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.kinds import known_text, object_of
 from roslens.source.extract.domain.parameter_types import VECTOR
 from roslens.source.extract.ir.program import Assign, Call, Expression, Function, Lambda, Member, Name
-from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.transfer.plugin_held import held_in
 
 if TYPE_CHECKING:
@@ -24,15 +23,16 @@ def count_of_filled(ctx: Context, end: Expression) -> int:
 
     The list is a variable of the function that is evaluated, and nothing but ``push_back`` changes it there.
     """
-    call = end.function if isinstance(end, Call) and not end.arguments else None
-    if not isinstance(call, Member) or call.name not in _SIZES or not isinstance(call.of, Name) or not ctx.stack.calls:
-        return 0
-    thing = ctx.state.frame.names.get(call.of.name)
-    if not isinstance(thing, Obj) or thing.type != VECTOR:
+    match end:
+        case Call(function=Member(of=Name() as place, name=name), arguments=()) if name in _SIZES and ctx.stack.calls:
+            thing = object_of(ctx.state.frame.names.get(place.name))
+        case _:
+            return 0
+    if thing is None or thing.type != VECTOR:
         return 0
     held = held_in(thing)
-    known = all(isinstance(one, Text) and one.known is not None for one in held.values())
-    return len(held) if held and known and None not in held and _filled_here(ctx.stack.calls[-1][1], call.of) else 0
+    known = all(known_text(one) is not None for one in held.values())
+    return len(held) if held and known and None not in held and _filled_here(ctx.stack.calls[-1][1], place) else 0
 
 
 def _filled_here(function: Function, name: Name) -> bool:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import astuple
 
-from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import (
     Assign,
@@ -44,8 +44,8 @@ def forget_set_by_methods(ctx: Context, statement: Loop) -> None:
 
     What is true or false is left alone: it mostly tells what the first turn did.
     """
-    thing = ctx.state.frame.self
-    if not isinstance(thing, Obj) or thing.defined is None:
+    thing = ctx.state.frame.object
+    if thing is None or thing.defined is None:
         return
     memo, fields = ctx.index.memo, thing.fields
     known, key = memo.set_in_turns, (id(statement), id(thing.defined.what))
@@ -134,16 +134,9 @@ def _order(ctx: Context, of: Defined, body: tuple[Statement, ...], name: str, de
                 read = one.value is not None and _says(ctx, of, one.value, name, depth)
                 return read is True
             case Branch() | Loop():
-                parts = (one.then, one.otherwise) if isinstance(one, Branch) else ((*one.body, *one.update),)
-                head = one.condition if isinstance(one, Branch) else (one.target, one.over)
-                found = _says(ctx, of, head, name, depth)
+                found = _order_of_ways(ctx, of, one, name, depth)
                 if found is not None:
                     return found
-                ways = [_order(ctx, of, part, name, depth) for part in parts]
-                if True in ways:
-                    return True
-                if isinstance(one, Branch) and all(way is False for way in ways):
-                    return False
                 continue
         found = _says(ctx, of, one, name, depth)
         if found is not None:
@@ -181,5 +174,18 @@ def _names(part: Any, name: str) -> bool:
     return False
 
 
+def _order_of_ways(ctx: Context, of: Defined, one: Branch | Loop, name: str, depth: int) -> bool | None:
+    found = _says(ctx, of, one.head, name, depth)
+    if found is not None:
+        return found
+    ways = [_order(ctx, of, part, name, depth) for part in one.parts]
+    if True in ways:
+        return True
+    match one:
+        case Branch() if all(way is False for way in ways):
+            return False
+    return None
+
+
 def _is_place(target: Expression, name: str) -> bool:
-    return target == Name(name) or (isinstance(target, Member) and target.name == name and target.of == _SELF)
+    return target == Name(name) or target == Member(_SELF, name)

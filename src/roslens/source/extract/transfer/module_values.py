@@ -36,7 +36,21 @@ def changes_of(program: Program) -> dict[str, tuple[Statement, ...]]:
     for statement in program.body:
         for name in dict.fromkeys(_changed(statement)):
             found.setdefault(name, []).append(statement)
-    return {name: tuple(all_) for name, all_ in found.items() if len(all_) > 1 or not isinstance(all_[0], Assign)}
+    return {name: tuple(all_) for name, all_ in found.items() if not _says_it_all(all_)}
+
+
+def _says_it_all(statements: list[Statement]) -> bool:
+    match statements:
+        case [Assign()]:
+            return True
+    return False
+
+
+def _is_set_to(statement: Statement, value: Expression) -> bool:
+    match statement:
+        case Assign():
+            return statement.value is value
+    return False
 
 
 def module_value(ctx: Context, path: str, name: str, first: Expression) -> tuple[Value] | None:
@@ -53,7 +67,7 @@ def module_value(ctx: Context, path: str, name: str, first: Expression) -> tuple
     if known is None:
         known = memo.of_modules[path] = changes_of(ctx.index.programs[path])
     statements = known.get(name, ())
-    if not any(isinstance(one, Assign) and one.value is first for one in statements):
+    if not any(_is_set_to(one, first) for one in statements):
         return None
     outer, changes = ctx.state.frame, ctx.state.store
     ctx.state.frame, ctx.state.store = ctx.state.frame_of(path, ""), type(changes)()
@@ -70,10 +84,8 @@ def _changed(statement: Statement) -> list[str]:
     match statement:
         case Assign():
             return _roots(statement.target) if statement.value is not None else []
-        case Evaluate():
-            called = statement.expression.function if isinstance(statement.expression, Call) else None
-            changes = isinstance(called, Member) and (called.name in CHANGING or called.name in _ADDING)
-            return _roots(called.of) if changes and isinstance(called, Member) else []
+        case Evaluate(expression=Call(function=Member(of=of, name=name))) if name in CHANGING or name in _ADDING:
+            return _roots(of)
         case Branch():
             return [name for one in (*statement.then, *statement.otherwise) for name in _changed(one)]
         case Loop():
@@ -83,8 +95,11 @@ def _changed(statement: Statement) -> list[str]:
 
 
 def _roots(target: Expression) -> list[str]:
-    while isinstance(target, Item | Member):
-        target = target.of
-    if isinstance(target, Sequence):
-        return [name for one in target.items for name in _roots(one)]
-    return [target.name] if isinstance(target, Name) else []
+    match target:
+        case Item(of=of) | Member(of=of):
+            return _roots(of)
+        case Sequence(items=items):
+            return [name for one in items for name in _roots(one)]
+        case Name(name=name):
+            return [name]
+    return []

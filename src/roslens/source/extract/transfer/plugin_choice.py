@@ -58,13 +58,14 @@ def _maps(value: str) -> Value:
     except DocumentError:
         return None
     found: list[Value] = []
-    for item in root.nodes if isinstance(root, Items) else ():
-        match item:
-            case Table():
-                parts = {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
-                found.append({Text.of(key): Text.of(one) for key, one in parts.items()})
-            case Scalar():
-                found.append(Text.of(item.text))
+    match root:
+        case Items(nodes=nodes):
+            for item in nodes:
+                match item:
+                    case Table():
+                        found.append({Text.of(key): Text.of(one) for key, one in item.texts.items()})
+                    case Scalar():
+                        found.append(Text.of(item.text))
     return found
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Named, Names, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Named, Names, QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import fields_of
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.shared_values import changed_for_all
@@ -24,16 +25,14 @@ def refine(ctx: Context, holder: Expression, before: Value, after: Value) -> Val
         before: what it was.
         after: what it became.
     """
-    while isinstance(holder, Call) and isinstance(holder.function, Member) and holder.function.name in HANDED_ON:
-        holder = holder.function.of
-    if not isinstance(after, QosValue):
-        return after
-    if isinstance(holder, Call):
-        put_where_it_stands(ctx, before, after)
-    if not isinstance(holder, Name | Member):
-        return after
-    ctx.assign(holder, after)
-    changed_for_all(ctx, holder, before, after)
+    match holder, after:
+        case Call(function=Member(of=of, name=name)), _ if name in HANDED_ON:
+            return refine(ctx, of, before, after)
+        case Call(), QosValue():
+            put_where_it_stands(ctx, before, after)
+        case ((Name() | Member() as place), QosValue()):
+            ctx.assign(place, after)
+            changed_for_all(ctx, place, before, after)
     return after
 
 
@@ -45,18 +44,16 @@ def havoc(thing: Value, function: Function, names: Names | None = None) -> None:
         function: that is called.
         names: its parameters with what they are; None where it has no body to see them.
     """
-    for name in function.sets if names else ():
-        if names is not None and isinstance(names.get(name), bool | int | float):
-            names[name] = Unknown(f"{name}, which {function.name}() may set")
-    if not isinstance(thing, Obj):
-        return
+    given, members = names or {}, fields_of(thing)
     for name in function.sets:
-        value = thing.fields.get(name)
-        match value:
+        match given.get(name):
+            case bool() | int() | float():
+                given[name] = Unknown(f"{name}, which {function.name}() may set")
+        match members.get(name):
             case bool() | int() | float() | QosValue() | Named():
-                thing.fields[name] = Unknown(f"{name}, which {function.name}() sets")
+                members[name] = Unknown(f"{name}, which {function.name}() sets")
             case Text():
-                thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
+                members[name] = unknown(f"{name}, which {function.name}() sets")
 
 
 def havoc_unseen(ctx: Context, called: Callable, written: tuple[Expression, ...]) -> None:
@@ -66,9 +63,15 @@ def havoc_unseen(ctx: Context, called: Callable, written: tuple[Expression, ...]
         return
     havoc(called.self, function)
     for parameter, expression in zip(function.parameters, written, strict=False):
-        told = parameter.name in function.sets and isinstance(expression, Name | Member)
-        if told and isinstance(ctx.value(expression), bool | int | float):
-            ctx.assign(expression, Unknown(f"{parameter.name}, which {function.name}() may set"))
+        match expression:
+            case Name() | Member() if parameter.name in function.sets:
+                _may_set(ctx, expression, f"{parameter.name}, which {function.name}() may set")
+
+
+def _may_set(ctx: Context, place: Expression, reason: str) -> None:
+    match ctx.value(place):
+        case bool() | int() | float():
+            ctx.assign(place, Unknown(reason))
 
 
 HANDED_ON = frozenset(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Obj, QosValue, Value
+from roslens.source.extract.domain.abstract_value import QosValue, Value
 from roslens.source.extract.ir.program import Member, Name
 from roslens.source.extract.symbols.declared_field import declared_field
 
@@ -15,18 +15,20 @@ if TYPE_CHECKING:
 def changed_for_all(ctx: Context, holder: Name | Member, before: Value, after: QosValue) -> None:
     """Let a quality of service be what it was changed to under its other names too."""
     shared = ctx.dialect.names_share_objects
-    if isinstance(before, QosValue) and before is not after and (shared or _is_reference(ctx, holder)):
-        ctx.summaries.forget_all()
-        ctx.state.store.refine(before, after)
-        if shared:
-            _in_constants(ctx, before, after)
-            changed_by_call(ctx)
+    match before:
+        case QosValue() if before is not after and (shared or _is_reference(ctx, holder)):
+            ctx.summaries.forget_all()
+            ctx.state.store.refine(before, after)
+            if shared:
+                _in_constants(ctx, before, after)
+                changed_by_call(ctx)
 
 
 def newest(ctx: Context, value: Value) -> Value:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
-    while isinstance(value, QosValue) and id(value) in ctx.state.store.refined:
-        value = ctx.state.store.refined[id(value)][1]
+    refined = ctx.state.store.refined
+    while id(value) in refined:
+        value = refined[id(value)][1]
     return value
 
 
@@ -34,11 +36,11 @@ def changed_by_call(ctx: Context) -> None:
     """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
     if not ctx.dialect.names_share_objects:
         return
-    thing = ctx.state.frame.self
-    for held in (ctx.state.frame.names, thing.fields if isinstance(thing, Obj) else {}):
+    for held in (ctx.state.frame.names, ctx.state.frame.members or {}):
         for name, value in held.items():
-            if isinstance(value, QosValue) and id(value) in ctx.state.store.refined:
-                ctx.state.store.put(held, name, newest(ctx, value))
+            after = newest(ctx, value)
+            if after is not value:
+                ctx.state.store.put(held, name, after)
 
 
 def _in_constants(ctx: Context, before: QosValue, after: QosValue) -> None:
@@ -51,7 +53,7 @@ def _in_constants(ctx: Context, before: QosValue, after: QosValue) -> None:
 
 def _is_reference(ctx: Context, holder: Name | Member) -> bool:
     """Whether what is changed is a member that refers to something outside of its object."""
-    thing = ctx.state.frame.self
-    if not isinstance(thing, Obj) or holder.name in ctx.state.frame.names:
+    thing = ctx.state.frame.object
+    if thing is None or holder.name in ctx.state.frame.names:
         return False
     return declared_field(ctx.index, thing.defined, holder.name).endswith("&")

@@ -18,8 +18,6 @@ from roslens.source.extract.symbolic.text import And, Condition, Text
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-_KNOWN = (bool, int, float, QosValue, list, dict)
-
 
 def does_something(ctx: Context, operand: Expression) -> bool:
     """Whether an operand calls a function of the workspace, by its name."""
@@ -137,6 +135,9 @@ def _may_be_as(now: Names, before: Names, condition: Condition, test: Condition 
 
 
 def _is_known(value: Value) -> bool:
-    if isinstance(value, Text):
-        return bool(value.known) or any(hole.parameter for hole in value.holes)
-    return isinstance(value, _KNOWN)
+    match value:
+        case Text():
+            return bool(value.known) or any(hole.parameter for hole in value.holes)
+        case bool() | int() | float() | QosValue() | list() | dict():
+            return True
+    return False

@@ -8,7 +8,6 @@ from roslens.source.extract.domain.abstract_value import Names, Unknown, Value
 from roslens.source.extract.domain.guarded import is_counted
 from roslens.source.extract.domain.kinds import known_text
 from roslens.source.extract.ir.program import Call, Opaque
-from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -25,23 +24,26 @@ def spread(ctx: Context, call: Call) -> tuple[list[Value], Names]:
     lists = [ctx.value(one) for name, one in call.keywords if name == "*"]
     arguments: list[Value] = []
     for one in call.arguments:
-        if not isinstance(one, Opaque) or not one.text.startswith("*"):
-            arguments.append(ctx.value(one))
-            continue
-        items = lists.pop(0) if lists else None
-        if not isinstance(items, list) or not is_counted(items):
-            arguments += [Unknown(one.text)] * _MOST_LEFT
-            break
-        arguments += items
+        match one:
+            case Opaque(text=text) if text.startswith("*"):
+                items = lists.pop(0) if lists else None
+            case _:
+                arguments.append(ctx.value(one))
+                continue
+        match items:
+            case list() if is_counted(items):
+                arguments += items
+            case _:
+                arguments += [Unknown(text)] * _MOST_LEFT
+                break
     keywords: Names = {}
     for name, expression in call.keywords:
         if name == "*":
             continue
         value = ctx.value(expression)
-        if name != "**":
-            keywords[name] = value
-        elif isinstance(value, dict) and all(isinstance(key, Text) and key.known for key in value):
-            keywords.update({known: item for key, item in value.items() if (known := known_text(key))})
-        else:
-            keywords["**"] = value
+        match value:
+            case dict() if name == "**" and all(map(known_text, value)):
+                keywords.update({known: item for key, item in value.items() if (known := known_text(key))})
+            case _:
+                keywords[name] = value
     return arguments, keywords

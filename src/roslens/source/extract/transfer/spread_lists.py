@@ -15,9 +15,10 @@ def spread_out(ctx: Context, expression: Sequence) -> list[Value]:
     """Return a list with the items of those that are spread out in it; one value stands for those that are unknown."""
     found: list[Value] = []
     for one in expression.items:
-        if not isinstance(one, Operation) or one.operator != "*" or len(one.operands) != 1:
-            found.append(ctx.value(one))
-            continue
-        items = ctx.items(ctx.value(one.operands[0]))
-        found += [Unknown(f"each of {ctx.index.memo.text(one.operands[0])}")] if items is None else items
+        match one:
+            case Operation(operator="*", operands=(several,)):
+                items = ctx.items(ctx.value(several))
+                found += [Unknown(f"each of {ctx.index.memo.text(several)}")] if items is None else items
+            case _:
+                found.append(ctx.value(one))
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.ir.assigned_names import assigned_names
 from roslens.source.extract.ir.program import Assign, Name, Return
 from roslens.source.extract.symbolic.text import Text
@@ -12,14 +13,16 @@ from roslens.source.extract.symbolic.text import Text
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-_COUNTED = (int, float)
-
 
 def once(ctx: Context, statement: Assign) -> Value:
     """Return what a variable holds that lives on between calls: what the first call made, or a later one put there."""
     frame, touched = ctx.state.frame, ctx.summaries.touched
     key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
-    name = statement.target.name if isinstance(statement.target, Name) else ""
+    match statement.target:
+        case Name(name=name):
+            pass
+        case _:
+            name = ""
     frame.kept = {**frame.kept, name: key}
     if key in ctx.state.once:
         return ctx.state.once[key]
@@ -28,11 +31,12 @@ def once(ctx: Context, statement: Assign) -> Value:
         value = ctx.objects.declared(statement.declared)
     else:
         value = ctx.objects.converted(statement.declared, ctx.value(statement.value))
-    if isinstance(value, _COUNTED) and not isinstance(value, bool) and _is_assigned(ctx, name):
+    if is_number(value) and _is_assigned(ctx, name):
         # Which call it is decides it, and calls in loops are followed once for all turns.
         value = Unknown(f"{name}, which is kept between calls")
-    if isinstance(value, Obj | QosValue | Text | bool | Unknown) and ctx.summaries.touched == touched:
-        ctx.state.once[key] = value
+    match value:
+        case Obj() | QosValue() | Text() | bool() | Unknown() if ctx.summaries.touched == touched:
+            ctx.state.once[key] = value
     return value
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Foreign, Obj, Value
-from roslens.source.extract.symbolic.text import Conditions, Text
+from roslens.source.extract.domain.kinds import known_text, table_of
+from roslens.source.extract.symbolic.text import Conditions
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -27,15 +28,20 @@ Parts = dict[str, Part]
 
 def put_part(ctx: Context, of: Obj, key: Value, value: Value) -> None:
     """Put an item into a value; what has no known name is left out."""
-    if isinstance(key, Text) and key.known:
+    name = known_text(key)
+    if name:
         ctx.summaries.touch()
-        parts = of.fields.setdefault(_PARTS, {})
-        if isinstance(parts, dict):
-            parts[key.known] = Part(value, tuple(dict.fromkeys(ctx.state.conditions)))
+        parts = table_of(of.fields.setdefault(_PARTS, {}))
+        parts[name] = Part(value, tuple(dict.fromkeys(ctx.state.conditions)))
 
 
 def parts_of(value: Value) -> Parts:
     """Return the items of a value that code fills; empty of any other one."""
-    found = value.fields.get(_PARTS) if isinstance(value, Obj) and value.type in XML_RPC else None
-    parts = found.items() if isinstance(found, dict) else ()
-    return {key: part for key, part in parts if isinstance(key, str) and isinstance(part, Part)}
+    found: dict[str, Part] = {}
+    match value:
+        case Obj(type=kind, fields=fields) if kind in XML_RPC:
+            for key, part in table_of(fields.get(_PARTS)).items():
+                match key, part:
+                    case str(), Part():
+                        found[key] = part
+    return found

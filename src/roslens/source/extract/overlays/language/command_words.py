@@ -56,29 +56,39 @@ def reads_words(program: Program) -> bool:
                 waiting += one
             case Name() | Member() if one.name in _READ:
                 return True
+            case Call() if _written(one.function) in _OF_ROS:
+                continue
             case msgspec.Struct():
-                if isinstance(one, Call) and _written(one.function) in _OF_ROS:
-                    continue
-                waiting += [getattr(one, name) for name in one.__struct_fields__]
+                waiting += msgspec.structs.astuple(one)
     return False
 
 
 def _written(function: object) -> str:
     """Return what is called as written, of names and members of names."""
-    if isinstance(function, Member) and isinstance(function.of, Name):
-        return f"{function.of.name}.{function.name}"
-    return function.name if isinstance(function, Name) else ""
+    match function:
+        case Member(of=Name(name=of), name=name):
+            return f"{of}.{name}"
+        case Name(name=name):
+            return name
+    return ""
 
 
 def without_ros(words: Sequence[Value]) -> Words:
     """Return words without those that are for ROS 1: remappings, private parameters, and what begins with ``__``."""
-    return Words(one for one in words if not (isinstance(one, Text) and _ASSIGNS in one.pattern))
+    return Words(one for one in words if not _is_assignment(one))
+
+
+def _is_assignment(word: Value) -> bool:
+    match word:
+        case Text(pattern=pattern):
+            return _ASSIGNS in pattern
+    return False
 
 
 def given_to_ros(ctx: Context, called: CallSite) -> None:
     """Take what is for ROS from the words that ``ros::init(argc, argv, …)`` is given, as it does."""
-    words = called.argument(1)
-    if isinstance(words, Words) and called.written:
+    words = called.given(Words, 1)
+    if words is not None and called.written:
         words[:] = without_ros(words)
         ctx.assign(called.written[0], len(words))
 
@@ -86,8 +96,8 @@ def given_to_ros(ctx: Context, called: CallSite) -> None:
 @outer("ros.removeROSArgs")
 def remove_ros_args(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS are put into a list."""
-    words = called.argument(1)
-    if isinstance(words, Words) and len(called.written) > 2:
+    words = called.given(Words, 1)
+    if words is not None and len(called.written) > 2:
         ctx.assign(called.written[2], without_ros(words))
     return None
 
@@ -95,8 +105,10 @@ def remove_ros_args(ctx: Context, _thing: Value, called: CallSite) -> Value:
 @outer("rospy.myargv", quiet=True)
 def my_words(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS."""
-    words = called.argument(0, "argv", default=ctx.given.words)
-    return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
+    match called.argument(0, "argv", default=ctx.given.words):
+        case Words() as words:
+            return without_ros(words)
+    return Unknown("result of rospy.myargv()")
 
 
 @outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
@@ -104,33 +116,35 @@ def my_words(ctx: Context, _thing: Value, called: CallSite) -> Value:
 def of_program(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
-    words = ctx.given.words if words is None else words
-    return without_ros2(words) if isinstance(words, Words) else Unknown(f"result of {called.name}()")
+    match ctx.given.words if words is None else words:
+        case Words() as known:
+            return without_ros2(known)
+    return Unknown(f"result of {called.name}()")
 
 
 @outer("rcutils_cli_option_exist", quiet=True)
 def option_given(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Whether a word is among those of the command line."""
-    words, option = called.argument(0), called.argument(2)
-    place = _place(words, option)
+    words, option = called.given(Words, 0), called.argument(2)
+    place = None if words is None else _place(words, option)
     return Unknown(f"whether {option} is given") if place is None else place >= 0
 
 
 @outer("rcutils_cli_get_option", quiet=True)
 def option_value(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The word after an option; nothing where it is not given."""
-    words, option = called.argument(0), called.argument(2)
-    place = _place(words, option)
-    if place is None or not isinstance(words, Words) or (place >= 0 and not words.has(place + 1)):
+    words, option = called.given(Words, 0), called.argument(2)
+    place = None if words is None else _place(words, option)
+    if place is None or words is None or (place >= 0 and not words.has(place + 1)):
         return Unknown(f"what {option} is")
     found: Value = words[place + 1] if place >= 0 else None
     return found
 
 
-def _place(words: Value, option: Value) -> int | None:
+def _place(words: Words, option: Value) -> int | None:
     """Return where an option is among words, -1 where it is not; None where that is unknown."""
     known = known_text(option)
-    if not isinstance(words, Words) or not known:
+    if not known:
         return None
     texts = [known_text(one) for one in words]
     if known in texts:
@@ -142,8 +156,8 @@ def _place(words: Value, option: Value) -> int | None:
 @outer("len", quiet=True)
 def count(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """How many words there are; other lists may have become longer in a way that was not followed."""
-    words = called.argument(0)
-    return words.length if isinstance(words, Words) else Unknown("result of len()")
+    words = called.given(Words, 0)
+    return Unknown("result of len()") if words is None else words.length
 
 
 @outer("strcmp", "std.strcmp", quiet=True)

@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Foreign, Named, Names, Obj, Unknown, Value
-from roslens.source.extract.domain.kinds import all_of_kind, items_of, known_text
+from roslens.source.extract.domain.abstract_value import Foreign, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.kinds import (
+    all_of_kind,
+    is_whole,
+    items_of,
+    known_text,
+    name_of,
+    object_of,
+    table_of,
+)
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
-from roslens.source.extract.symbolic.text import Conditions, Hole, Text, Written
+from roslens.source.extract.symbolic.text import Conditions, Hole, Text, Written, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -57,7 +65,7 @@ class LostError(Exception):
 @outer(_PARSER)
 def parser(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A parser of command lines; what parents of it know is not followed."""
-    found = thing if isinstance(thing, Obj) else Obj(_PARSER)
+    found = object_of(thing) or Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
     found.fields[_UNDER] = _Under(tuple(ctx.state.conditions))
     return found
@@ -79,9 +87,9 @@ def commands(_ctx: Context, thing: Obj, _called: CallSite) -> Value:
 @method(_PARSER, "set_defaults", anywhere=True)
 def defaults(ctx: Context, thing: Value, called: CallSite) -> Value:
     """Values where nothing is given; a function among them is what a command of the command line does."""
-    if isinstance(thing, Obj):
-        held = thing.fields.setdefault(_DEFAULTS, {})
-        if isinstance(held, dict):
+    match thing:
+        case Obj():
+            held = thing.fields[_DEFAULTS] = {**table_of(thing.fields.get(_DEFAULTS))}
             held.update(called.keywords.items())
     for one in called.keywords.values():
         ctx.callbacks.give(one, Written("the command line asks for it"))
@@ -103,7 +111,7 @@ def option(ctx: Context, thing: Obj, called: CallSite) -> Value:
     action = _text(given["action"]) if "action" in given else "store"
     default = given.get("default", not _FLAGS[action] if action in _FLAGS else None)
     several = given.get("nargs", "")
-    nargs = several if isinstance(several, int) else _text(several)
+    nargs = several if is_whole(several) else _text(several)
     items_of(thing.fields.setdefault(_OPTIONS, [])).append(
         Option(tuple(known) if optional else (), dest, default, _kind(given.get("type")), action, nargs)
     )
@@ -117,7 +125,7 @@ def _text(value: Value) -> str:
 def _kind(value: Value) -> str:
     if value is None:
         return "text"
-    name = value.name.removeprefix("builtins.") if isinstance(value, Named) else ""
+    name = name_of(value).removeprefix("builtins.")
     return {"str": "text", "int": "int", "float": "float"}.get(name, "")
 
 
@@ -129,9 +137,14 @@ def parsed(ctx: Context, thing: Obj, called: CallSite) -> Value:
         words = ctx.given.words.part(1, None)
     rest = called.name == "parse_known_args"
     options = all_of_kind(items_of(thing.fields.get(_OPTIONS)), Option)
-    held = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})
-    given: Names = {name: one for name, one in held.items() if isinstance(name, str)} if isinstance(held, dict) else {}
-    known = None if thing.fields.get(_LOST) or not isinstance(words, list) else _known(options, words, rest=rest)
+    lost = bool(thing.fields.get(_LOST))
+    held = {} if lost else table_of(thing.fields.get(_DEFAULTS))
+    given: Names = {name: held[name] for name in all_of_kind(held, str)}
+    match words:
+        case list() if not lost:
+            known = _known(options, words, rest=rest)
+        case _:
+            known = None
     values = {**given, **known} if known is not None else _unknown_all(options, given)
     space = Obj(_SPACE, None, values)
     return [space, Unknown("words that the parser does not know")] if rest else space
@@ -152,11 +165,12 @@ def _unknown_all(options: Sequence[Option], given: Names) -> Names:
 def _unknown(one: Option) -> Value:
     """Return what stands for an argument of which nobody knows whether it is given; its default is usual."""
     reason = f"argument {one.shown}"
-    if one.kind != "text" or one.action != "store" or isinstance(one.nargs, int):
-        return Unknown(reason)
-    if not isinstance(one.default, Text | Unknown | None):
-        return Unknown(reason)
-    return Text((Hole(reason, default=one.default.usual if isinstance(one.default, Text) else None),))
+    match one:
+        case Option(kind="text", action="store", nargs=str(), default=Text(usual=usual)):
+            return Text((Hole(reason, default=usual),))
+        case Option(kind="text", action="store", nargs=str(), default=None | Unknown()):
+            return unknown(reason)
+    return Unknown(reason)
 
 
 def values_of(options: Sequence[Option], words: Sequence[Value], *, rest: bool) -> Names:
@@ -211,18 +225,18 @@ def _taken(one: Option, value: Text | None, waiting: list[Value]) -> Value:
     """Return the value of an argument; words that belong to it are taken from those that follow."""
     if one.action in _FLAGS:
         return _FLAGS[one.action]
-    if one.action != "store" or not isinstance(one.nargs, str) or one.nargs == "?":
-        raise LostError
-    if one.nargs in _SEVERAL:
-        several: list[Value] = []
-        while waiting and isinstance(waiting[0], Text) and not _is_option(waiting[0].known or "-x"):
-            several.append(_as_kind(one, waiting.pop(0)))
-        return several
-    if value is not None:
-        return _as_kind(one, value)
-    if not waiting or (isinstance(waiting[0], Text) and _is_option(waiting[0].known or "")):
-        raise LostError
-    return _as_kind(one, waiting.pop(0))
+    match one:
+        case Option(action="store", nargs="*" | "+"):
+            several: list[Value] = []
+            while waiting and not _is_option(known_text(waiting[0]) or "-x"):
+                several.append(_as_kind(one, waiting.pop(0)))
+            return several
+        case Option(action="store", nargs=str(nargs)) if nargs != "?":
+            if value is not None:
+                return _as_kind(one, value)
+            if waiting and not _is_option(known_text(waiting[0]) or ""):
+                return _as_kind(one, waiting.pop(0))
+    raise LostError
 
 
 def _as_kind(one: Option, value: Value) -> Value:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
-from roslens.source.extract.domain.kinds import is_number
+from roslens.source.extract.domain.kinds import first_of_kind, is_number
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
 
@@ -26,7 +26,7 @@ def duration(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     value, more = called.argument(0), called.argument(1, default=0)
     whole = called.name.endswith("Duration")
     if not is_number(value) or (whole and not is_number(more)):
-        return value if isinstance(value, Text) else Unknown("a duration")
+        return _of_text(value)
     seconds = value * _FACTORS.get(called.name.rpartition(".")[2], 1.0)
     return seconds + more * _NANO if whole and more and is_number(more) else seconds
 
@@ -36,5 +36,13 @@ def of_rclpy(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A stretch of time of rclpy, of what its keywords say together."""
     seconds, rest = called.keywords.get("seconds", 0), called.keywords.get("nanoseconds", 0)
     if called.arguments or not is_number(seconds) or not is_number(rest):
-        return next((one for one in (seconds, rest) if isinstance(one, Text)), Unknown("a duration"))
+        return _of_text(first_of_kind((seconds, rest), Text))
     return float(seconds) + rest * _NANO
+
+
+def _of_text(value: Value) -> Value:
+    """Return a text that decides how long something takes; of any other value nothing is known."""
+    match value:
+        case Text():
+            return value
+    return Unknown("a duration")

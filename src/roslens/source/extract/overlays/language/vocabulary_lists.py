@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
-from roslens.source.extract.domain.guarded import Guarded, is_counted
+from roslens.source.extract.domain.guarded import in_place_of, is_counted, unguarded
 from roslens.source.extract.domain.kinds import are_of_kind, is_whole, known_text
 from roslens.source.extract.domain.parameter_types import ITEM, VECTOR, array_of_cpp
 from roslens.source.extract.domain.typed_list import TypedList
@@ -32,18 +30,15 @@ def numbered(ctx: Context, _thing: Value, called: CallSite) -> Value:
         return perhaps_numbered(items)
     if items is None:
         return Each([Unknown("a number"), each_of(over)])
-    begin = first if isinstance(first, int) else None
-    return [[Unknown("a number") if begin is None else number + begin, one] for number, one in enumerate(items)]
+    match first:
+        case int():
+            return [[number + first, one] for number, one in enumerate(items)]
+    return [[Unknown("a number"), one] for one in items]
 
 
 def perhaps_numbered(items: list[Value]) -> list[Value]:
     """Return items of which some may be missing with numbers that nobody knows."""
-    return [
-        msgspec.structs.replace(one, value=[Unknown("a number"), one.value])
-        if isinstance(one, Guarded)
-        else [Unknown("a number"), one]
-        for one in items
-    ]
+    return [in_place_of(one, [Unknown("a number"), unguarded(one)]) for one in items]
 
 
 @outer("zip", quiet=True)
@@ -63,12 +58,16 @@ def collected(ctx: Context, _thing: Value, called: CallSite) -> Value:
     if not called.arguments and not called.keywords:
         return []
     over = called.argument(0)
-    if isinstance(over, Words):
-        return over.part(None, None) if called.name in ("list", "tuple") else Unknown(f"result of {called.name}()")
+    match over:
+        case Words() if called.name in ("list", "tuple"):
+            return over.part(None, None)
+        case Words():
+            return Unknown(f"result of {called.name}()")
+        case Each() | Text(known=None):
+            return over
     items = ctx.items(over)
     if items is None:
-        listed = isinstance(over, Each) or (isinstance(over, Text) and over.known is None)
-        return over if listed else Unknown(f"result of {called.name}()")
+        return Unknown(f"result of {called.name}()")
     if called.name == "reversed":
         return items[::-1]
     if called.name == "sorted":
@@ -96,10 +95,11 @@ def vector(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)
-    if isinstance(first, list):
-        kind = array_of_cpp(item)
-        reals = kind == "double_array"
-        return TypedList((float(one) if reals and type(one) is int else one for one in first), kind)
+    match first:
+        case list():
+            kind = array_of_cpp(item)
+            reals = kind == "double_array"
+            return TypedList((float(one) if reals and type(one) is int else one for one in first), kind)
     if len(called.arguments) == 2 and type(first) is int and 0 <= first <= _MOST:
         return TypedList([called.arguments[1]] * first, array_of_cpp(item))
     if not called.arguments or type(first) is int:

@@ -30,10 +30,17 @@ def _number(called: CallSite, kind: type[int] | type[float]) -> Value:
     if not called.arguments and called.name in ("int", "float"):
         return kind()
     value = called.argument(0)
-    known = value.known if isinstance(value, Text) else value
-    if len(called.arguments) != 1 or not isinstance(known, str | int | float) or len(str(known)) > _MOST_SIGNS:
-        # A parameter stays what decides the number.
-        return value if isinstance(value, Text) and value.known is None else Unknown(f"result of {called.name}()")
+    match value:
+        case Text(known=None):
+            # A parameter stays what decides the number.
+            return value
+        case Text(known=str(known)) | (str() | int() | float() as known) if len(called.arguments) == 1:
+            if len(str(known)) <= _MOST_SIGNS:
+                return _converted(called, known, kind)
+    return Unknown(f"result of {called.name}()")
+
+
+def _converted(called: CallSite, known: str | float, kind: type[int] | type[float]) -> Value:
     try:
         return kind(known)
     except (ValueError, OverflowError):

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
+from roslens.source.extract.domain.kinds import known_text, text_of
 from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Member
 from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.symbol_table import Defined
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -28,37 +30,51 @@ def copied(_ctx: Context, _thing: Value, called: CallSite) -> Value:
             return dict(value)
         case Obj():
             return Obj(value.type, value.defined, dict(value.fields), value.node, value.templates, value.base_templates)
-    quality = None if isinstance(value, int) else quality_of(value)
+        case int():
+            return value
+    quality = quality_of(value)
     return value if quality is None or not quality.qos else msgspec.structs.replace(quality)
-
-
-_PLAIN = (Text, bool, int, float, QosValue)
 
 
 @outer("setattr", quiet=True)
 def member_set(ctx: Context, _thing: Value, called: CallSite) -> None:
     """A member that is set by its name."""
-    name = called.argument(1)
-    if isinstance(name, Text) and name.known and len(called.written) == 3:
-        ctx.assign(Member(called.written[0], name.known), called.argument(2))
-    elif len(called.written) == 3 and isinstance(thing := called.argument(0), Obj):
+    if len(called.written) != 3:
+        return
+    name, thing = called.argument(1), called.given(Obj, 0)
+    known = known_text(name)
+    if known:
+        ctx.assign(Member(called.written[0], known), called.argument(2))
+    elif thing is not None:
         _forget_members(ctx, thing, name)
 
 
 def _forget_members(ctx: Context, thing: Obj, name: Value) -> None:
     """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
-    pattern = name.pattern if isinstance(name, Text) else "*"
-    for member, value in list(thing.fields.items()):
-        of_values = isinstance(value, list) and all(isinstance(one, _PLAIN) for one in value)
-        if (of_values or isinstance(value, _PLAIN)) and fnmatchcase(member, pattern):
-            reason = f"{member}, which setattr() may set"
-            ctx.state.store.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
+    text = text_of(name)
+    pattern = "*" if text is None else text.pattern
+    for member, value in [item for item in thing.fields.items() if fnmatchcase(item[0], pattern)]:
+        reason = f"{member}, which setattr() may set"
+        match value:
+            case Text():
+                ctx.state.store.put(thing.fields, member, unknown(reason))
+            case bool() | int() | float() | QosValue():
+                ctx.state.store.put(thing.fields, member, Unknown(reason))
+            case list() if all(map(_is_plain, value)):
+                ctx.state.store.put(thing.fields, member, Unknown(reason))
+
+
+def _is_plain(value: Value) -> bool:
+    match value:
+        case Text() | bool() | int() | float() | QosValue():
+            return True
+    return False
 
 
 @outer("type", quiet=True)
 def kind_of(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """The class of an object."""
-    value = called.argument(0)
-    if isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1:
-        return Class(value.defined)
+    match called.arguments:
+        case [Obj(defined=Defined() as defined)]:
+            return Class(defined)
     return Unknown("result of type()")

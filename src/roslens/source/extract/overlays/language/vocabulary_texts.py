@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Value, as_text
-from roslens.source.extract.domain.kinds import known_text
+from roslens.source.extract.domain.kinds import known_text, text_of
 from roslens.source.extract.domain.plain_methods import formatted
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation
@@ -40,8 +40,7 @@ _OTHERS = ("replace_last", "erase_last", "replace_nth", "erase_nth", "trim_if", 
 @outer(*_names(*_CHANGES, *_OTHERS))
 def changed(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text is changed where it is."""
-    of = called.argument(0)
-    if isinstance(of, Text) and called.written:
+    if called.given(Text, 0) is not None and called.written:
         _put(ctx, called.written[0], _result(called, _CHANGES.get(_last(called.name))))
     return None
 
@@ -73,13 +72,18 @@ def _result(called: CallSite, change: Callable[..., str] | None) -> Text:
 def rearranged(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """What lies between two iterators is changed: ``std::transform(s.begin(), s.end(), s.begin(), ::tolower)``."""
     place = 2 if called.name == "std.transform" else 0
-    written = called.written[place] if len(called.written) > place else None
-    function = written.function if isinstance(written, Call) else None
-    target = function.of if isinstance(function, Member) and function.name in ("begin", "rbegin") else None
-    if not isinstance(target, Name | Member) or not isinstance(value := ctx.value(target), Text):
+    match called.written[place : place + 1]:
+        case (Call(function=Member(of=Name() | Member() as target, name="begin" | "rbegin")),):
+            value = text_of(ctx.value(target))
+        case _:
+            return None
+    if value is None:
         return None
-    source = called.written[0] if called.written else None
-    same = isinstance(source, Call) and isinstance(source.function, Member) and source.function.of == target
+    match called.written[0]:
+        case Call(function=Member(of=source)):
+            same = source == target
+        case _:
+            same = False
     change = _sign_by_sign(called.written[-1]) if called.name == "std.transform" and same else None
     parameter = next((hole.parameter for hole in value.holes), "")
     doubtful = unknown(said(value, f", which {called.name}() changed", most=200), parameter=parameter)
@@ -88,18 +92,20 @@ def rearranged(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 
 def _sign_by_sign(written: Expression) -> Callable[[str], str] | None:
-    name = written.name.rpartition(".")[2] if isinstance(written, Name | Member) else ""
-    return {"tolower": str.lower, "toupper": str.upper}.get(name)
+    match written:
+        case Name(name=name) | Member(name=name):
+            return {"tolower": str.lower, "toupper": str.upper}.get(name.rpartition(".")[2])
+    return None
 
 
 @outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf", quiet=True)
 def printed(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A text is written into a buffer: ``snprintf(name, sizeof(name), "camera%d", number)``."""
     first = 2 if "snprintf" in called.name else 1
-    pattern = called.argument(first)
+    pattern = called.given(Text, first)
     if called.written:
         found = unknown(f"what {called.name}() writes")
-        if isinstance(pattern, Text) and not called.name.startswith("v"):
+        if pattern is not None and not called.name.startswith("v"):
             found = formatted(pattern, called.arguments[first + 1 :])
         _put(ctx, called.written[0], found)
     return None
@@ -116,10 +122,16 @@ def copied_into(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 
 def _put(ctx: Context, written: Expression, value: Text) -> None:
-    if isinstance(written, Operation) and written.operator == "&" and written.operands:
-        written = written.operands[0]
-    if isinstance(written, Item):
-        written = written.of
-        value = unknown("a text that is written to in part")
-    if isinstance(written, Name | Member):
-        ctx.assign(written, value)
+    match written:
+        case Operation(operator="&", operands=(Item(of=of), *_)) | Item(of=of):
+            _put_whole(ctx, of, unknown("a text that is written to in part"))
+        case Operation(operator="&", operands=(of, *_)):
+            _put_whole(ctx, of, value)
+        case _:
+            _put_whole(ctx, written, value)
+
+
+def _put_whole(ctx: Context, written: Expression, value: Text) -> None:
+    match written:
+        case Name() | Member():
+            ctx.assign(written, value)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Invocation, Obj, Unknown, Value, as_text
+from roslens.source.extract.domain.abstract_value import Invocation, Unknown, Value, as_text
+from roslens.source.extract.domain.kinds import table_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
 from roslens.source.extract.symbolic.text import Hole, Text
 
@@ -33,27 +34,27 @@ def port(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 def _port_default(ctx: Context, name: Text) -> str | None:
     """Return the default that the class of a node of a behaviour tree gives a port."""
-    thing = ctx.state.frame.self
-    if not isinstance(thing, Obj):
+    thing = ctx.state.frame.object
+    if thing is None:
         return None
     if "ports" not in thing.fields:
         thing.fields["ports"] = {}
         provided = ctx.named.method(thing, "providedPorts")
         if provided is not None:
             ctx.call(Invocation(provided))
-    ports = thing.fields["ports"]
-    default = ports.get(name) if isinstance(ports, dict) else None
-    return default if isinstance(default, str) else None
+    match table_of(thing.fields["ports"]).get(name):
+        case str(default):
+            return default
+    return None
 
 
 @outer("BT.InputPort", "BT.BidirectionalPort")
 def declared_port(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A port is declared, with a default where it has three arguments."""
-    thing = ctx.state.frame.self
-    default = called.argument(1)
-    ports = thing.fields.get("ports") if isinstance(thing, Obj) else None
-    if isinstance(ports, dict) and len(called.arguments) > 2:
-        ports[as_text(called.argument(0))] = as_text(default).usual
+    members = ctx.state.frame.members or {}
+    match members.get("ports"):
+        case dict(ports) if len(called.arguments) > 2:
+            ports[as_text(called.argument(0))] = as_text(called.argument(1)).usual
     return Unknown("a port")
 
 

@@ -109,6 +109,52 @@ def test_a_cluster_is_connected_to_before_there_is_work(tmp_path):
             list(engine(blind.address, connection=blind.client).run(int, ["1"]))
 
 
+def test_a_cluster_that_is_gone_before_there_is_work(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0", protocol="tcp://", host="127.0.0.1"
+    ) as local:
+        ahead = ClusterAhead(local.scheduler_address, str(tmp_path), os.getpid)
+        ahead.client().close()
+        found = DaskEngine(ahead.address, rest=InProcess(), connection=ahead.client, patience_s=0.0)
+        assert dict(found.run(int, ["1", "2"])) == {"1": 1, "2": 2}
+        assert found.done_here == 2
+
+
+class Fickle:
+    """A client whose scheduler or workers are lost when it asks for the first time."""
+
+    def __init__(self, status):
+        self.status = status
+        self.asked = 0
+
+    def wait_for_workers(self, *_, **__):
+        self.asked += 1
+        if self.asked == 1:
+            raise OSError("in <TCP>: Stream is closed")
+
+    def run(self, function, *given):
+        return {"a": function(*given)}
+
+    def close(self, timeout):
+        self.status = "closed"
+
+
+def test_a_worker_that_is_lost_while_it_is_asked_is_no_fault_of_the_cluster(tmp_path, monkeypatch):
+    client = Fickle("running")
+    monkeypatch.setattr(dask_engine, "_connected", lambda *_: client)
+    assert dask_engine.fit_client("tcp://a:1", str(tmp_path)) is client
+    assert (client.asked, client.status) == (2, "running")
+
+
+def test_a_scheduler_that_is_lost_while_it_is_asked_cannot_be_reached(tmp_path, monkeypatch):
+    client = Fickle("connecting")
+    monkeypatch.setattr(dask_engine, "_connected", lambda *_: client)
+    with pytest.raises(UsageError, match=r"'tcp://a:1' cannot be reached: in <TCP>: Stream is closed"):
+        dask_engine.fit_client("tcp://a:1", str(tmp_path))
+    assert client.status == "closed"
+
+
 def test_dask_prints_nothing_here():
     pytest.importorskip("distributed")
     words = """

@@ -35,6 +35,9 @@ _CANCELLED = (asyncio.CancelledError, concurrent.futures.CancelledError)
 _LOOK_S = 2.0
 """How often it is looked whether the cluster is still there."""
 
+_TRIES = 3
+"""Times that workers are asked whether they are fit, where one is lost meanwhile."""
+
 _REACH_S = 2.0
 """Within which a worker is connected to, or results come by the scheduler."""
 
@@ -119,7 +122,10 @@ class DaskEngine:
                 many = 1 if id(left[-1]) in alone else batch_size(len(left), standing.threads, begun)
                 begun += many
                 batch = left[: -many - 1 : -1]
-                future = client.submit(run_batch, function, self._limits, batch, pure=False)
+                try:
+                    future = client.submit(run_batch, function, self._limits, batch, pure=False)
+                except Exception:  # noqa: BLE001 - a client whose scheduler is gone says so in many ways
+                    return
                 del left[-many:]
                 under_way[future] = batch
             # Cancelled ones, as those of a scheduler that is gone, are told by their status.
@@ -198,7 +204,7 @@ def _reaches_workers(client: Any) -> bool:
             host, _, port = address.partition("://")[2].rpartition(":")
             with socket.create_connection((host.strip("[]"), int(port)), timeout=_REACH_S):
                 pass
-    except (OSError, ValueError):
+    except Exception:  # noqa: BLE001 - so does a scheduler that is gone, in many ways
         return False
     return True
 
@@ -216,15 +222,35 @@ def fit_client(address: str, folder: str, *, connect_s: float = 10.0, prepare: C
         UsageError: the cluster cannot be reached, or its workers are not fit for the work.
     """
     client = _connected(address, connect_s)
-    try:
-        _check(client, folder)
-        if prepare is not None:
-            client.run(prepare)
-    except BaseException:
-        with suppress(Exception):
-            client.close(timeout=5)
-        raise
+    for left in reversed(range(_TRIES)):
+        try:
+            _check(client, folder)
+            if prepare is not None:
+                client.run(prepare)
+        except (OSError, RuntimeError, *_CANCELLED) as error:
+            # A worker that was lost meanwhile is no fault of the others.
+            if left and client.status == "running":
+                continue
+            _let_go(client)
+            raise _not_reached(address, error) from error
+        except BaseException:
+            _let_go(client)
+            raise
+        break
     return client
+
+
+def _let_go(client: Any) -> None:
+    with suppress(Exception):
+        client.close(timeout=5)
+
+
+def _not_reached(address: str, error: BaseException) -> UsageError:
+    return UsageError(
+        f"the scheduler {address!r} cannot be reached: {' '.join(str(error).split())[:200] or 'no answer'}",
+        expected="the address of a scheduler of Dask that runs",
+        advice="Start one with `dask scheduler`, and workers with `dask worker ADDRESS`",
+    )
 
 
 def _silence() -> None:
@@ -256,11 +282,7 @@ def _connected(address: str, connect_s: float) -> Any:
     try:
         client = distributed.Client(address, timeout=connect_s, set_as_default=False)
     except (OSError, ValueError, RuntimeError, TimeoutError) as error:
-        raise UsageError(
-            f"the scheduler {address!r} cannot be reached: {' '.join(str(error).split())[:200] or 'no answer'}",
-            expected="the address of a scheduler of Dask that runs",
-            advice="Start one with `dask scheduler`, and workers with `dask worker ADDRESS`",
-        ) from error
+        raise _not_reached(address, error) from error
     return client
 
 

@@ -33,11 +33,19 @@ def _unregistered(described: Iterable[PluginClass], plugins: Sequence[Registered
         # What is left over from ROS 1 in a package for ROS 2 is read by nobody.
         if one.parent.startswith("nodelet::") and 1 not in view.ros:
             continue
-        if one.type and "." not in one.type and not any(same_class(one.type, each.name) for each in plugins):
+        if not one.type or "." in one.type or _is_elsewhere(one, view):
+            continue
+        if not any(same_class(one.type, each.name) for each in plugins):
             where = one.evidence
             expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
             message = f"no source registers class {one.type!r}; expected {expected}"
             yield Hit("package.plugin_class", message, where.line, context=one.type, path=where.path)
+
+
+def _is_elsewhere(one: PluginClass, view: PackageView) -> bool:
+    """Return whether a class is one of a package that this one depends on, described here under a name of old."""
+    others = {each.name for each in view.package.dependencies}
+    return one.library.rpartition("/")[2] in others or one.type.removeprefix("::").partition("::")[0] in others
 
 
 def _undescribed(described: Sequence[PluginClass], plugins: Iterable[Registered], view: PackageView) -> Iterator[Hit]:
@@ -69,7 +77,8 @@ RULE = PackageRule(
     id="package.plugin_class",
     title="Plug-in that is not registered, or not described",
     finds="A `<class>` in a description of plug-ins that no source registers with `PLUGINLIB_EXPORT_CLASS`, and a "
-    "registered class that no description names. Names are compared as far as namespaces are written.",
+    "registered class that no description names. Names are compared as far as namespaces are written; classes of "
+    "packages that this one depends on are let be.",
     why='Loading it fails when the robot starts ("class … does not exist", or "failed to load library"), which no '
     "compiler sees.",
     profiles=("ros2", "ros1"),

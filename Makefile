@@ -158,6 +158,8 @@ sites: .venv/stamp
 # Figures of the README; CORPUS is a folder with clones of ros_comm, navigation and navigation2.
 bench: .venv/stamp
 	$(BIN)/python benchmarks/source_speed.py $(CORPUS)
+	$(BIN)/python benchmarks/rules_speed.py $(CORPUS) $(if $(CPPLINT),--cpplint "$(CPPLINT)")
+	$(if $(TOOLS),$(BIN)/python benchmarks/tools_speed.py $(CORPUS) --tools $(TOOLS))
 
 clean:
 	rm -rf .venv roslens-report .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

@@ -22,6 +22,7 @@ from source_speed import BARE, copied
 FACTS = """
 import gc, sys
 from pathlib import Path
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import Language
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import MacroSettings
@@ -38,7 +39,7 @@ kinds = kinds_asked("cpp", wanted) if {rules} else frozenset()
 gc.disable()
 macros, counting = MacroSettings(), CountingSettings()
 for line in Path(sys.argv[1]).read_text().splitlines():
-    parsed = parse_file(Path(line).read_bytes(), Language.CPP, macros)
+    parsed = parse_file(read_bounded(line), Language.CPP, macros)
     measure_file(line, parsed.facts(kinds), counting)
     if {rules}:
         view = parsed.view()

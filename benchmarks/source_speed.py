@@ -28,7 +28,8 @@ import tree_sitter, tree_sitter_cpp
 gc.disable()
 parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
 for line in Path(sys.argv[1]).read_text().splitlines():
-    parser.parse(Path(line).read_bytes())
+    with open(line, "rb") as file:
+        parser.parse(file.read())
 """
 
 

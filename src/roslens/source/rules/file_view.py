@@ -8,7 +8,7 @@ from functools import cached_property
 
 from tree_sitter import Node
 
-from roslens.model.edit import Edit, edit_at
+from roslens.model.edit import Edit, place_of
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.syntax.text_lines import TextLines
@@ -182,8 +182,13 @@ class FileView:
         for start, end, text in changes:
             if self.source[start:end] != self.content[start:end]:
                 return ()
-            found.append(edit_at(self.content, start, end, text))
+            found.append(Edit("", start, end, text, *self._edit_place(start), *self._edit_place(end)))
         return tuple(found)
+
+    def _edit_place(self, at: int) -> tuple[int, int]:
+        """Return what :func:`place_of` does, which counts all lines before."""
+        row, column = self.place(at)
+        return (row, column) if self.content[at - column + 1 : at].isascii() else place_of(self.content, at)
 
     def is_as_written(self, node: Node) -> bool:
         """Return whether a node was parsed without a fault, and as the file holds it."""

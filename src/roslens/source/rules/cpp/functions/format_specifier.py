@@ -14,13 +14,14 @@ from roslens.source.rules.rule import FileRule
 
 _FORMAT = re.compile(rb'"[^"\n]*(%[-+ ]?\d*q|%\d+\$|\\\\[%\[({])[^"\n]*"')
 _UNPORTABLE = re.compile(rb"%(?:[-+ ]?\d*q|\d+\$)")
-"""Found sooner than the string that it stands in, as it begins with one byte."""
+_ESCAPED = re.compile(rb"\\\\[%\[({]")
+"""Both are found sooner than the string that they stand in, as each begins with one byte."""
 _CALL = re.compile(rb"printf|scanf|_LOG|ROS_|RCLCPP_|RCUTILS_")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each text on a line with a call that formats."""
-    if b"\\\\" not in view.content and not _UNPORTABLE.search(view.content):
+    if not _ESCAPED.search(view.content) and not _UNPORTABLE.search(view.content):
         return
     for match in _FORMAT.finditer(view.content):
         line, column = view.place(match.start(1))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Any
 
 import msgspec
@@ -208,6 +208,100 @@ def test_what_is_chosen_is_told_in_full_and_follows_the_robot(robot: ScriptedRob
     panel.get_by_role("button", name="Close").click()
     expect(panel).not_to_be_visible()
     expect(page.locator("#rows tr.chosen")).to_have_count(0)
+
+
+def test_the_wheel_scrolls_the_page_until_the_graph_was_clicked(follow: Open) -> None:
+    page = follow()
+    page.set_viewport_size({"width": 1440, "height": 560})
+    canvas, scene = page.locator("#canvas"), page.locator("#scene")
+    canvas.hover(position={"x": 5, "y": 5})
+    before = scene.get_attribute("transform") or ""
+    page.mouse.wheel(0, 100)
+    page.wait_for_function("scrollY > 0")
+    assert scene.get_attribute("transform") == before
+    page.keyboard.down("Control")
+    canvas.hover(position={"x": 5, "y": 5})
+    page.mouse.wheel(0, -100)
+    page.keyboard.up("Control")
+    expect(scene).not_to_have_attribute("transform", before)
+    page.locator("[data-zoom=fit]").click()
+    canvas.click(position={"x": 5, "y": 5})
+    nearer = scene.get_attribute("transform") or ""
+    where = page.evaluate("scrollY")
+    page.mouse.wheel(0, -100)
+    expect(scene).not_to_have_attribute("transform", nearer)
+    assert page.evaluate("scrollY") == where
+
+
+def test_the_wheel_over_what_is_told_of_an_entity_scrolls_that_and_then_the_page(
+    robot: ScriptedRobot, follow: Open
+) -> None:
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = follow()
+    page.set_viewport_size({"width": 1440, "height": 560})
+    page.locator(".alert a").click()
+    expect(page.locator("#plots canvas").first).to_be_visible()
+    panel = page.locator("#detail")
+    panel.hover()
+    page.mouse.wheel(0, 40)
+    page.wait_for_function("document.querySelector('#detail').scrollTop === 40")
+    page.mouse.wheel(0, 2000)
+    page.wait_for_function(
+        "() => { const one = document.querySelector('#detail');"
+        " return Math.abs(one.scrollTop + one.clientHeight - one.scrollHeight) < 2; }"
+    )
+
+
+def test_names_lead_to_what_is_known_of_them(robot: ScriptedRobot, follow: Open) -> None:
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = follow()
+    page.locator("#happened a", has_text="/scan").first.click()
+    expect(page).to_have_url(re.compile("select=topic%3A%2Fscan"))
+    expect(page.locator("#detail h3")).to_have_text("topic /scan")
+    page.go_back()
+    expect(page.locator("#detail")).to_be_hidden()
+
+
+BOXES = """() => [...document.querySelectorAll("#lines tspan")]
+  .filter((one) => one.textContent && one.checkVisibility()).map((one) => one.getBoundingClientRect())
+  .map(({ left, right, top, bottom }) => [left, right, top, bottom])"""
+POINT = """() => {
+  const canvas = document.querySelector("#canvas").getBoundingClientRect();
+  for (const one of document.querySelectorAll("#lines .brief, #lines .crowded")) {
+    const path = one.querySelector("path");
+    for (let share = 0.02; share < 1; share += 0.02) {
+      const { x, y } = path.getPointAtLength(share * path.getTotalLength()).matrixTransform(path.getScreenCTM());
+      if (x < canvas.left || x > canvas.right || y < canvas.top || y > canvas.bottom) continue;
+      if (document.elementFromPoint(x, y)?.parentElement === one) return [x, y];
+    }
+  }
+}"""
+
+
+def touching(boxes: list[list[float]]) -> int:
+    """Return how many pairs of boxes have more than a line's edge in common."""
+    return sum(
+        min(one[1], other[1]) - max(one[0], other[0]) > 2 and min(one[3], other[3]) - max(one[2], other[2]) > 3
+        for one, other in combinations(boxes, 2)
+    )
+
+
+def test_words_of_lines_do_not_overlap_and_are_told_where_one_points(visitor_of: Callable[[str], Any]) -> None:
+    robot = large_robot(120)
+    with LivePage(robot.page.newest, detail=robot.page.detail) as live:
+        page = visitor_of(live.url).open(viewport={"width": 1440, "height": 900})
+        scene = page.locator("#scene")
+        for zoom in ("0.714", "1.4"):
+            before = scene.get_attribute("transform") or ""
+            page.locator(f'[data-zoom="{zoom}"]').click()
+            expect(scene).not_to_have_attribute("transform", before)
+            boxes = page.evaluate(BOXES)
+            assert len(boxes) > 10
+            assert touching(boxes) == 0
+        page.mouse.move(*page.evaluate(POINT))
+        expect(page.locator("#lines :is(.brief, .crowded):hover .more")).to_be_visible()
 
 
 def test_an_alert_leads_to_its_row(robot: ScriptedRobot, follow: Open) -> None:

@@ -118,6 +118,53 @@ def test_the_tab_key_walks_through_every_screen(whole: WholeSite, visit: Open) -
     assert stuck == {}
 
 
+UNLINKED = """(known) => {
+  const names = new Set(known), found = [];
+  // The page of a thing is about it, and its parameters and log are what every node has: there is no page of these.
+  const own = `${document.querySelector("h1")?.textContent} ${location.pathname}`;
+  for (const one of document.querySelectorAll("main *")) {
+    if ([...one.children].some((part) => part.localName !== "wbr")) continue;
+    const text = one.textContent.trim();
+    if (!names.has(text) || own.includes(text) || !one.checkVisibility()) continue;
+    if (!one.closest("a, button, option, [role=button], [data-entity], [data-select], fieldset")) found.push(text);
+  }
+  return found;
+}"""
+
+
+def known_names(page: Page) -> set[str]:
+    """Return every name that the pages of this site have a place for, and by kind those of what runs."""
+    found = set()
+    for path, table, key in (
+        ("packages", "packages", "package"), ("rules", "rules", "rule"), ("computation/rover", "nodes", "node"),
+    ):  # fmt: skip
+        twin = page.request.get(f"/{path}.json").json()
+        found |= {str(row[key]) for row in twin["tables"][table]["rows"]}
+    for row in page.request.get("/live/snapshot.json").json()["rows"]:
+        if row["kind"] in ("host", "node", "topic"):
+            found |= {row["name"], row["entity"]}
+    return found - {"rover"}
+
+
+def test_every_name_on_every_screen_is_a_link(whole: WholeSite, visit: Open) -> None:
+    """What has a place of its own leads there from wherever it is named; ``rover`` is a host, a package and a title."""
+    page = visit(signed_in("/"))
+    known = known_names(page)
+    assert {"/scan", "node:/lidar", "nav2_util", "cpp.explicit_constructor", "/left/camera"} <= known
+    unlinked = {}
+    for path in (*SCREENS, "/search?q=scan", "/conformance?show=all"):
+        go(page, whole, path)
+        if found := page.evaluate(UNLINKED, sorted(known)):
+            unlinked[path] = sorted(set(found))
+    assert unlinked == {}
+
+
+def test_what_runs_and_is_not_in_source_leads_to_what_is_known_of_it_as_it_runs(whole: WholeSite, visit: Open) -> None:
+    page = visit(signed_in("/conformance"))
+    page.locator("#differences").get_by_role("link", name="node /ui", exact=True).first.click()
+    expect(page).to_have_url(re.compile("/live/.*select=node%3A%2Fui"))
+
+
 @pytest.mark.parametrize("deficiency", DEFICIENCIES)
 def test_states_are_told_apart_by_sign_and_word(whole: WholeSite, visit: Open, deficiency: str) -> None:
     page = visit(signed_in("/live/"))

@@ -134,4 +134,4 @@ def signed_in(path: str, key: str = KEY) -> str:
 def _running(site: Any) -> Graph:
     first = next(iter(site.book.systems.values()))
     graph = first.configuration.graph()
-    return msgspec.structs.replace(graph, nodes=(*graph.nodes[1:], Node("/unknown_one")))
+    return msgspec.structs.replace(graph, nodes=(*graph.nodes[1:], Node("/ui")))

@@ -51,7 +51,7 @@ _KEYS = (
     ("w", "only what is worse than ok"),
     ("[ ]", "the moment of the event before and after"),
     ("p n", "play the past, back to now"),
-    ("+ - 0", "zoom the graph, all of it"),
+    ("+ - 0", "zoom the graph, all of it; so does the wheel with Ctrl, or once the graph was clicked"),
     ("Esc", "clear the selection"),
     ("d", "light or dark"),
     ("?", "this help"),

@@ -7,20 +7,28 @@ from collections.abc import Sequence
 
 import msgspec
 
-from roslens.compare.conformance.claim import NODE, PARAMETER
+from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC
 from roslens.compare.conformance.disparity import Conformance, Disparity
 from roslens.compare.conformance.explain import RUNNING
-from roslens.compare.conformance.side import SideKind
+from roslens.compare.conformance.side import Side, SideKind
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import ref_of
-from roslens.dashboard.computation.difference_picture import SIGNS, WORDS, Standing, difference_picture
-from roslens.dashboard.computation.system import System
+from roslens.dashboard.computation.difference_picture import (
+    SIGNS,
+    WORDS,
+    DifferencePicture,
+    Standing,
+    difference_picture,
+)
+from roslens.dashboard.computation.system import KIND_OF_ROLE, System
+from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.finding_list import file_ref
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.errors import RoslensError
 from roslens.model.finding import Severity
+from roslens.model.graph import Role
 
 KIND_WORDS = {"source": "Source", "running": "Running", "recording": "Recorded", "reference": "Expected"}
 """The heading of a side's column, by its kind."""
@@ -75,7 +83,7 @@ def build(site: Site, request: Request) -> View:
             "chosen": name,
             "note": site.book.note,
             "counts": counts,
-            "picture": difference_picture(system, found.disparities, others) if system else None,
+            "picture": _picture(site, system, found, others) if system else None,
             "words": WORDS,
             "signs_of": SIGNS,
             "standings": {one.value: one for one in Standing},
@@ -112,7 +120,7 @@ def _row(site: Site, system: System | None, found: Conformance, one: Disparity) 
     also = f" {one.also} of its endpoints and parameters {goes} with it." if one.also else ""
     return (
         Cell(one.severity.value),
-        Cell(one.subject, ref=_page(system, one), hint=one.reason.value.replace("_", " ")),
+        Cell(one.subject, ref=_page(site, system, one), hint=one.reason.value.replace("_", " ")),
         Cell(one.aspect.value),
         *(Cell(text) for text in one.told),
         Cell(one.right if SideKind.RUNNING.value in found.kinds else _OVER.get(one.right, one.right)),
@@ -121,12 +129,31 @@ def _row(site: Site, system: System | None, found: Conformance, one: Disparity) 
     )
 
 
-def _page(system: System | None, one: Disparity) -> PageRef | None:
-    """Return the page of the node or of what it speaks over, where the configuration has it."""
-    if system is None:
-        return None
-    wanted = one.node if one.kind in (NODE, PARAMETER) else one.name
-    for element in system.elements:
-        if element.name == wanted and (element.key.startswith("node/") == (one.kind in (NODE, PARAMETER))):
-            return ref_of(system, element)
-    return None
+def _page(site: Site, system: System | None, one: Disparity) -> PageRef | None:
+    """Return the page of the node or of what it speaks over: of this configuration, of another one, or of what runs."""
+    if one.kind in (NODE, PARAMETER):
+        kind, wanted = NODE, one.node
+    else:
+        kind, wanted = TOPIC if one.kind == TOPIC else KIND_OF_ROLE[Role(one.kind)].value, one.name
+    if system is not None:
+        for element in system.elements:
+            if element.name == wanted and element.kind.value == kind and (ref := ref_of(system, element)) is not None:
+                return ref
+    return _elsewhere(site, f"{kind}:{wanted}")
+
+
+def _elsewhere(site: Site, entity: str) -> PageRef | None:
+    """Return the page of what this configuration does not have; None where nothing but the other side tells of it."""
+    found = page_of(site, entity)
+    if found is None and any(one.entity == entity for one in site.running()):
+        return PageRef("entity", query=(("id", entity),))
+    return found
+
+
+def _picture(site: Site, system: System, found: Conformance, others: Sequence[Side]) -> DifferencePicture:
+    made = difference_picture(system, found.disparities, others)
+    elements = tuple(
+        one if one.ref is not None else msgspec.structs.replace(one, ref=_elsewhere(site, one.key))
+        for one in made.elements
+    )
+    return msgspec.structs.replace(made, elements=elements)

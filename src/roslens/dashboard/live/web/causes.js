@@ -1,6 +1,7 @@
 // Draws what is wrong and why, as the server does in causes.html.
 
 import { draw, make } from "../dom.js";
+import { nameOf } from "./entity.js";
 
 const cut = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
@@ -35,14 +36,14 @@ function line(one) {
 
 function box(one) {
   const state = one.state === "unjudged" ? "not judged" : one.state;
-  return draw("g", { class: `cause ${one.state}${one.first ? " first" : ""}` }, draw("title", { text: one.entity }),
+  return draw("g", { class: `cause ${one.state}${one.first ? " first" : ""}`, "data-select": one.entity }, draw("title", { text: one.entity }),
     draw("rect", { x: one.x, y: one.y, width: 200, height: 34, rx: 5 }),
     draw("text", { x: one.x + 10, y: one.y + 15, text: cut(one.name, 26) }),
     draw("text", { class: "is", x: one.x + 10, y: one.y + 28, text: `${one.kind}, ${state}${one.first ? ", first cause" : ""}` }));
 }
 
 function sentence(one, boxes) {
-  const parts = [make("bdi", { text: boxes[one.effect].entity }), ` ${one.relation} `, make("bdi", { text: boxes[one.cause].entity })];
+  const parts = [nameOf(boxes[one.effect].entity), ` ${one.relation} `, nameOf(boxes[one.cause].entity)];
   if (one.evidence) parts.push(": ", make("bdi", { text: one.evidence }));
   return make("li", {}, ...parts);
 }

@@ -1,6 +1,7 @@
 // The latest changes and what could not be observed.
 
 import { make } from "../dom.js";
+import { nameOf } from "./entity.js";
 import { sign } from "./states.js";
 
 export class Happened {
@@ -12,7 +13,7 @@ export class Happened {
   update(snapshot) {
     this.fill(0, this.happened, snapshot.happened, (one) => [
       make("button", { type: "button", class: "plain when", "data-time": one.time, title: "Show this moment", text: one.when.trim() }), one.state ? sign(one.state) : "", " ",
-      make("bdi", { class: "name", text: one.name }), ` ${one.what} `, make("bdi", { class: "quiet", text: one.detail || "" }),
+      nameOf(one.entity, one.name), ` ${one.what} `, make("bdi", { class: "quiet", text: one.detail || "" }),
     ]);
     this.fill(1, this.failures, snapshot.failures, (one) => [make("bdi", { text: one })]);
   }

@@ -8,6 +8,7 @@ import { Alerts } from "./alerts.js";
 import { Causes } from "./causes.js";
 import { learn } from "./clock.js";
 import { Detail } from "./detail.js";
+import { followNames } from "./entity.js";
 import { Happened } from "./happened.js";
 import { Moments } from "./moments.js";
 import { Picture } from "./picture.js";
@@ -171,6 +172,7 @@ function readAddress() {
 readAddress();
 onReturn(readAddress);
 const sees = new Sees(tree, picture, detail);
+followNames((entity) => choose(entity, "alerts"));
 listen(first, mark, sees.reader, heardOf, heard, () => sees.opened());
 
 search.addEventListener("input", settled(filter, 80));

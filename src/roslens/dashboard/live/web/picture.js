@@ -5,6 +5,7 @@ import { draw } from "../dom.js";
 import { Camera } from "../graph/camera.js";
 import { READABLE } from "../graph/names.js";
 import { sign, span, word } from "./states.js";
+import { crowd } from "./words.js";
 
 /** Below this zoom lines have no words; below the other one they say the rate alone. */
 const FAR = 0.55;
@@ -28,9 +29,12 @@ export class Picture {
     this.lines = new Map();
     this.version = -1;
     this.selected = "";
+    this.boxes = [];
+    this.grown = false;
     this.left = false;
-    this.camera = new Camera(canvas, this.svg, this.scene, () => this.zoomed());
-    for (const name of ["wheel", "pointerdown"]) canvas.addEventListener(name, () => { this.left = true; });
+    this.camera = new Camera(canvas, this.svg, this.scene, () => this.zoomed(), true);
+    canvas.addEventListener("pointerdown", () => { this.left = true; });
+    canvas.addEventListener("wheel", (event) => { this.left ||= event.defaultPrevented; });
     canvas.addEventListener("click", (event) => this.click(event));
     canvas.addEventListener("keydown", (event) => this.key(event));
     this.seen = true;
@@ -72,6 +76,18 @@ export class Picture {
   zoomed() {
     this.svg.classList.toggle("far", this.camera.k < FAR);
     this.svg.classList.toggle("near-by", this.camera.k >= NEAR);
+    this.svg.style.setProperty("--zoom", String(Math.max(1, this.camera.k)));
+    this.spread();
+  }
+
+  /** Show the words of lines that have room, what is wrong and what belongs to the selection first. */
+  spread() {
+    this.grown = false;
+    const { k } = this.camera;
+    if (k < FAR) return;
+    const weight = (one) => (GRAVE.includes(one.is) ? 2 + GRAVE.length - GRAVE.indexOf(one.is) : 0) + (this.selected && one.near ? 10 : 0);
+    const lines = [...this.lines.values()].map((one) => [weight(one), one]).sort((a, b) => b[0] - a[0]).map(([, one]) => one);
+    crowd(lines, this.boxes, k, k >= NEAR);
   }
 
   zoom(factor) {
@@ -96,6 +112,7 @@ export class Picture {
       this.write(shown, item, moved);
     }
     sweep(this.items, there);
+    this.boxes = items;
     this.links = links.map((link) => [items[link.start], items[link.end], link]);
     if (moved) this.frame(picture.boxes || []);
     this.trace(moved);
@@ -179,12 +196,13 @@ export class Picture {
       const rate = start.kind === "topic" && rates.get(start.entity) === link.rate ? "" : link.rate || "";
       const named = shown.by.length > 1 ? `${shown.by.length} topics` : shown.by.length ? `${nameOf(shown.by[0])} ${rate}` : rate;
       const more = [link.age !== undefined && link.age !== null && `age ${span(link.age)}`, start.kind === "topic" ? "" : link.bandwidth].filter(Boolean).join(" · ");
-      say(shown, named.trim(), more);
+      this.grown = say(shown, named.trim(), more) || this.grown;
       const told = [link.rate, link.latency && `latency ${link.latency}`, link.age !== undefined && link.age !== null && `age ${span(link.age)}`, link.bandwidth];
       const topics = shown.by.slice(0, NAMED).map((one) => one.slice("topic:".length));
       shown.title.textContent = [[`${start.name} → ${end.name}: ${word(state)}`, ...told].filter(Boolean).join(", "), ...topics].join("\n");
     }
     sweep(this.lines, there);
+    if (moved || this.grown) this.spread();
   }
 
   /** The places of the lines whose words can be read now, at most so many. */
@@ -194,7 +212,8 @@ export class Picture {
     const { k, x, y } = this.camera;
     const found = [];
     for (let at = 0; at < this.links.length && found.length < most; at += 1) {
-      const [wordX, wordY] = this.links[at][2].word || [0, 0];
+      const [start, end, { word: [wordX, wordY] = [0, 0] }] = this.links[at];
+      if (this.lines.get(`${start.entity}\n${end.entity}`)?.room === "crowded") continue;
       const [left, top] = [x + k * wordX, y + k * wordY];
       if (left > -MARGIN && left < room.width + MARGIN && top > -MARGIN && top < room.height + MARGIN) found.push(at);
     }
@@ -205,7 +224,10 @@ export class Picture {
     this.selected = this.drawnAs(entity);
     for (const [key, shown] of this.items) shown.element.classList.toggle("selected", key === this.selected);
     this.svg.classList.toggle("dimmed", Boolean(this.selected));
-    if (!this.selected) return;
+    if (!this.selected) {
+      this.spread();
+      return;
+    }
     this.light();
     const place = this.placeOf(this.selected) || this.placeOf([...this.lines.values()].find((one) => one.by.includes(this.selected))?.start);
     if (reveal && place) this.camera.reveal(place[0], place[1]);
@@ -250,7 +272,13 @@ export class Picture {
   /** Keep only these items and lines bright. */
   bright(near, lit) {
     for (const [key, shown] of this.items) shown.element.classList.toggle("near", near.has(key));
-    for (const one of this.lines.values()) one.element.classList.toggle("near", lit.has(one));
+    let changed = false;
+    for (const one of this.lines.values()) {
+      changed ||= one.near !== lit.has(one);
+      one.near = lit.has(one);
+      one.element.classList.toggle("near", one.near);
+    }
+    if (changed) this.spread();
   }
 
   click(event) {
@@ -285,22 +313,29 @@ const nameOf = (topic) => topic.slice("topic:".length);
 
 function line(start, end) {
   const [path, text, title] = [draw("path", {}), draw("text", {}, draw("tspan", {}), draw("tspan", { class: "more" })), draw("title", {})];
-  return { element: draw("g", {}, title, path, text), title, path, text, now: "", is: "", by: [], start, end };
+  return { element: draw("g", {}, title, path, text), title, path, text, now: "", is: "", by: [], start, end, at: [0, 0], letters: [0, 0], toTopic: false, near: false, room: "" };
 }
 
 /** Words about a line to a topic end before its mark, the others stand on the line. */
 function place(shown, link, end) {
   shown.path.setAttribute("d", link.path);
   shown.element.classList.toggle("to-topic", end.kind === "topic");
-  const [x, y] = link.word || [0, 0];
+  const [x, y] = (shown.at = link.word || [0, 0]);
+  shown.toTopic = end.kind === "topic";
   [...shown.text.children].forEach((part, at) => {
     part.setAttribute("x", x);
     part.setAttribute("y", y - 4 + 16 * at);
   });
 }
 
+/** Write words at a line; return whether they need more room than any there before. */
 function say(shown, text, more) {
   const [first, second] = shown.text.children;
   if (first.textContent !== text) first.textContent = text;
   if (second.textContent !== more) second.textContent = more;
+  // Room for one letter more, so that a rate that wavers does not come and go.
+  const letters = [text, more].map((one, at) => Math.max(shown.letters[at], one.length + one.length % 2));
+  const grown = letters.some((count, at) => count > shown.letters[at]);
+  shown.letters = letters;
+  return grown;
 }

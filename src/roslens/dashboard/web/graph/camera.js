@@ -8,9 +8,12 @@ const LEAST = 0.05;
 const MOST = 6;
 
 export class Camera {
-  /** `changed` is called when a gesture has ended. */
-  constructor(canvas, svg, scene, changed) {
-    Object.assign(this, { canvas, svg, scene, changed });
+  /**
+   * `changed` is called when a gesture has ended. Where the picture is a part of a page that scrolls, it is `within` it:
+   * the wheel zooms it once it has the focus, or with Ctrl, and else scrolls the page.
+   */
+  constructor(canvas, svg, scene, changed, within = false) {
+    Object.assign(this, { canvas, svg, scene, changed, within });
     this.k = 1;
     this.x = 0;
     this.y = 0;
@@ -103,6 +106,7 @@ export class Camera {
   }
 
   wheel(event) {
+    if (this.within && !event.ctrlKey && !event.metaKey && !this.canvas.contains(document.activeElement)) return;
     event.preventDefault();
     const box = this.canvas.getBoundingClientRect();
     const amount = event.deltaY * (event.deltaMode === 1 ? 24 : 1);

@@ -12,7 +12,7 @@ export function startDifference(root) {
   const { width, height } = svg.viewBox.baseVal;
   const boxes = [...svg.querySelectorAll(".boxes rect")].map((one) => Object.fromEntries(["x", "y", "width", "height"].map((name) => [name, Number(one.getAttribute(name))])));
   const titles = [...svg.querySelectorAll(".titles text")];
-  const camera = new Camera(canvas, svg, svg.querySelector(".scene"), () => keepTitles(titles, boxes, camera));
+  const camera = new Camera(canvas, svg, svg.querySelector(".scene"), () => keepTitles(titles, boxes, camera), true);
   const marked = [...svg.querySelectorAll(".node.missing, .node.added, .node.differs")];
   let at = -1;
   const show = (element) => {

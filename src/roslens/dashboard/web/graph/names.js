@@ -109,7 +109,7 @@ const DISC = {
 };
 
 /** Boxes by the rows of the picture that they cross, so that only near ones are compared. */
-class Rows {
+export class Rows {
   constructor() {
     this.rows = new Map();
   }

@@ -211,3 +211,19 @@ def test_long_names_do_not_widen_a_narrow_screen(visit: Visit) -> None:
         "one => one.append(Object.assign(document.createElement('code'), { textContent: 'folder_name/'.repeat(9) }))"
     )
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize(("words", "more"), [(10, "History"), (11, "Countermeasures"), (15, "Countermeasures")])
+def test_the_top_of_a_page_fits_a_screen_whatever_the_site_has(visit: Visit, words: int, more: str) -> None:
+    page = visit("/", viewport={"width": 1440, "height": 900})
+    page.locator(".top nav").evaluate(
+        """(nav, [words, more]) => {
+          while (nav.children.length > words) nav.lastElementChild.remove();
+          while (nav.children.length < words) nav.insertAdjacentHTML("beforeend", `<a href="/">${more}</a>`);
+        }""",
+        [words, more],
+    )
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1440
+    box = page.locator(".top").get_by_text("Help").bounding_box()
+    assert box
+    assert box["x"] + box["width"] <= 1440

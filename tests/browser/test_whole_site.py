@@ -132,15 +132,15 @@ UNLINKED = """(known) => {
 }"""
 
 
-def known_names(page: Page) -> set[str]:
+def known_names(page: Page, base: str) -> set[str]:
     """Return every name that the pages of this site have a place for, and by kind those of what runs."""
     found = set()
     for path, table, key in (
         ("packages", "packages", "package"), ("rules", "rules", "rule"), ("computation/rover", "nodes", "node"),
     ):  # fmt: skip
-        twin = page.request.get(f"/{path}.json").json()
+        twin = page.request.get(f"{base}/{path}.json").json()
         found |= {str(row[key]) for row in twin["tables"][table]["rows"]}
-    for row in page.request.get("/live/snapshot.json").json()["rows"]:
+    for row in page.request.get(f"{base}/live/snapshot.json").json()["rows"]:
         if row["kind"] in ("host", "node", "topic"):
             found |= {row["name"], row["entity"]}
     return found - {"rover"}
@@ -149,7 +149,7 @@ def known_names(page: Page) -> set[str]:
 def test_every_name_on_every_screen_is_a_link(whole: WholeSite, visit: Open) -> None:
     """What has a place of its own leads there from wherever it is named; ``rover`` is a host, a package and a title."""
     page = visit(signed_in("/"))
-    known = known_names(page)
+    known = known_names(page, whole.url)
     assert {"/scan", "node:/lidar", "nav2_util", "cpp.explicit_constructor", "/left/camera"} <= known
     unlinked = {}
     for path in (*SCREENS, "/search?q=scan", "/conformance?show=all"):

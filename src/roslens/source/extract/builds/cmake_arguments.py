@@ -10,12 +10,7 @@ def _parse_arguments(run: Evaluation, call: Call) -> None:
     arguments = call.arguments
     raw = arguments[:1] == ["PARSE_ARGV"]
     if raw:
-        # What was one argument stays one, so that a list in it is escaped.
-        first = int(arguments[1]) if len(arguments) > 2 and arguments[1].isdecimal() else 0
-        count = run.variables.get("ARGC") or ""
-        last = int(count) if count.isdecimal() else 0
-        given = [(run.variables.get(f"ARGV{at}") or "").replace(";", "\\;") for at in range(first, min(last, 100))]
-        arguments = arguments[2:6] + given
+        arguments = arguments[2:6] + _given_raw(run, arguments)
     if len(arguments) < 4:
         return
     prefix, options, single, several = arguments[0], *map(items_of, arguments[1:4])
@@ -23,12 +18,32 @@ def _parse_arguments(run: Evaluation, call: Call) -> None:
         run.variables.set(f"{prefix}_{name}", "FALSE")
     for name in (*single, *several):
         run.variables.set(f"{prefix}_{name}", None)
+    found, rest = _by_keyword(arguments[4:], options, single, several, raw=raw)
+    for name in options:
+        if name in arguments[4:]:
+            run.variables.set(f"{prefix}_{name}", "TRUE")
+    missing = _without_values(arguments[4:], options, {*single, *several})
+    for name, values in (*found.items(), ("UNPARSED_ARGUMENTS", rest), ("KEYWORDS_MISSING_VALUES", missing)):
+        run.variables.set(f"{prefix}_{name}", ";".join(values) if values else None)
+
+
+def _given_raw(run: Evaluation, arguments: list[str]) -> list[str]:
+    """Return the arguments of the function around; what was one stays one, so that a list in it is escaped."""
+    first = int(arguments[1]) if len(arguments) > 2 and arguments[1].isdecimal() else 0
+    count = run.variables.get("ARGC") or ""
+    last = int(count) if count.isdecimal() else 0
+    return [(run.variables.get(f"ARGV{at}") or "").replace(";", "\\;") for at in range(first, min(last, 100))]
+
+
+def _by_keyword(
+    values: list[str], options: list[str], single: list[str], several: list[str], *, raw: bool
+) -> tuple[dict[str, list[str]], list[str]]:
+    """Return the values behind each keyword, and those that stand behind none."""
     found: dict[str, list[str]] = {}
     rest: list[str] = []
     keyword = ""
-    for value in arguments[4:]:
+    for value in values:
         if value in options:
-            run.variables.set(f"{prefix}_{value}", "TRUE")
             keyword = ""
         elif value in single or value in several:
             keyword = value
@@ -40,13 +55,7 @@ def _parse_arguments(run: Evaluation, call: Call) -> None:
             found[keyword].append(value)
         else:
             rest.append(value)
-    for name, values in found.items():
-        run.variables.set(f"{prefix}_{name}", ";".join(values) if values else None)
-    for name, values in (
-        ("UNPARSED_ARGUMENTS", rest),
-        ("KEYWORDS_MISSING_VALUES", _without_values(arguments[4:], options, {*single, *several})),
-    ):
-        run.variables.set(f"{prefix}_{name}", ";".join(values) if values else None)
+    return found, rest
 
 
 def _without_values(arguments: list[str], options: list[str], keywords: set[str]) -> list[str]:

@@ -141,16 +141,22 @@ def _unknown_rounds(run: Evaluation, block: Block, names: list[str]) -> None:
             run.variables.set(name, value)
 
 
+def _range(arguments: list[str]) -> list[str] | None:
+    """Return the numbers of a range, both ends among them; None where it is none, or too long."""
+    numbers = [int(value) for value in arguments[:3] if value.lstrip("-").isdecimal() and len(value) < 12]
+    if len(numbers) != len(arguments) or not numbers:
+        return None
+    first, last = (0, numbers[0]) if len(numbers) == 1 else numbers[:2]
+    step = abs(numbers[2]) if len(numbers) > 2 else 1
+    if step == 0 or abs(last - first) // step > MOST_ROUNDS:
+        return None
+    way = 1 if last >= first else -1
+    return [str(one) for one in range(first, last + way, step * way)]
+
+
 def _items(run: Evaluation, arguments: list[str]) -> list[str] | None:
     if arguments and arguments[0] == "RANGE":
-        numbers = [int(value) for value in arguments[1:4] if value.lstrip("-").isdecimal() and len(value) < 12]
-        if len(numbers) != len(arguments) - 1 or not numbers:
-            return None
-        first, last = (0, numbers[0]) if len(numbers) == 1 else numbers[:2]
-        step = abs(numbers[2]) if len(numbers) > 2 else 1
-        if step == 0 or abs(last - first) // step > MOST_ROUNDS:
-            return None
-        return [str(one) for one in range(first, last + (1 if last >= first else -1), step if last >= first else -step)]
+        return _range(arguments[1:])
     if not arguments or arguments[0] != "IN":
         return arguments
     found: list[str] = []

@@ -218,6 +218,25 @@ def _source_of(run: Evaluation, folders: tuple[str, ...], name: str) -> tuple[st
     return "", None
 
 
+def _included(run: Evaluation, name: str) -> tuple[str | None, bytes | None]:
+    """Return the path and content of a file, or of what it is made of where it is generated."""
+    path = run.relative(name)
+    if path is None or (content := run.files.content(path)) is not None:
+        return path, None if path is None else content
+    return _source_of(run, (dirname(path), dirname(dirname(path))), basename(path))
+
+
+def _include_module(run: Evaluation, name: str) -> bool:
+    """Run a module of the workspace; return whether there is one of that name."""
+    for folder in items_of(run.variables.get("CMAKE_MODULE_PATH") or ""):
+        found = run.relative(f"{folder}/{name}.cmake")
+        script = run.script(found) if found else None
+        if found and script:
+            run.run_file(found, script)
+            return True
+    return False
+
+
 def _include(run: Evaluation, call: Call) -> None:
     if not call.arguments:
         return
@@ -226,20 +245,12 @@ def _include(run: Evaluation, call: Call) -> None:
         run.fail(name, call.evidence, f"it includes a file that is unknown: {name}")
         return
     if "/" not in name and not name.endswith(".cmake"):
-        for folder in items_of(run.variables.get("CMAKE_MODULE_PATH") or ""):
-            found = run.relative(f"{folder}/{name}.cmake")
-            script = run.script(found) if found else None
-            if found and script:
-                run.run_file(found, script)
-                return
+        if _include_module(run, name):
+            return
         if run.relative(name) not in run.listing:
             run.variables.prefixes.add(name)
             return
-    path = run.relative(name)
-    content = None if path is None else run.files.content(path)
-    if path is not None and content is None:
-        folder = dirname(path)
-        path, content = _source_of(run, (folder, dirname(folder)), basename(path))
+    path, content = _included(run, name)
     if path and content is not None:
         run.run_file(path, parse_cmake(content), shown_in=dirname(name) if name.startswith(SOURCE) else "")
     elif "OPTIONAL" not in call.arguments:

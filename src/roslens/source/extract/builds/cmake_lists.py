@@ -101,6 +101,13 @@ def _sublist(items: list[str], begin: int, length: int) -> list[str]:
     return items[begin:] if length < 0 else items[begin : begin + length]
 
 
+def _longer(run: Evaluation, name: str, value: str | None, added: list[str], *, first: bool) -> None:
+    """Put items at an end of a list. The text stays as it is: what is escaped in it stays so."""
+    parts = [value, ";".join(added)] if value else [";".join(added)]
+    if added:
+        run.variables.set(name, ";".join(parts[::-1] if first else parts))
+
+
 def _list(run: Evaluation, call: Call) -> None:
     if len(call.arguments) < 2:
         return
@@ -108,10 +115,7 @@ def _list(run: Evaluation, call: Call) -> None:
     value = run.variables.kept(name)
     run.limits.spend(len(value or "") + 50)
     if action in ("APPEND", "PREPEND"):
-        if rest:
-            # The text stays as it is: what is escaped in it stays so.
-            parts = [value or "", ";".join(rest)]
-            run.variables.set(name, ";".join(parts if action == "APPEND" else parts[::-1]) if value else parts[1])
+        _longer(run, name, value, rest, first=action == "PREPEND")
     elif action in ("POP_BACK", "POP_FRONT"):
         _popped(run, name, value, rest, first=action == "POP_FRONT")
     elif action in _CHANGES:

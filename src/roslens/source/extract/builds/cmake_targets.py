@@ -186,11 +186,8 @@ class Collected:
         for name in names:
             for made in self._named(name):
                 kinds = ("RUNTIME", "") if made.executable else ("LIBRARY", "ARCHIVE", "")
-                chosen = next((places[one] for one in kinds if one in places), None)
-                made.installed = [
-                    *made.installed,
-                    chosen if chosen is not None else "bin" if made.executable else "lib",
-                ]
+                usual = "bin" if made.executable else "lib"
+                made.installed = [*made.installed, next((places[one] for one in kinds if one in places), usual)]
             if is_unknown(name):
                 run.fail(f"install(TARGETS {name})", call.evidence, f"its name is unknown: {reason_of(name)}")
 

@@ -6,15 +6,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from posixpath import normpath
 
 import msgspec
 
 from roslens.source.extract.builds.setup_program import SetupProgram, items_of
 from roslens.source.extract.domain.abstract_value import Key, Unknown, Value
-from roslens.source.extract.domain.guarded import Guarded
-from roslens.source.extract.domain.kinds import known_text
+from roslens.source.extract.domain.guarded import unguarded
+from roslens.source.extract.domain.kinds import known_text, reason_of
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.lowering.python.located_program import Written
@@ -129,12 +129,13 @@ class _Script:
     def _pairs(self, value: Value) -> Iterator[tuple[str, Value]]:
         if value is None:
             return
-        if not isinstance(value, dict):
-            self._fail(value, str(value.reason) if isinstance(value, Unknown) else "it is no dictionary")
-            return
-        for key, one in value.items():
-            for text in self._text(key):
-                yield text, one.value if isinstance(one, Guarded) else one
+        match value:
+            case dict(items):
+                for key, one in items.items():
+                    for text in self._text(key):
+                        yield text, unguarded(one)
+            case _:
+                self._fail(value, str(reason_of(value, "it is no dictionary")))
 
     def _programs(self, value: Value) -> Iterator[EntryPoint]:
         for one in items_of(value):
@@ -144,12 +145,13 @@ class _Script:
                         yield program
 
     def _data(self, value: Value) -> Iterator[tuple[str, tuple[str, ...]]]:
-        if not isinstance(value, list) or len(value) != 2:
-            self._fail(value, "it is no pair of a folder and files")
-            return
-        for folder in self._text(value[0]):
-            files = [text for one in items_of(value[1]) for text in self._text(one)]
-            yield normpath(folder), tuple(normpath(one) for one in files)
+        match value:
+            case list([written, given]):
+                for folder in self._text(written):
+                    files = [text for one in items_of(given) for text in self._text(one)]
+                    yield normpath(folder), tuple(normpath(one) for one in files)
+            case _:
+                self._fail(value, "it is no pair of a folder and files")
 
 
 def _program(line: str, evidence: Evidence) -> EntryPoint | None:
@@ -198,14 +200,26 @@ def read_pyproject(content: bytes, path: str) -> Setup:
         project = tomli.loads(text).get("project", {})
     except (tomli.TOMLDecodeError, RecursionError) as error:
         return Setup(unresolved=(Unresolved("pyproject.toml", Evidence(path, 1), f"it is no TOML: {error}"),))
-    given = project if isinstance(project, dict) else {}
-    points = given.get("entry-points")
-    tables = [given.get("scripts"), points.get("console_scripts") if isinstance(points, dict) else None]
     programs: list[EntryPoint] = []
-    for table in tables:
-        for name, entry in table.items() if isinstance(table, dict) else ():
-            if isinstance(entry, str):
-                where = re.search(rf"(?m)^\s*[\"']?{re.escape(name)}[\"']?\s*=", text)
-                line = text.count("\n", 0, where.end()) + 1 if where else 1
-                programs.append(EntryPoint(name, entry.partition("[")[0].replace(" ", ""), Evidence(path, line)))
+    for name, entry in _scripts(project):
+        where = re.search(rf"(?m)^\s*[\"']?{re.escape(name)}[\"']?\s*=", text)
+        line = text.count("\n", 0, where.end()) + 1 if where else 1
+        programs.append(EntryPoint(name, entry.partition("[")[0].replace(" ", ""), Evidence(path, line)))
     return Setup(tuple(programs))
+
+
+def _scripts(project: object) -> Iterator[tuple[str, str]]:
+    """Yield the programs of ``[project]`` with what they start; what is of another form is passed over."""
+    match project:
+        case {"scripts": {**table}}:
+            yield from _texts(table)
+    match project:
+        case {"entry-points": {"console_scripts": {**table}}}:
+            yield from _texts(table)
+
+
+def _texts(table: Mapping[object, object]) -> Iterator[tuple[str, str]]:
+    for name, entry in table.items():
+        match name, entry:
+            case str(), str():
+                yield name, entry

@@ -33,6 +33,17 @@ _CONTAINER = (("list_nodes", "ListNodes"), ("load_node", "LoadNode"), ("unload_n
 _MANAGER = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_nodelet", "NodeletUnload"))
 
 
+def _container(found: _Found) -> None:
+    for name, kind_of in _CONTAINER:
+        found.add(Role.SERVICE_SERVER, f"~/_container/{name}", f"composition_interfaces/srv/{kind_of}")
+
+
+def _managed(found: _Found) -> None:
+    found.add(Role.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", _TRANSITIONS)
+    for name, kind_of in _LIFECYCLE:
+        found.add(Role.SERVICE_SERVER, f"~/{name}", f"lifecycle_msgs/srv/{kind_of}")
+
+
 def implicit_endpoints(
     node: str, generation: str, kind: str, *, sim_time: bool, lifecycle: bool, cpp: bool | None, process: bool = True
 ) -> list[ConfiguredEndpoint]:
@@ -48,19 +59,17 @@ def implicit_endpoints(
         process: whether it is a nodelet whose name is that of a process too, see :func:`is_process`.
     """
     found = _Found(node)
-    nodelet = kind == "nodelet" and not process
-    if generation == "ros1" and not nodelet:
+    if generation == "ros1" and kind == "nodelet" and not process:
+        return found.endpoints
+    if generation == "ros1":
         _ros1(found, kind)
-    elif generation != "ros1":
+    else:
         _ros2(found, cpp)
         if lifecycle:
-            found.add(Role.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", _TRANSITIONS)
-            for name, kind_of in _LIFECYCLE:
-                found.add(Role.SERVICE_SERVER, f"~/{name}", f"lifecycle_msgs/srv/{kind_of}")
+            _managed(found)
         if kind == "container":
-            for name, kind_of in _CONTAINER:
-                found.add(Role.SERVICE_SERVER, f"~/_container/{name}", f"composition_interfaces/srv/{kind_of}")
-    if sim_time and not (generation == "ros1" and nodelet):
+            _container(found)
+    if sim_time:
         package = "rosgraph_msgs/msg/Clock" if generation == "ros2" else "rosgraph_msgs/Clock"
         found.add(Role.SUBSCRIPTION, "/clock", package, _CLOCK if generation == "ros2" else None, how="use_sim_time")
     return found.endpoints

@@ -181,13 +181,14 @@ def _by_parameters(tool: str, values: Values) -> Iterator[EndpointFact]:
         target = _value("output_topic", values) or Text.of(source, f"_{tool}")
         yield from _waiting(source, target)
     elif tool in ("mux", "demux"):
-        many = "input_topics" if tool == "mux" else "output_topics"
-        selected = _value("initial_topic", values) or _first(many, values)
-        other = _value("output_topic" if tool == "mux" else "input_topic", values)
+        if tool == "mux":
+            source = _value("initial_topic", values) or _first("input_topics", values)
+            target, selected = _value("output_topic", values) or Text.of("~/selected"), source
+        else:
+            target = _value("initial_topic", values) or _first("output_topics", values)
+            source, selected = _value("input_topic", values) or Text.of("~/input"), target
         if selected.known != _NONE:
-            usual = Text.of("~/selected" if tool == "mux" else "~/input")
-            ends = (selected, other or usual)
-            yield from _waiting(*(ends if tool == "mux" else reversed(ends)))
+            yield from _waiting(source, target)
         for one in _COMMANDS:
             kind = f"topic_tools_interfaces/srv/{tool.capitalize()}{one.capitalize()}"
             yield _end(Role.SERVICE_SERVER, Text.of(f"~/{one}"), kind, _ROS2)

@@ -57,9 +57,8 @@ def _named(given: Given, facts: NodeFacts, units: Units, hints: Mapping[str, Nod
         return
     for key, setting in values_of(given, facts).set.items():
         if given.generation == "ros2" or key.startswith(f"{node}/"):
-            for word in _WORD.findall(str(setting.value)):
-                if word in plugins:
-                    yield word, f"parameter {key} names the plug-in {word}"
+            words = [word for word in _WORD.findall(str(setting.value)) if word in plugins]
+            yield from ((word, f"parameter {key} names the plug-in {word}") for word in words)
 
 
 def _doubted(one: EndpointFact, why: str) -> EndpointFact:

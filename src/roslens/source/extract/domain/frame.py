@@ -12,29 +12,20 @@ from roslens.source.extract.domain.abstract_value import Class, Made, Named, Nam
 from roslens.source.extract.domain.disjuncts import one_object
 from roslens.source.extract.domain.guarded import guarded
 from roslens.source.extract.domain.kinds import all_of_kind, has_kind, object_of, reason_of
-from roslens.source.extract.domain.plain_methods import is_namespace
 from roslens.source.extract.domain.quality import one_of as one_quality
+from roslens.source.extract.domain.text_choice import either
 from roslens.source.extract.ir.program import Expression, Function
 from roslens.source.extract.symbolic.condition import ALWAYS, all_of, any_of, negated
-from roslens.source.extract.symbolic.reason import NamePart, OfController, OfHandle, OfNode, Reason
 from roslens.source.extract.symbolic.text import (
     And,
-    Choice,
     Condition,
     Conditions,
-    Hole,
-    NoException,
     Or,
     Text,
 )
-from roslens.source.extract.symbolic.widening import of_many
 
 Held = tuple[Names, Names]
 """What names and members of the object hold."""
-
-
-_LONG = 400
-"""So much of the words for a choice is kept; one of few texts has fewer."""
 
 
 _NONE: dict[str, tuple[object, ...]] = {}
@@ -315,75 +306,6 @@ def _one_of(value: Value, before: Value, condition: Condition, test: Condition |
             return either(as_text(value), as_text(before), condition, test)
     reasons = [str(reason_of(one, str(as_text(one)))) for one in (value, before)]
     return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
-
-
-def _but_for_slashes(one: Text, other: Text) -> Text | None:
-    """Return the text with more separators where texts differ by one after a namespace only.
-
-    A namespace ends with ``/`` only where it is nothing else; a name with two of them is tidied.
-    """
-    if not any(is_namespace(hole) for hole in one.holes):
-        return None
-    most = max(one, other, key=lambda text: len(text.pattern))
-    least = other if most is one else one
-    for place in range(len(most.parts) - 1):
-        match most.parts[place : place + 2]:
-            case (part, str(rest)) if is_namespace(part) and rest.startswith("/"):
-                without = Text.of(*most.parts[: place + 1], rest[1:], *most.parts[place + 2 :])
-                if without == least or Text.of("/", without) == least:
-                    return most
-    return None
-
-
-def _below(one: Text, other: Text, condition: Condition) -> Text | None:
-    """Return a name that is below a namespace where it is relative: ``topic[0] != '/' ? ns + "/" + topic : topic``."""
-    match one.parts, other.parts:
-        case (Hole(reason=above), "/", Hole() as last), (Hole() as name,) if name == last:
-            possible = _may_be_namespace(above) and "/" in str(condition)
-            return Text((msgspec.structs.replace(name, below=above),)) if possible else None
-    return None
-
-
-def _may_be_namespace(reason: Reason) -> bool:
-    match reason:
-        case OfNode(what=what):
-            return what in (NamePart.NAMESPACE, NamePart.ABOVE)
-        case OfHandle() | OfController():
-            return True
-    return False
-
-
-def _deciding(text: Text) -> list[str]:
-    return [hole.parameter or str(hole.reason) for hole in text.holes]
-
-
-def either(one: Text, other: Text, condition: Condition, test: Condition | None = None) -> Text:
-    """Return the text that is one where a condition holds, and the other one where it does not."""
-    if one == other:
-        return one
-    if type(condition) is NoException and not (one.parts and other.parts):
-        return one if one.parts else other
-    if one.parts and other.parts:
-        if one.pattern == other.pattern and _deciding(one) == _deciding(other) and not _chooses(one, other):
-            return min(one, other, key=lambda text: len(str(text)))
-        same = _but_for_slashes(one, other)
-        if same is not None:
-            return same
-        below = _below(one, other, condition) or _below(other, one, condition)
-        if below is not None:
-            return below
-    shown = [str(text) if text.parts else "nothing" for text in (one, other)]
-    reason = f"{shown[0]} if {str(condition)[:60]}, else {shown[1]}"
-    many = of_many(condition, one, other) if len(reason) > _LONG else None
-    if many is not None:
-        return many
-    parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
-    choice = Choice(condition, one, other, () if test is None else (test,))
-    return Text((Hole(reason[:_LONG], parameter, choice=(choice,)),))
-
-
-def _chooses(*texts: Text) -> bool:
-    return any(hole.choice for text in texts for hole in text.holes)
 
 
 def bind_rest(what: Function, place: int, arguments: list[Value], keywords: Names, frame: Frame) -> None:

@@ -113,6 +113,14 @@ def is_namespace(part: str | Hole) -> bool:
     return False
 
 
+def _part_of_open(of: Text, name: str, text: str) -> Value:
+    if name in ("rfind", "find_last_of") and of.holes == of.parts and is_namespace(of.parts[0]) and text == "/":
+        return LastSlash(of)
+    if name in ("startswith", "starts_with") and of.head and len(of.head) >= len(text):
+        return of.head.startswith(text)
+    return Unknown(f"{name} of {of}")
+
+
 def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
     """Return where something is in a text, a part of it, or whether it begins or ends with something."""
     first = arguments[0] if arguments else None
@@ -122,11 +130,7 @@ def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
     if text is None or len(arguments) > 1:
         return Unknown(f"{name} of a text")
     if of.known is None:
-        if name in ("rfind", "find_last_of") and of.holes == of.parts and is_namespace(of.parts[0]) and text == "/":
-            return LastSlash(of)
-        if name in ("startswith", "starts_with") and of.head and len(of.head) >= len(text):
-            return of.head.startswith(text)
-        return Unknown(f"{name} of {of}")
+        return _part_of_open(of, name, text)
     if name in ("startswith", "starts_with", "endswith", "ends_with"):
         return of.known.startswith(text) if name.startswith("starts") else of.known.endswith(text)
     if name == "compare":

@@ -8,7 +8,7 @@ from roslens.source.extract.domain.abstract_value import Handle, Names, Unknown,
 from roslens.source.extract.domain.frame import Frame, bind_rest
 from roslens.source.extract.domain.outside_options import options_from_outside
 from roslens.source.extract.ir.controller_handles import is_of_controller
-from roslens.source.extract.ir.program import Function, Parameter
+from roslens.source.extract.ir.program import Expression, Function, Parameter
 from roslens.source.extract.symbolic.reason import OfController
 from roslens.source.extract.symbolic.text import unknown
 from roslens.source.extract.symbols.node_bases import NODE_BASES
@@ -34,22 +34,31 @@ def bind(ctx: Context, what: Function, arguments: list[Value], keywords: Names, 
         elif parameter.name in keywords:
             frame.names[parameter.name] = keywords[parameter.name]
         else:
-            default = parameter.default
-            if not ctx.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
-                # Whoever loads a component gives it options, whatever holds where nobody does.
-                frame.names[parameter.name] = options_from_outside()
-                continue
-            if default is None and declared is not None and place < len(declared.parameters):
-                default = declared.parameters[place].default
-            outer, ctx.state.frame = ctx.state.frame, frame
-            known = None if "**" in keywords else default
-            value = _not_given(ctx, what, parameter) if known is None else ctx.value(known)
-            ctx.state.frame = outer
-            match value:
-                case list() | dict():
-                    # A default of Python is one object: what a call puts into it the next one finds there.
-                    value = ctx.state.once.setdefault((frame.path, what.line, place, id(what)), value)
-            frame.names[parameter.name] = value
+            default = None if "**" in keywords else _default(parameter, declared, place)
+            names[parameter.name] = _by_default(ctx, what, place, default, frame)
+
+
+def _default(parameter: Parameter, declared: Function | None, place: int) -> Expression | None:
+    """Return the default of a parameter, which a declaration elsewhere may say."""
+    if parameter.default is not None or declared is None or place >= len(declared.parameters):
+        return parameter.default
+    return declared.parameters[place].default
+
+
+def _by_default(ctx: Context, what: Function, place: int, default: Expression | None, frame: Frame) -> Value:
+    """Return what a parameter is that is not given."""
+    parameter = what.parameters[place]
+    if not ctx.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
+        # Whoever loads a component gives it options, whatever holds where nobody does.
+        return options_from_outside()
+    outer, ctx.state.frame = ctx.state.frame, frame
+    value = _not_given(ctx, what, parameter) if default is None else ctx.value(default)
+    ctx.state.frame = outer
+    match value:
+        case list() | dict():
+            # A default of Python is one object: what a call puts into it the next one finds there.
+            return ctx.state.once.setdefault((frame.path, what.line, place, id(what)), value)
+    return value
 
 
 def _not_given(ctx: Context, what: Function, parameter: Parameter) -> Value:

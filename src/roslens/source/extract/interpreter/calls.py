@@ -16,14 +16,14 @@ from roslens.source.extract.domain.abstract_value import (
     Unknown,
     Value,
 )
-from roslens.source.extract.domain.made_texts import text_made
-from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_first
+from roslens.source.extract.domain.owned_pointer import is_owner, owns_first
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.bound_functions import bound
+from roslens.source.extract.interpreter.language_calls import BINDS, FROM_THIS, KNOWN, of_language
 from roslens.source.extract.interpreter.unknown_calls import may_set, method_of_plain
 from roslens.source.extract.interpreter.vocabulary import CallSite, find_method, find_outer, guessed_method, is_method
 from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
-from roslens.source.extract.symbols.symbol_table import dotted, type_arguments, type_name
+from roslens.source.extract.symbols.symbol_table import Defined, dotted, type_arguments, type_name
 from roslens.source.extract.transfer.each_way import each_way
 from roslens.source.extract.transfer.overload_choice import overload
 from roslens.source.extract.transfer.refined_values import refine
@@ -32,20 +32,7 @@ from roslens.source.extract.transfer.spread_arguments import spread
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
-_POINTERS = frozenset(
-    {"std.make_shared", "std.make_unique", "boost.make_shared", "make_shared", "make_unique", "new",
-     "std.allocate_shared"}
-)  # fmt: skip
-_CASTS = frozenset(
-    {"std.move", "std.forward", "std.ref", "std.cref", "boost.ref", "boost.cref", "std.dynamic_pointer_cast",
-     "std.static_pointer_cast", "move", "static_cast", "dynamic_cast", "std.const_pointer_cast",
-     "std.make_optional", "std.addressof"}
-)  # fmt: skip
-_FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
-_BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
-_TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
 _SUPER = Name("super")
-_KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
 _OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
 
@@ -86,23 +73,16 @@ class Calls:
                 name = function.name
             case _:
                 name = ""
-        known = name in _KNOWN
+        known = name in KNOWN
         if known and name == "super" and not expression.arguments:
             return ctx.state.frame.self
-        if (known and name in _BINDS) or name.endswith((".bind", ".partial")):
+        if (known and name in BINDS) or name.endswith((".bind", ".partial")):
             return bound([ctx.value(one) for one in expression.arguments])
         arguments, keywords = self._arguments(expression)
         ctx.state.at(expression)
-        if known:
-            if name in _FROM_THIS and ctx.state.frame.object is not None:
-                return ctx.state.frame.object
-            if name in _POINTERS and templates:
-                kind, inside = type_name(templates[0])
-                return ctx.objects.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
-            if (name in _CASTS and arguments) or (name in OWNERS and owns_first(arguments)):
-                return arguments[0]
-            if name in _TEXTS and arguments:
-                return text_made(name, arguments)
+        made = of_language(ctx, name, arguments, keywords, templates) if known else None
+        if made is not None:
+            return made[0]
         if name in ctx.state.frame.names or not name:
             return self._apply(ctx.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
@@ -118,14 +98,14 @@ class Calls:
                 return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
             if name in thing.fields:
                 return self._apply(thing.fields[name], expression, arguments, keywords, templates)
-            if is_method(name):
-                called = self._call_of(expression, name, arguments, keywords, templates)
-                known = find_method(ctx, thing, called)
-                if known is not None:
-                    return known(ctx, thing, called)
-                guessed = self._guessed(thing, called) if not ctx.index.functions_of(*self._place(name)) else None
-                if guessed is not None:
-                    return guessed
+            called = self._call_of(expression, name, arguments, keywords, templates) if is_method(name) else None
+            known = None if called is None else find_method(ctx, thing, called)
+            if called is not None and known is not None:
+                return known(ctx, thing, called)
+            alone = called is not None and not ctx.index.functions_of(*self._place(name))
+            guessed = self._guessed(thing, called) if called is not None and alone else None
+            if guessed is not None:
+                return guessed
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
 
     def _called_elsewhere(
@@ -153,14 +133,19 @@ class Calls:
                 memo.outside[key] = meant
         meaning, alias = meant
         if "<" in alias and not templates:
-            plain, inside = type_name(alias)
-            templates = tuple(self.template(one) for one in type_arguments(inside))
-            beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
-            for one in (beside, plain):
-                defined = ctx.index.class_of(one, frame.path, frame.scope)
-                if defined is not None:
-                    return ctx.objects.construct(defined, arguments, keywords, templates)
+            defined, templates = self._of_template(name, alias)
+            if defined is not None:
+                return ctx.objects.construct(defined, arguments, keywords, templates)
         return self.outer(meaning, expression, arguments, keywords, templates)
+
+    def _of_template(self, name: str, alias: str) -> tuple[Defined | None, tuple[str, ...]]:
+        """Return the class that a name is an alias of with template arguments, and these."""
+        frame = self.ctx.state.frame
+        plain, inside = type_name(alias)
+        beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
+        found = (self.ctx.index.class_of(one, frame.path, frame.scope) for one in (beside, plain))
+        templates = tuple(self.template(one) for one in type_arguments(inside))
+        return next((one for one in found if one is not None), None), templates
 
     def _overload(self, found: Callable, name: str, arguments: list[Value]) -> Callable:
         """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
@@ -215,7 +200,7 @@ class Calls:
                 return self._of_module(of, expression, function, arguments, keywords, templates)
             case Class():
                 return self._of_class(of, expression, name, arguments, keywords)
-            case Obj() if name in _FROM_THIS:
+            case Obj() if name in FROM_THIS:
                 return of
             case Obj() if of_super:
                 return self._of_base(of, name, arguments, keywords)

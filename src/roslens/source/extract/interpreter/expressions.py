@@ -242,11 +242,7 @@ class Expressions:
         if operator in ("and", "or"):
             return decided(self.ctx, expression)
         if operator == "?:":
-            decides = self.value(expression.operands[0])
-            holds = ctx.truth(decides)
-            if holds is not None:
-                return self.value(expression.operands[1 if holds else 2])
-            return self.either(expression, decides)
+            return self._chosen(expression)
         if operator == "=":
             value = self.value(expression.operands[1])
             ctx.assign(expression.operands[0], value)
@@ -267,6 +263,13 @@ class Expressions:
             test = test_of(values[0])
             return opened(self.ctx, expression, None if test is None else negated(test))
         return self.computed(operator, values, expression)
+
+    def _chosen(self, expression: Operation) -> Value:
+        decides = self.value(expression.operands[0])
+        holds = self.ctx.truth(decides)
+        if holds is not None:
+            return self.value(expression.operands[1 if holds else 2])
+        return self.either(expression, decides)
 
     def either(self, expression: Operation, decides: Value) -> Value:
         """Return one of two values, or what is known of both."""

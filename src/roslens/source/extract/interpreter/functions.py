@@ -78,8 +78,8 @@ class Functions:
             result, names, state.site, state.gave = done.result, done.names, done.site, None
             self._done_again(fields_of(function.self), done.fields)
         for parameter, expression in zip(what.parameters, call.written, strict=False):
-            if parameter.type.endswith(_SHARING) and "const" not in parameter.type.split() and parameter.name:
-                self._given_back(parameter, expression, newest(ctx, names.get(parameter.name)))
+            if parameter.type.endswith(_SHARING):
+                self._given_back(parameter, expression, names)
         if state.store.refined:
             changed_by_call(ctx)
         return result
@@ -91,7 +91,10 @@ class Functions:
             store.put(members, name, value)
         members.update(after)
 
-    def _given_back(self, parameter: Parameter, written: Expression, value: Value) -> None:
+    def _given_back(self, parameter: Parameter, written: Expression, names: Names) -> None:
+        if "const" in parameter.type.split() or not parameter.name:
+            return
+        value = newest(self.ctx, names.get(parameter.name))
         # A pointer to anything else is the same object, or may point elsewhere by now.
         match value:
             case QosValue():

@@ -110,12 +110,11 @@ def _followed(ctx: Context, statement: Loop) -> bool | None:
         _repeated(ctx, statement)
         return None
     count = _count(ctx, statement) if statement.target is None else None
-    if count is not None and count <= MOST_COUNTED:
-        for _ in range(count):
-            if not _turn(ctx, statement):
-                break
-        return None
-    _once_for_all(ctx, statement, over)
+    if count is None or count > MOST_COUNTED:
+        _once_for_all(ctx, statement, over)
+    else:
+        # Until one turn is the last.
+        all(_turn(ctx, statement) for _ in range(count))
     return None
 
 

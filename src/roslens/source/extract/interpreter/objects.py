@@ -91,23 +91,27 @@ class Objects:
             for field, always in self._members(one):
                 if always is not _OF_TYPE:
                     thing.fields[field.name] = always
-                    continue
-                outer, ctx.state.frame = ctx.state.frame, Frame(one.path, one.what.qualified_name, thing)
-                ctx.state.frame.templates.update(thing.templates_of(one.what.qualified_name))
-                ctx.state.site = Evidence(one.path, field.line)
-                try:
-                    if field.value is not None:
-                        value = self.typed(field.type, ctx.value(field.value))
-                        python = one.path[-3:] == ".py"
-                        thing.fields[field.name] = of_object(ctx, one, field.name, value) if python else value
-                    elif field.type and "*" not in field.type:
-                        value = self.declared(field.type)
-                        # Who sets it may not be followed: it is not sure to be empty.
-                        not_set = unknown(NotSet(field.name))
-                        thing.fields[field.name] = value if text_of(value) is None else not_set
-                finally:
-                    ctx.state.frame = outer
+                else:
+                    self._make(thing, one, field)
         ctx.state.preparing.pop()
+
+    def _make(self, thing: Obj, of: Defined, field: Field) -> None:
+        """Make a member of an object where its class declares it."""
+        ctx = self.ctx
+        outer, ctx.state.frame = ctx.state.frame, Frame(of.path, of.what.qualified_name, thing)
+        ctx.state.frame.templates.update(thing.templates_of(of.what.qualified_name))
+        ctx.state.site = Evidence(of.path, field.line)
+        try:
+            if field.value is not None:
+                value = self.typed(field.type, ctx.value(field.value))
+                thing.fields[field.name] = of_object(ctx, of, field.name, value) if of.path[-3:] == ".py" else value
+            elif field.type and "*" not in field.type:
+                value = self.declared(field.type)
+                # Who sets it may not be followed: it is not sure to be empty.
+                not_set = unknown(NotSet(field.name))
+                thing.fields[field.name] = value if text_of(value) is None else not_set
+        finally:
+            ctx.state.frame = outer
 
     def _members(self, defined: Defined) -> tuple[tuple[Field, Value], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""

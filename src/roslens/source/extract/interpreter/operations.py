@@ -6,9 +6,10 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.domain.abstract_value import Named, Unknown, Value, as_text, test_of
-from roslens.source.extract.domain.frame import either, one_of, one_or_none
+from roslens.source.extract.domain.frame import one_of, one_or_none
 from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.domain.plain_methods import formatted
+from roslens.source.extract.domain.text_choice import either
 from roslens.source.extract.domain.word_list import AtLeast
 from roslens.source.extract.ir.program import Expression, Operation
 from roslens.source.extract.symbolic.condition import negated
@@ -72,18 +73,25 @@ def decided(ctx: Context, expression: Operation) -> Value:
         holds = ctx.truth(value)
         if holds is stops:
             break
-        if holds is None:
-            open_.append((value, one))
-            text = text_of(value) if results and stops and number < len(operands) - 1 else None
-            if text is not None:
-                return _or_else(ctx, text, operands[number:])
-    if not open_:
-        holds = ctx.truth(value)
-        return value if results or holds is None else holds
-    if ctx.truth(value) is stops:
-        return stops if not results or value is stops else opened(ctx, expression)
-    tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
-    test = tests[0] if len(tests) == 1 else (And if operator == "and" else Or)(tuple(tests))
+        if holds is not None:
+            continue
+        open_.append((value, one))
+        text = text_of(value) if results and stops else None
+        if text is not None and number < len(operands) - 1:
+            return _or_else(ctx, text, operands[number:])
+    if open_:
+        return _decided_by(ctx, expression, value, [one for one, _ in open_])
+    holds = ctx.truth(value)
+    return value if results or holds is None else holds
+
+
+def _decided_by(ctx: Context, expression: Operation, last: Value, open_: list[Value]) -> Value:
+    """Return what ``and`` or ``or`` comes to where some operands are open; ``last`` is the last one that counts."""
+    stops = expression.operator == "or"
+    if ctx.truth(last) is stops:
+        return stops if not ctx.dialect.operands_are_results or last is stops else opened(ctx, expression)
+    tests = [test for one in open_ if (test := test_of(one)) is not None]
+    test = tests[0] if len(tests) == 1 else (Or if stops else And)(tuple(tests))
     return opened(ctx, expression, test if len(tests) == len(open_) else None)
 
 

@@ -13,6 +13,7 @@ from roslens.source.extract.domain.abstract_value import (
     test_of,
 )
 from roslens.source.extract.domain.earlier_values import forget_defaults
+from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.kinds import items_of, text_of
 from roslens.source.extract.domain.owned_pointer import owns_first
 from roslens.source.extract.interpreter.assignments import assigned
@@ -174,10 +175,7 @@ def _branched(ctx: Context, statement: Branch) -> None:
     since = changes.count
     changes.open += 1
     frame.know(written, otherwise, test_of(decides))
-    if type(written) is NoException:
-        block(ctx, statement.then)
-    else:
-        _noted(ctx, written, statement.then)
+    _tried_or_noted(ctx, written, statement.then)
     returned, gone, plainly = frame.returned, frame.returned or frame.stopped, frame.plainly
     after = before if frame.is_as(before) else frame.snapshot()
     frame.restore(before)
@@ -197,11 +195,7 @@ def _branched(ctx: Context, statement: Branch) -> None:
         changes.ended()
     if returned is not other_returned and (after is not before or other_returned):
         frame.leave(after[1] if returned else dict(frame.members or {}), before[1], written if returned else otherwise)
-    # A way that leaves the function, or the loop, has no say in what holds after it.
-    if other_gone and not gone:
-        frame.restore(after)
-    elif other_gone is gone and (after is not before or statement.otherwise):
-        frame.join(after, written)
+    _hold_after(frame, after, written, (gone, other_gone), changed=after is not before or bool(statement.otherwise))
     frame.returned = returned and other_returned
     frame.stopped = gone and other_gone and not frame.returned
     if gone is not other_gone and ctx.emitter.node.generation == "ros1":
@@ -211,6 +205,21 @@ def _branched(ctx: Context, statement: Branch) -> None:
         ctx.state.under(otherwise, frame.tests.get(otherwise))
         frame.passed += 1
     without_ways_out(ctx, ways)
+
+
+def _tried_or_noted(ctx: Context, written: Condition, body: tuple[Statement, ...]) -> None:
+    if type(written) is NoException:
+        block(ctx, body)
+    else:
+        _noted(ctx, written, body)
+
+
+def _hold_after(frame: Frame, after: Held, written: Condition, gone: tuple[bool, bool], *, changed: bool) -> None:
+    """Let names hold what they do after a branch: a way that leaves the function, or the loop, has no say in that."""
+    if gone == (False, True):
+        frame.restore(after)
+    elif gone[0] is gone[1] and changed:
+        frame.join(after, written)
 
 
 def _handled(ctx: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[Condition, Condition]) -> None:

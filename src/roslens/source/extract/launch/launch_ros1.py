@@ -313,6 +313,16 @@ class _File:
                 self._miss(child, f"<{child.tag}>", "no element of a node")
         return inner_remaps, [*files, *space.private, *own]
 
+    def _decided(self, element: Element, attribute: str, written: str) -> tuple[bool | None, bool | None]:
+        """Return whether a condition holds, None where that is open, and whether it usually does then."""
+        try:
+            text = substitute(written, self._scope)
+            holds = truth(text)
+            return holds, truth(Text.of(text.usual)) if holds is None and text.usual is not None else None
+        except SubstitutionError as error:
+            self._miss(element, f'{attribute}="{written}"', str(error))
+            return None, None
+
     def _if(self, element: Element, space: _Space) -> _Space | None:
         """Return the space inside an element; None where a condition says that it is not there."""
         space = msgspec.structs.replace(space, own=()) if space.own else space
@@ -322,15 +332,7 @@ class _File:
             written = element.attributes.get(attribute)
             if written is None:
                 continue
-            usual = None
-            try:
-                text = substitute(written, self._scope)
-                holds = truth(text)
-                if holds is None and text.usual is not None:
-                    usual = truth(Text.of(text.usual))
-            except SubstitutionError as error:
-                self._miss(element, f'{attribute}="{written}"', str(error))
-                holds = None
+            holds, usual = self._decided(element, attribute, written)
             if holds is None:
                 condition = Written(written) if wanted else Not(Written(written))
                 own = (*space.own, Doubt(condition, None if usual is None else usual is wanted))

@@ -103,11 +103,17 @@ def _spawned(spawner: Launched, files: Files) -> Iterator[_Spawned]:
         else:
             names.append(word)
     for one in names:
-        name = one.known
-        if name is None:
-            yield _Spawned(str(one), space, why=f"its name depends on {one.holes[0].reason}")
-            continue
-        yield from _of_file(name, space, spawner, files) if _FILES.search(name) else [_Spawned(name, space)]
+        yield from _of_word(one, space, spawner, files)
+
+
+def _of_word(word: Text, space: Text, spawner: Launched, files: Files) -> Iterator[_Spawned]:
+    name = word.known
+    if name is None:
+        yield _Spawned(str(word), space, why=f"its name depends on {word.holes[0].reason}")
+    elif _FILES.search(name):
+        yield from _of_file(name, space, spawner, files)
+    else:
+        yield _Spawned(name, space)
 
 
 def _of_file(name: str, space: Text, spawner: Launched, files: Files) -> Iterator[_Spawned]:

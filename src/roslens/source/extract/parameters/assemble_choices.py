@@ -134,6 +134,12 @@ def _is_of_many(text: Text) -> bool:
     return any(is_of_many(hole.reason) for hole in text.holes)
 
 
+def _before(parts: tuple[str | Hole, ...], piece: Text) -> tuple[str | Hole, ...]:
+    """Return what stands before a piece of a name."""
+    # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
+    return () if piece.is_global and len(parts) == 1 and str(parts[0]).startswith("~") else parts
+
+
 def _expanded(text: Text, values: Values) -> Iterator[Alternative]:
     hole = next((one for one in text.holes if one.choice), None)
     if hole is None:
@@ -142,14 +148,9 @@ def _expanded(text: Text, values: Values) -> Iterator[Alternative]:
     place = text.parts.index(hole)
     choice = hole.choice[0]
     decided = decided_by(choice, values)
-    for holds in (True, False):
-        if decided.holds is (not holds):
-            continue
+    for holds in (True, False) if decided.holds is None else (decided.holds,):
         piece = choice.then if holds else choice.otherwise
-        before = text.parts[:place]
-        if piece.is_global and len(before) == 1 and str(before[0]).startswith("~"):
-            # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
-            before = ()
+        before = _before(text.parts[:place], piece)
         own = () if decided.holds is not None else (choice.condition if holds else negated(choice.condition),)
         for rest in _expanded(Text.of(*before, piece, *text.parts[place + 1 :]), values):
             conditions = tuple(dict.fromkeys((*own, *rest.conditions)))

@@ -34,14 +34,12 @@ def of_many(condition: Condition, *texts: Text) -> Text | None:
 def _ways(text: Text, most: int) -> int:
     """Return how many texts it may be, or any number above ``most`` where it is more."""
     found = 0
-    for part in text.parts:
-        if isinstance(part, Hole):
-            for choice in part.choice:
-                found += _ways(choice.then, most - found)
-                if found <= most:
-                    found += _ways(choice.otherwise, most - found)
-                if found > most:
-                    return found
+    for choice in (one for hole in text.holes for one in hole.choice):
+        found += _ways(choice.then, most - found)
+        if found <= most:
+            found += _ways(choice.otherwise, most - found)
+        if found > most:
+            return found
     return found or 1
 
 
@@ -49,26 +47,27 @@ def _reason(condition: Condition, texts: tuple[Text, ...]) -> OfMany:
     shown: dict[str, None] = {}
     parameters: dict[str, None] = {}
     for part in _parts(texts):
-        if isinstance(part, Hole):
-            if isinstance(part.reason, OfMany):
-                return part.reason
-            if part.parameter:
-                parameters[part.parameter] = None
-        elif part.strip("~/"):
-            shown[part] = None
-    reason = f"{MANY}, by {str(condition)[:_MOST_LENGTH]}"
+        match part:
+            case Hole(reason=OfMany() as reason):
+                return reason
+            case Hole(parameter=parameter) if parameter:
+                parameters[parameter] = None
+            case str() if part.strip("~/"):
+                shown[part] = None
+    words = f"{MANY}, by {str(condition)[:_MOST_LENGTH]}"
     if parameters:
-        reason += f" and parameters {_some(list(parameters))}"
-    return OfMany(f"{reason}; among their parts: {_some(list(shown))}" if shown else reason)
+        words += f" and parameters {_some(list(parameters))}"
+    return OfMany(f"{words}; among their parts: {_some(list(shown))}" if shown else words)
 
 
 def _parts(texts: tuple[Text, ...]) -> Iterator[str | Hole]:
     for text in texts:
         for part in text.parts:
-            for choice in part.choice if isinstance(part, Hole) else ():
-                yield from _parts((choice.then, choice.otherwise))
-            if isinstance(part, str) or not part.choice:
-                yield part
+            match part:
+                case Hole(choice=(choice, *_)):
+                    yield from _parts((choice.then, choice.otherwise))
+                case _:
+                    yield part
 
 
 def _some(names: list[str]) -> str:

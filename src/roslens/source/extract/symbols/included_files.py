@@ -32,15 +32,16 @@ def included_files(
     for path, program in programs.items():
         if program.language == "python" or not program.includes:
             continue
-        meant: dict[str, None] = {}
-        for line, _ in program.includes:
-            wanted = line.strip('<>"')
-            named = by_name.get(wanted.rpartition("/")[2])
-            fit = [one for one in named if f"/{one}".endswith(f"/{_plain(wanted)}")] if named else []
-            if fit:
-                meant[fit[0] if len(fit) == 1 else _nearest(fit, path, packages, needs)] = None
-        found[path] = tuple(meant)
+        fitting = (_fitting(line.strip('<>"'), by_name) for line, _ in program.includes)
+        meant = (fit[0] if len(fit) == 1 else _nearest(fit, path, packages, needs) for fit in fitting if fit)
+        found[path] = tuple(dict.fromkeys(meant))
     return found
+
+
+def _fitting(wanted: str, by_name: Mapping[str, Sequence[str]]) -> list[str]:
+    """Return the files whose path ends in what is written."""
+    named = by_name.get(wanted.rpartition("/")[2], ())
+    return [one for one in named if f"/{one}".endswith(f"/{_plain(wanted)}")]
 
 
 def reached(start: str, edges: Mapping[str, Collection[str]]) -> set[str]:

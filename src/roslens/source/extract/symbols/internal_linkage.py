@@ -8,11 +8,19 @@ headers of one name each, it is that of its own package, else of one that its pa
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from roslens.source.extract.ir.program import Program
 from roslens.source.extract.symbols.included_files import HEADERS, Needs, Packages, including, reached
+
+
+def _where(names: Iterable[tuple[str, str]]) -> dict[str, set[str]]:
+    """Return the files in which each name is defined."""
+    found: dict[str, set[str]] = {}
+    for name, path in names:
+        found.setdefault(name, set()).add(path)
+    return found
 
 
 def own_names(
@@ -20,14 +28,9 @@ def own_names(
 ) -> dict[str, dict[str, str]]:
     """Return, by path, the qualified names that mean something else in a file, and the file that defines what it is."""
     included = {line.strip('<>"').rpartition("/")[2] for one in programs.values() for line, _ in one.includes}
-    classes: dict[str, set[str]] = {}
-    variables: dict[str, set[str]] = {}
-    for path, program in programs.items():
-        if program.language != "python":
-            for one in program.classes:
-                classes.setdefault(one.qualified_name, set()).add(path)
-            for name, _ in program.variables():
-                variables.setdefault(name, set()).add(path)
+    cpp = {path: program for path, program in programs.items() if program.language != "python"}
+    classes = _where((one.qualified_name, path) for path, program in cpp.items() for one in program.classes)
+    variables = _where((name, path) for path, program in cpp.items() for name, _ in program.variables())
     found: dict[str, dict[str, str]] = {}
     for name, paths in (*classes.items(), *variables.items()):
         sources = [path for path in paths if not path.endswith(HEADERS) and path.rpartition("/")[2] not in included]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.interfaces.interfaces_by_package import InterfacesByPackage
@@ -119,13 +119,8 @@ class SymbolTable:
             yield before + name
         if program is None:
             return
-        head, dot, rest = name.partition(".")
-        for before in around if head in self._definitions.last_aliases else ():
-            meaning = program.imports.get(before + head) or self._definitions.aliases.get(before + head)
-            if meaning is not None:
-                yield dotted(meaning) + dot + rest
-                if before:
-                    yield f"{before}{dotted(meaning)}{dot}{rest}"
+        yield from self._by_alias(name, around, program)
+        head, _, rest = name.partition(".")
         second, dot, rest = rest.partition(".")
         for before in around if dot and second in self._definitions.last_aliases else ():
             # A name for a namespace that another namespace has: ``outer::short::Class``.
@@ -135,6 +130,15 @@ class SymbolTable:
                 yield f"{dotted(meaning)}.{rest}"
         for using in program.using:
             yield f"{using}.{name}"
+
+    def _by_alias(self, name: str, around: Sequence[str], program: Program) -> Iterator[str]:
+        head, dot, rest = name.partition(".")
+        for before in around if head in self._definitions.last_aliases else ():
+            meaning = program.imports.get(before + head) or self._definitions.aliases.get(before + head)
+            if meaning is not None:
+                yield dotted(meaning) + dot + rest
+                if before:
+                    yield f"{before}{dotted(meaning)}{dot}{rest}"
 
     def package(self, path: str) -> str:
         """Return the package that a file belongs to."""

@@ -124,19 +124,30 @@ def _changed(of: Text, name: str, arguments: list[Value]) -> Text | None:
     known = of.known
     if known is None or any(one is None and other is None for one, other in zip(texts, numbers, strict=True)):
         return None
-    if name == "insert" and len(arguments) == 2 and numbers[0] is not None and texts[1] is not None:
-        return Text.of(known[: numbers[0]], texts[1], known[numbers[0] :])
-    if name == "erase" and None not in numbers and len(arguments) <= 2:
-        begin, count = (*numbers, None, None)[:2]
-        begin = begin or 0
-        return Text.of(known[:begin], "" if count is None else known[begin + count :])
-    if name == "resize" and len(arguments) == 1 and numbers[0] is not None and numbers[0] <= len(known):
-        return Text.of(known[: numbers[0]])
-    if name == "replace" and len(arguments) == 3 and None not in numbers[:2] and texts[2] is not None:
-        begin, count = numbers[0] or 0, numbers[1] or 0
-        return Text.of(known[:begin], texts[2], known[begin + count :])
+    changed = _changed_at(known, name, texts, numbers)
+    return _replaced(known, name, texts) if changed is None else changed
+
+
+def _changed_at(known: str, name: str, texts: list[Text | None], numbers: list[int | None]) -> Text | None:
+    """Return a text that is changed at a place by its number; None where it is not, or that is unknown."""
+    match name, numbers, texts:
+        case "insert", [int(place), _], [_, Text() as added]:
+            return Text.of(known[:place], added, known[place:])
+        case "erase", [] | [int()] | [int(), int()], _:
+            begin, count = (*numbers, None, None)[:2]
+            begin = begin or 0
+            return Text.of(known[:begin], "" if count is None else known[begin + count :])
+        case "resize", [int(length)], _ if length <= len(known):
+            return Text.of(known[:length])
+        case "replace", [int(begin), int(count), _], [_, _, Text() as put]:
+            return Text.of(known[:begin], put, known[begin + count :])
+    return None
+
+
+def _replaced(known: str, name: str, texts: list[Text | None]) -> Text | None:
+    """Return a text in which one is replaced by another wherever it stands, or removed; None where it is not."""
     plain = [one.known for one in texts if one is not None and one.known]
-    if name in ("replace", "remove") and len(plain) == len(arguments) == (2 if name == "replace" else 1):
+    if name in ("replace", "remove") and len(plain) == len(texts) == (2 if name == "replace" else 1):
         return Text.of(known.replace(plain[0], plain[1] if name == "replace" else "")[:_MOST_LENGTH])
     return None
 
@@ -149,31 +160,32 @@ def _list(ctx: Context, of: list[Value], name: str, arguments: list[Value]) -> t
             ctx.state.store.items(of)
             of += added
             return (None,)
-    first = arguments[0] if arguments else None
     ctx.state.store.items(of, less=name not in _GROWING)
-    if not is_open(ctx):
-        if name == "insert" and len(arguments) == 2 and type(first) is int:
-            of.insert(first, arguments[1])
-            return (None,)
-        if name == "push_front" and arguments:
-            of.insert(0, first)
-            return (None,)
-        if name in ("pop", "pop_back", "pop_front") and of and (not arguments or _is_place(first, of)):
-            place = first if is_whole(first) else -1
+    changed = None if is_open(ctx) else _list_for_sure(of, name, arguments)
+    return changed or (_forget(of, f"an item of a list that {name}() changed"),)
+
+
+def _list_for_sure(of: list[Value], name: str, arguments: list[Value]) -> tuple[Value] | None:
+    """Change a list; return the result of the call, None where it is unknown what changes."""
+    match name, arguments:
+        case "insert", [int(place), value] if is_whole(place):
+            of.insert(place, value)
+        case "push_front", [value, *_]:
+            of.insert(0, value)
+        case (("pop" | "pop_back" | "pop_front"), _) if of and (not arguments or _is_place(arguments[0], of)):
+            place = arguments[0] if arguments and is_whole(arguments[0]) else -1
             return (of.pop(0 if name == "pop_front" else place),)
-        if name == "clear":
+        case "clear", _:
             of.clear()
-            return (None,)
-        if name == "reverse" and not arguments:
+        case "reverse", []:
             of.reverse()
-            return (None,)
-        if name == "remove" and _all_known(of) and first in of:
-            of.remove(first)
-            return (None,)
-        if name == "sort" and not arguments and _all_known(of):
+        case "remove", [value, *_] if _all_known(of) and value in of:
+            of.remove(value)
+        case "sort", [] if _all_known(of):
             of.sort(key=lambda one: known_text(one) or "")
-            return (None,)
-    return (_forget(of, f"an item of a list that {name}() changed"),)
+        case _:
+            return None
+    return (None,)
 
 
 def _is_place(value: Value, of: list[Value]) -> bool:
@@ -208,14 +220,19 @@ def _table(
             ctx.state.store.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
         return (of[hashable(first)],)
     ctx.state.store.items(of, less=True)
-    if not is_open(ctx):
-        if name == "clear":
+    changed = None if is_open(ctx) else _table_for_sure(of, name, arguments)
+    return changed or (_forget(of, f"an item of a table that {name}() changed"),)
+
+
+def _table_for_sure(of: Table, name: str, arguments: list[Value]) -> tuple[Value] | None:
+    """Take items out of a table; return the result of the call, None where it is unknown which."""
+    match name, arguments:
+        case "clear", _:
             of.clear()
             return (None,)
-        if name in ("pop", "erase") and arguments and _is_key(first):
-            otherwise = arguments[1] if len(arguments) > 1 else Unknown("an item")
-            return (of.pop(hashable(first), otherwise),)
-    return (_forget(of, f"an item of a table that {name}() changed"),)
+        case (("pop" | "erase"), [key, *rest]) if _is_key(key):
+            return (of.pop(hashable(key), rest[0] if rest else Unknown("an item")),)
+    return None
 
 
 def _is_key(value: Value) -> bool:

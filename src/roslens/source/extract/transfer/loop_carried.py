@@ -75,27 +75,30 @@ def _set_by_methods(ctx: Context, of: Defined, statement: Loop) -> tuple[str, ..
 def _called_in(body: tuple[Statement, ...]) -> list[str]:
     """Return the methods of the own object that statements call: not those whose results other calls take."""
     found: list[str] = []
-    waiting: list[Any] = [*body]
-    part: Any
+    waiting = [*body]
     for one in waiting:
-        kind, part = type(one), None
-        if kind is Evaluate:
-            part = one.expression
-        elif kind is Assign or kind is Return:
-            part = one.value
-        elif kind is Branch:
-            part = one.condition
-            waiting += one.then
-            waiting += one.otherwise
-        elif kind is Loop:
-            waiting += one.body
-        if type(part) is Operation:
-            part = next((each for each in part.operands if type(each) is Call), None)
-        if type(part) is Call:
-            called = part.function
-            if type(called) is Name or (type(called) is Member and called.of == _SELF):
-                found += (called.name,)
+        match one:
+            case Evaluate(expression=part) | Assign(value=part) | Return(value=part):
+                found += _own_method(part)
+            case Branch():
+                found += _own_method(one.condition)
+                waiting += [*one.then, *one.otherwise]
+            case Loop():
+                waiting += one.body
     return found
+
+
+def _own_method(part: Expression | None) -> tuple[str, ...]:
+    """Return the method of the own object that an expression calls, itself or as the first call that it computes of."""
+    match part:
+        case Operation(operands=operands):
+            calls = (each for each in operands if type(each) is Call)
+            return _own_method(next(calls, None))
+        case Call(function=Name(name=name)):
+            return (name,)
+        case Call(function=Member(of=of, name=name)) if of == _SELF:
+            return (name,)
+    return ()
 
 
 def _method(ctx: Context, of: Defined, name: str) -> Function | None:

@@ -16,6 +16,7 @@ _NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "l
 _TAGS = {"true_type": True, "false_type": False}
 _FITS, _UNFIT = 1, -4
 _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
+_PLAIN = _TEXTS | _NUMBERS
 
 
 def overload(
@@ -117,22 +118,30 @@ def _fit(declared: str, value: Value) -> int:
     name = type_name(declared)[0].rpartition(".")[2] if declared else ""
     if not name or name in ("auto", "T"):
         return 0
-    text, number = name in _TEXTS, name in _NUMBERS
     match value:
         case Text():
             # A text with a hole may be any parameter.
-            return _FITS if text else 0 if value.holes else _UNFIT if number else 0
+            return _best(name, _TEXTS, unfit=frozenset() if value.holes else _NUMBERS)
         case bool():
-            if name in _TAGS:
-                return 2 * _FITS if _TAGS[name] is value else _UNFIT
-            return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
+            return _fit_of_truth(name, value=value)
         case int() | float():
-            return _FITS if number else _UNFIT if text else 0
+            return _best(name, _NUMBERS, unfit=_TEXTS)
         case Handle():
-            return _FITS if name in _HANDLES else _UNFIT if text or number else 0
+            return _best(name, _HANDLES, unfit=_PLAIN)
         case Obj():
-            same = name == value.type.rpartition(".")[2]
-            return 2 * _FITS if same else _UNFIT if text or number or name in _HANDLES else 0
+            return 2 * _FITS if name == value.type.rpartition(".")[2] else _best(name, unfit=_PLAIN | _HANDLES)
         case Callable():
-            return _UNFIT if text or number else 0
+            return _best(name, unfit=_PLAIN)
     return 0
+
+
+def _best(name: str, fit: frozenset[str] = frozenset(), *, unfit: frozenset[str]) -> int:
+    return _FITS if name in fit else _UNFIT if name in unfit else 0
+
+
+def _fit_of_truth(name: str, *, value: bool) -> int:
+    if name in _TAGS:
+        return 2 * _FITS if _TAGS[name] is value else _UNFIT
+    if name == "bool":
+        return 2 * _FITS
+    return _FITS if name in _NUMBERS else _UNFIT

@@ -259,13 +259,12 @@ def run_methods(ctx: Interpreter, thing: Obj, *, again: bool = False) -> None:
     if thing.defined is None:
         return
     home = ctx.index.package(thing.defined.path)
-    for one in ctx.index.chain(thing.defined):
-        # What a base in another package could do is not what this node does.
-        if ctx.index.package(one.path) == home:
-            for found in ctx.index.methods_of(one):
-                if not _made_by(found.what, one):
-                    called = Written(f"{found.what.name}() is called")
-                    ctx.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
+    # What a base in another package could do is not what this node does.
+    for one in [one for one in ctx.index.chain(thing.defined) if ctx.index.package(one.path) == home]:
+        for found in ctx.index.methods_of(one):
+            if not _made_by(found.what, one):
+                called = Written(f"{found.what.name}() is called")
+                ctx.callbacks.waiting.append((Callable(found.what, found.path, thing), called))
     ctx.run_later()
 
 

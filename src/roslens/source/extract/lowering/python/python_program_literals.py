@@ -68,18 +68,18 @@ def joined(parts: Several[Expression]) -> Expression:
     """Return ``parts`` as one text; a :class:`Literal` where all of it is known."""
     merged: list[Expression] = []
     for part in parts:
-        last = merged[-1] if merged else None
-        if isinstance(part, Literal) and isinstance(part.value, str):
-            if not part.value:
-                continue
-            if isinstance(last, Literal) and isinstance(last.value, str):
-                merged[-1] = Literal(last.value + part.value)
-                continue
-        merged.append(part)
-    if not merged:
-        return Literal("")
-    if len(merged) == 1 and isinstance(merged[0], Literal) and isinstance(merged[0].value, str):
-        return merged[0]
+        match merged[-1:], part:
+            case _, Literal(value=""):
+                pass
+            case [Literal(value=str(before))], Literal(value=str(text)):
+                merged[-1] = Literal(before + text)
+            case _:
+                merged.append(part)
+    match merged:
+        case []:
+            return Literal("")
+        case [Literal(value=str()) as whole]:
+            return whole
     return Format(tuple(merged))
 
 
@@ -152,10 +152,11 @@ def percent(template: str, right: Expression, items: tuple[Expression, ...] | No
 
 
 def _looked_up(mapping: Expression, key: str) -> Expression:
-    if isinstance(mapping, Mapping):
-        for name, value in mapping.items:
-            if isinstance(name, Literal) and name.value == key:
-                return value
+    match mapping:
+        case Mapping(items=items):
+            for name, value in items:
+                if name == Literal(key):
+                    return value
     return Item(mapping, Literal(key))
 
 
@@ -165,15 +166,24 @@ def _put(mark: re.Match[str], value: Expression) -> Expression:
     if kind in "iu":
         kind = "d"
     if plain and kind == "d":
-        whole = isinstance(value, Literal) and type(value.value) is int
-        return value if whole else Call(Name("int"), (value,))
+        return _whole(value)
     if kind in "ras":
         value = converted(value, kind, "")
         kind = ""
     elif kind not in _KEPT_AS_WRITTEN:
         return Call(Name("format"), (value, Literal(mark[0])))
-    if plain and not kind:
-        return value
+    return value if plain and not kind else _laid_out(value, flags, width, precision, kind)
+
+
+def _whole(value: Expression) -> Expression:
+    match value:
+        case Literal(value=int() as number) if not isinstance(number, bool):
+            return value
+    return Call(Name("int"), (value,))
+
+
+def _laid_out(value: Expression, flags: str, width: str | None, precision: str | None, kind: str) -> Expression:
+    """Return a value that is written in a layout of ``%``, as ``format`` has it."""
     align = "<" if "-" in flags else "" if kind else ">"
     sign = "+" if "+" in flags else " " if " " in flags else ""
     zero = "0" if "0" in flags and not align else ""

@@ -312,11 +312,15 @@ def parameter(
     stated = text if text is not None else declared_default(node, written)
     if ctx.given.chosen is not None:
         known = written.usual or known
-        if stated is None:
-            stated = declared_default(node, Text.of(known))
+        stated = declared_default(node, Text.of(known)) if stated is None else stated
         decided = chosen_value(ctx.given.chosen, node, known, stated)
         if decided is not None:
             return decided
+    return _read(node, written, known, stated)
+
+
+def _read(node: NodeBuilder, written: Text, known: str, stated: Text | None) -> Text:
+    """Return what reading a parameter gives: a hole with the default that is stated."""
     usual = None if stated is None else stated.usual
     named = (written, *(() if stated is None else (stated,))) if written.holes else ()
     return Text((Hole(OfParameter(str(written), node.number), known, usual, named=named),))

@@ -130,17 +130,20 @@ def given_options(called: CallSite) -> Obj | None:
     return Obj(OPTIONS, None, held)
 
 
+def _inherited(told: Inherits | None, words: list[Value]) -> Inherits:
+    """Return what a node takes of what the component is loaded with, by its options and its command line."""
+    if told is Inherits.ALL:
+        return Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
+    return Inherits.ARGUMENTS if OUTSIDE in words else told or Inherits.NOTHING
+
+
 def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSite) -> None:
     """Let hold for a node what its options say."""
     building.options = given
     words = given.fields.get("-arguments", [])
     match words:
         case list():
-            building.inherits = given.held("-inherits", Inherits) or Inherits.NOTHING
-            if building.inherits is Inherits.ALL and words != [OUTSIDE]:
-                building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
-            elif OUTSIDE in words:
-                building.inherits = building.inherits if building.inherits is Inherits.ALL else Inherits.ARGUMENTS
+            building.inherits = _inherited(given.held("-inherits", Inherits), words)
             building.arguments = [as_text(one) for one in words if one != OUTSIDE]
         case _:
             _doubt(building, called, f"its arguments are {as_text(words)}")

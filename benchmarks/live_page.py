@@ -32,6 +32,7 @@ from roslens.dashboard.live.sight import LASTING_S
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.join.session import Session
 from roslens.live.past.keeper import Keeper, in_memory
+from roslens.live.rate.glance import ROUND_S
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.traffic.tally import Moments, Observer, Tally
@@ -235,8 +236,9 @@ def with_readers(served: Served, readers: int, seconds: float, *, everything: bo
     time.sleep(2)
     if not everything:
         say_seen(served.url, readers)
-        # What was asked for as a whole is made as a whole for a while.
-        time.sleep(LASTING_S + 2)
+        # What was asked for as a whole is made as a whole for a while, and every topic has its first turn in a round;
+        # meanwhile the past keeps for the first time how everything stands.
+        time.sleep(LASTING_S + ROUND_S)
     before, told = served.used(), sum(one.bytes for one in reading)
     time.sleep(seconds)
     after, told = served.used(), sum(one.bytes for one in reading) - told

@@ -124,3 +124,17 @@ def test_a_note_beside_code_has_one_line_until_it_is_clicked(visit: Visit, flagg
     assert note.evaluate("one => one.clientHeight") > 2 * line
     page.locator("h1").click()
     assert note.evaluate("one => one.clientHeight") < 2 * line
+
+
+def test_a_list_that_is_cut_says_how_many_there_are_once(visit: Visit) -> None:
+    count = visit("/findings?role=gated").locator("#findings .bar-line .count").first
+    assert re.fullmatch(r"[\d,]+ of [\d,]+ shown", count.inner_text())
+    all_of_it = visit("/findings").locator("#findings .bar-line .count").first
+    assert re.fullmatch(r"[\d,]+ of [\d,]+ shown: [\d,]+ and [\d,]+ elsewhere", all_of_it.inner_text())
+
+
+def test_numbers_of_findings_are_worded_as_such(visit: Visit) -> None:
+    for path in ("/", "/packages/nav2_util"):
+        for one in visit(path).locator(".figures li:has(.mark)").all_inner_texts():
+            number, word = one.split()
+            assert word.endswith("s") is (number != "1")

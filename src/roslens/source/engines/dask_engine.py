@@ -14,7 +14,8 @@ import socket
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, TypeVar
+from functools import partial
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from roslens.model.errors import UsageError
 from roslens.source.engines.task_batch import batch_size, run_batch
@@ -114,41 +115,76 @@ class DaskEngine:
         """Run until nothing is left, or the cluster is: what it did not finish stays in ``left`` and ``under_way``."""
         wait = _library().wait
         standing = _Standing(client, self._clock)
-        begun = 0
-        alone: set[int] = set()
+        batches = _Batches(left, under_way)
+        submit = partial(client.submit, run_batch, function, self._limits, pure=False)
         while left or under_way:
-            while left and len(under_way) < max(1, standing.threads) * (1 + _AHEAD):
-                # A batch that could not be read goes on in single tasks.
-                many = 1 if id(left[-1]) in alone else batch_size(len(left), standing.threads, begun)
-                begun += many
-                batch = left[: -many - 1 : -1]
-                try:
-                    future = client.submit(run_batch, function, self._limits, batch, pure=False)
-                except Exception:  # noqa: BLE001 - a client whose scheduler is gone says so in many ways
-                    return
-                del left[-many:]
-                under_way[future] = batch
+            if not batches.fill(submit, standing.threads):
+                return
             # Cancelled ones, as those of a scheduler that is gone, are told by their status.
             with suppress(TimeoutError, OSError, *_CANCELLED), client.as_current():
                 wait(list(under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
             finished = [future for future in under_way if future.status != "pending"]
             for future in finished:
-                if future.status in ("finished", "error"):
-                    batch, outcome = under_way.pop(future), _outcome(future)
-                    if not isinstance(outcome, BaseException):
-                        yield from zip(batch, outcome, strict=True)
-                    elif len(batch) == 1 or isinstance(outcome, _library().KilledWorker):
-                        # No error of a task, which a batch catches: its result went with a cluster that was lost, or
-                        # cannot be sent. Of a worker that died Dask blames all tasks that waited for it.
-                        self._blamed.extend(batch)
-                    else:
-                        alone.update(map(id, batch))
-                        left.extend(reversed(batch))
-                elif future.status in ("cancelled", "lost"):
-                    left.extend(reversed(under_way.pop(future)))
+                yield from self._came(future, batches)
             standing.look(at_once=any(future.status in ("cancelled", "lost") for future in finished))
             if standing.absent_s > self._patience_s:
                 return
+
+    def _came(self, future: Any, batches: _Batches[Task]) -> Iterator[tuple[Task, Any]]:
+        """Yield the results of a batch that is done; the tasks of one that is not go on, or are blamed."""
+        if future.status in ("cancelled", "lost"):
+            batches.again(future)
+        elif future.status in ("finished", "error"):
+            outcome = _outcome(future)
+            if not isinstance(outcome, BaseException):
+                yield from zip(batches.take(future), outcome, strict=True)
+            elif batches.is_single(future) or isinstance(outcome, _library().KilledWorker):
+                # No error of a task, which a batch catches: its result went with a cluster that was lost, or cannot
+                # be sent. Of a worker that died Dask blames all tasks that waited for it.
+                self._blamed.extend(batches.take(future))
+            else:
+                batches.again(future, alone=True)
+
+
+class _Batches(Generic[Task]):
+    """Tasks that are left, and the batches of them that a cluster has."""
+
+    def __init__(self, left: list[Task], under_way: dict[Any, list[Task]]) -> None:
+        self._left = left
+        self._under_way = under_way
+        self._begun = 0
+        self._alone: set[int] = set()
+
+    def fill(self, submit: Callable[[list[Task]], Any], threads: int) -> bool:
+        """Give the cluster so many batches that no thread waits for one; return whether it takes them."""
+        left = self._left
+        while left and len(self._under_way) < max(1, threads) * (1 + _AHEAD):
+            # A batch that could not be read goes on in single tasks.
+            many = 1 if id(left[-1]) in self._alone else batch_size(len(left), threads, self._begun)
+            self._begun += many
+            batch = left[: -many - 1 : -1]
+            try:
+                future = submit(batch)
+            except Exception:  # noqa: BLE001 - a client whose scheduler is gone says so in many ways
+                return False
+            del left[-many:]
+            self._under_way[future] = batch
+        return True
+
+    def is_single(self, future: Any) -> bool:
+        """Whether a batch is one task."""
+        return len(self._under_way[future]) == 1
+
+    def take(self, future: Any) -> list[Task]:
+        """Return the tasks of a batch that is done."""
+        return self._under_way.pop(future)
+
+    def again(self, future: Any, *, alone: bool = False) -> None:
+        """Leave the tasks of a batch for others, or each for one of its own."""
+        batch = self._under_way.pop(future)
+        if alone:
+            self._alone.update(map(id, batch))
+        self._left.extend(reversed(batch))
 
 
 class _Standing:

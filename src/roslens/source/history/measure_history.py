@@ -43,16 +43,13 @@ def measure_history(
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s
     of_package: dict[str, Commits] = defaultdict(list)
-    of_file: dict[str, Commits] = defaultdict(list)
     coupling: list[tuple[int, frozenset[str]]] = []
     for commit, parted in (parts or PartsOfCommits(log)).along(log.commits, packages):
         for owner, changes in parted.changes:
             of_package[owner].append((commit, changes))
         if commit.changes:
             coupling.append((len(commit.changes), parted.coupled))
-    for commit, changed in followed_files(log, files) if files else ():
-        for name, change in changed.items():
-            of_file[name].append((commit, [change]))
+    of_file = _commits_of_files(log, files) if files else {}
     whole: Commits = [(commit, commit.changes) for commit in log.commits]
     coupled_files = change_coupling.couplings(_coupled_files(log, files)) if files else ()
     coupled_packages = change_coupling.couplings(coupling)
@@ -62,9 +59,7 @@ def measure_history(
         return dict(_values(touched, lines=log.has_lines))
 
     file_values = {name: values(EntityKind.FILE, of_file[name]) for name in files.values() if name in of_file}
-    for one, known in file_values.items():
-        if "churn" in known and (product := hotspot.of_file(known["churn"], complexity.get(one))) is not None:
-            known[hotspot.QUANTITY.key] = product
+    _add_hotspots(file_values, complexity)
     package_values = {one: values(EntityKind.PACKAGE, of_package[one]) for one in packages if one in of_package}
     if log.has_changes:
         _add_partners(file_values, coupled_files)
@@ -89,6 +84,23 @@ def measure_history(
         coupled_packages=coupled_packages,
         releases=newest,
     )
+
+
+def _commits_of_files(log: CommitLog, files: Mapping[str, str]) -> dict[str, Commits]:
+    """Return the commits that changed each file, through all its names."""
+    found: dict[str, Commits] = defaultdict(list)
+    for commit, changed in followed_files(log, files):
+        for name, change in changed.items():
+            found[name].append((commit, [change]))
+    return found
+
+
+def _add_hotspots(values: Mapping[str, dict[str, float]], complexity: Mapping[str, float]) -> None:
+    """Add to the values of files what their churn and the complexity of their functions come to."""
+    for name, known in values.items():
+        product = hotspot.of_file(known["churn"], complexity.get(name)) if "churn" in known else None
+        if product is not None:
+            known[hotspot.QUANTITY.key] = product
 
 
 def _values(touched: Touched, *, lines: bool) -> Iterator[tuple[str, float]]:

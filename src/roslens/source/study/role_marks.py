@@ -67,42 +67,48 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
     known, package = words(), facts.package
     name, repository = parts(package.name), parts(facts.repository)
     needs = {one.name for one in package.dependencies if one.active}
-    robot = _first(name, known.robots) or (repository[0] if repository and repository[0] in known.robots else "")
+    robot = _first(name, known.robots) or _first(repository[:1], known.robots)
     application = _first(name, known.applications) or _first(repository, known.application_repositories)
-    told = re.findall(r"[a-z]+", package.description.lower())
-    text = _first(told, known.application_texts)
-    device, drives = _first(name, known.devices), _first(told, _DRIVERS)
+    described = re.findall(r"[a-z]+", package.description.lower())
+    text = _first(described, known.application_texts)
+    device, drives = _first(name, known.devices), _first(described, _DRIVERS)
     own = [file for file in facts.files if file.role is Role.OWN]
     headers = sum("/include/" in f"/{file.path}" for file in own if file.language in (Language.C, Language.CPP))
     access = min(needs & known.device_access, default="")
     said = marks_of_graph(facts.spoken)
     written = {kind: _written(facts.includes, kind) for kind in ("devices", "tasks")}
-    general = not (robot or application or device or drives or access or said or written["devices"])
+    general = not any((robot, application, device, drives, access, said, written["devices"]))
+    made_for = f'made for "{robot}"'
     found = {
-        "application_name": f'"{application}" in its name or repository' if application else "",
+        "application_name": _where(application, f'"{application}" in its name or repository'),
         "application_text": _application_text(application, text),
-        "robot": f'made for "{robot}"' if robot else "",
+        "robot": _where(robot, made_for),
         "robot_repository": _quoted(_first(repository, known.robot_repositories), "in its repository's name"),
         "device_dependency": _quoted(min(needs & known.device_dependencies, default=""), "among its dependencies"),
-        "device_access": f'reaches a device through "{access}"' if access else "",
+        "device_access": _where(access, f'reaches a device through "{access}"'),
         "device_include": written["devices"],
         "task_include": written["tasks"],
         "device_name": _quoted(device, "in its name"),
-        "robot_part": f'made for "{robot}", and no application' if robot and not application else "",
-        "robot_application": f'an application for "{robot}"' if robot and application else "",
-        "general": "names no robot, no device and no application" if general else "",
+        "robot_part": _where(robot and not application, f"{made_for}, and no application"),
+        "robot_application": _where(robot and application, f'an application for "{robot}"'),
+        "general": _where(general, "names no robot, no device and no application"),
         "example": _quoted(_first([*name, *repository], _EXAMPLES), "in its name or repository"),
         "driver_name": _quoted(_first(name, _DRIVERS), "in its name"),
         "driver_text": _quoted(drives, "in its description"),
         "library_name": _quoted(_first(name, known.libraries), "in its name"),
-        "no_client": "" if needs & _CLIENTS else "needs no client library of ROS",
+        "no_client": _where(not needs & _CLIENTS, "needs no client library of ROS"),
         "on_bringup": _quoted(_bringup_among(needs, known.robots), "among its dependencies"),
-        "no_node": "" if facts.nodes or _plugins(facts.files) else "starts no node and exports no plug-in",
-        "headers": f"{headers} public headers and no node" if headers >= 3 and not facts.nodes else "",
-        "launch": "has launch files" if any(file.language in _LAUNCH for file in own) else "",
+        "no_node": _where(not (facts.nodes or _plugins(facts.files)), "starts no node and exports no plug-in"),
+        "headers": _where(headers >= 3 and not facts.nodes, f"{headers} public headers and no node"),
+        "launch": _where(any(file.language in _LAUNCH for file in own), "has launch files"),
         **said,
     }  # fmt: skip
     return {key: reason for key, reason in found.items() if reason}
+
+
+def _where(holds: object, reason: str) -> str:
+    """Return the reason of a mark where what it needs holds, or is named."""
+    return reason if holds else ""
 
 
 def parts(name: str) -> list[str]:

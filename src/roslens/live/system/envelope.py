@@ -22,6 +22,7 @@ from roslens.model.traffic.tally_columns import Row
 _BEFORE = -EPSILON_S
 _Bounds = tuple[float, float, float]
 _BOUNDLESS = (-inf, inf, inf)
+_ANY_SIZE = (-inf, inf)
 _MEANS = ("latency", "age", "processing")
 
 
@@ -49,7 +50,7 @@ class Envelope:
 
     def __init__(self, windows: list[Window]) -> None:
         self.slow, self.fast = 0.0, inf
-        self.size: tuple[float, float] | None = None
+        self.size = _ANY_SIZE
         self.gap = inf
         self.centre = 0.0
         self.scatter = inf
@@ -75,11 +76,11 @@ class Envelope:
             _BEFORE <= hole <= window.spacing
             and length > EPSILON_S
             and period.count == count > 0 <= period.least <= gap <= self.gap >= quiet
-            and self.slow * (span + quiet - gap if quiet > gap else span) <= count <= self.fast * span
+            and self.slow * span <= count <= self.fast * span
+            and self.slow * (span + quiet - gap) <= count
             and squares - centre * (span + span - centre * count) <= self.scatter * count
-            and (
-                size >= -1 if self.size is None else self.size[0] * count <= size <= self.size[1] * count and size >= 0
-            )
+            and size >= -1
+            and self.size[0] * count <= size <= self.size[1] * count
             and lost >= -1
             and start - 1 <= first <= last <= end + 1
             and observer is window.observer
@@ -91,8 +92,10 @@ class Envelope:
         if age.count or self.age is not None:
             finite += _within(age, self.age)
         if processing.count or processing.least or self.processing is not None:
-            finite += _within(processing, self.processing) if processing.least >= 0 else inf
-        if finite - finite != 0 or (self.loss is not None and not self._loss_within(lost, count)):
+            finite += _within_from_zero(processing, self.processing)
+        if self.loss is not None:
+            finite += _loss_within(lost, count, self.loss)
+        if finite - finite != 0:
             return False
         for window in windows:
             if not window.buckets:  # all of it is over, as after frames that came late
@@ -126,7 +129,7 @@ class Envelope:
         if self.scatter < inf and not self._scatter_holds(bucket.period):
             return False
         size = self.size
-        if size is not None and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
+        if size is not _ANY_SIZE and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
             return False
         for field in _MEANS:
             bounds = getattr(self, field)
@@ -137,9 +140,6 @@ class Envelope:
     def _scatter_holds(self, moments: Series) -> bool:
         count, centre = moments.count, self.centre
         return bool(count) and moments.squares - centre * (2 * moments.total - centre * count) <= self.scatter * count
-
-    def _loss_within(self, lost: int, count: int) -> bool:
-        return self.loss is None or (lost >= 0 and self.loss[0] <= 100 * lost / (lost + count) <= self.loss[1])
 
     def _loss_holds(self, bucket: Bucket) -> bool:
         sent = bucket.lost + bucket.losable
@@ -183,8 +183,8 @@ class Envelope:
         self.slow, self.fast = max(self.slow, low), min(self.fast, high)
 
     def _narrow_size(self, low: float, high: float) -> None:
-        known = self.size or (-inf, inf)
-        self.size = max(known[0], low), min(known[1], high)
+        # What has no known size is -1 bytes long.
+        self.size = max(self.size[0], low, 0.0), min(self.size[1], high)
 
     def _narrow_bandwidth(self, low: float, high: float, window: Window) -> bool:
         hertz, size, value = rate(window), message_size(window), bandwidth(window)
@@ -219,3 +219,13 @@ def _within(series: Series, bounds: _Bounds | None) -> float:
     if count > 0 and low * count <= total <= high * count and greatest <= most:
         return total + series.squares + series.least + greatest
     return inf
+
+
+def _loss_within(lost: int, count: int, bounds: tuple[float, float]) -> float:
+    """Return 0 if the share of what was lost, in percent, is known and lies inside its bounds, infinite if not."""
+    return 0.0 if lost >= 0 and bounds[0] <= 100 * lost / (lost + count) <= bounds[1] else inf
+
+
+def _within_from_zero(series: Series, bounds: _Bounds | None) -> float:
+    """Return the same of a series in which nothing is below zero."""
+    return _within(series, bounds) if series.least >= 0 else inf

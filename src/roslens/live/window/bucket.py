@@ -101,19 +101,7 @@ class Bucket(msgspec.Struct, gc=False):
     def of(cls, tally: Tally, previous: float) -> Bucket:
         """Take a tally; ``previous`` is when the last message before it came, 0 where unknown."""
         period, count, first = tally.period, tally.count, tally.first
-        intervals, span, gap, gap_at = period.count, period.total, -1.0, tally.longest_at
-        if intervals:
-            gap = period.greatest
-        if intervals < count and first:
-            # The observer did not count every time between messages: first and last tell some of them.
-            if not intervals and count > 1:
-                intervals, span = count - 1, tally.last - first
-                gap = span / intervals
-            if previous and first > previous and intervals < count:
-                intervals += 1
-                span += first - previous
-                if first - previous > gap:
-                    gap, gap_at = first - previous, previous
+        intervals, span, gap, gap_at = _times_between(tally, previous)
         size, lost = tally.bytes, tally.lost
         sized, losses = size >= 0, lost >= 0
         return cls(
@@ -140,8 +128,7 @@ class Bucket(msgspec.Struct, gc=False):
         if gap >= 0 and not self.gap_at:
             self.gap_at = self.gap_began
         self.end = end
-        if first and not self.first:
-            self.first = first
+        self.first = self.first or first
         if last:
             self.last = last
         self.count += count
@@ -162,11 +149,7 @@ class Bucket(msgspec.Struct, gc=False):
         else:
             self.period = joined(sums, period)
         if latency.count:
-            sums = self.latency
-            if type(sums) is Sums:
-                sums.take(latency)
-            else:
-                self.latency = joined(sums, latency)
+            self.latency = joined(self.latency, latency)
         if age.count or processing.count:
             self.age = joined(self.age, age)
             self.processing = joined(self.processing, processing)
@@ -212,18 +195,8 @@ class Bucket(msgspec.Struct, gc=False):
             self.span += period.total
             if period.greatest > self.gap:
                 self.gap, self.gap_at, self.before = period.greatest, tally.longest_at, previous or first
-            sums = self.period
-            if type(sums) is Sums:
-                sums.take(period)
-            else:
-                self.period = joined(sums, period)
-        latency = tally.latency
-        if latency.count:
-            sums = self.latency
-            if type(sums) is Sums:
-                sums.take(latency)
-            else:
-                self.latency = joined(sums, latency)
+            self.period = joined(self.period, period)
+        self.latency = joined(self.latency, tally.latency)
         if tally.age.count or tally.processing.count:
             self.age = joined(self.age, tally.age)
             self.processing = joined(self.processing, tally.processing)
@@ -249,6 +222,27 @@ class Bucket(msgspec.Struct, gc=False):
         self.latency = joined(self.latency, later.latency)
         self.age = joined(self.age, later.age)
         self.processing = joined(self.processing, later.processing)
+
+
+def _times_between(tally: Tally, previous: float) -> tuple[int, float, float, float]:
+    """Return how many times between messages a tally has, their sum, the longest one and when it began.
+
+    The longest is -1 where unknown. Where the observer did not count each of them, first and last tell some.
+    """
+    period, count, first = tally.period, tally.count, tally.first
+    intervals, span, gap_at = period.count, period.total, tally.longest_at
+    gap = period.greatest if intervals else -1.0
+    if intervals >= count or not first:
+        return intervals, span, gap, gap_at
+    if not intervals and count > 1:
+        intervals, span = count - 1, tally.last - first
+        gap = span / intervals
+    if previous and first > previous and intervals < count:
+        intervals += 1
+        span += first - previous
+        if first - previous > gap:
+            gap, gap_at = first - previous, previous
+    return intervals, span, gap, gap_at
 
 
 def joined(one: Series, other: Series) -> Series:

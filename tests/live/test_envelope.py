@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from live.random_traffic import of, told
 from live.time_line import reference
 
-from roslens.live.rate import lookout as lookout_file
+from roslens.live.rate import evaluator as evaluator_file
 from roslens.live.rate.monitor import Monitor
 from roslens.live.window.plausible_tally import plausible_tally
 from roslens.live.window.round import Round
@@ -93,7 +93,7 @@ def both(streams, monkeypatch):
     known = said(streams, every=7, by_columns=True)
     assert said(streams, every=7, by_columns=False) == known
     with monkeypatch.context() as patched:
-        patched.setattr(lookout_file, "envelope_of", lambda connection, topic: None)
+        patched.setattr(evaluator_file, "envelope_of", lambda connection, topic: None)
         everything = said(streams, every=7, by_columns=False)
     assert everything[2] == 0
     return known, everything

@@ -92,11 +92,11 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
     @classmethod
     def of(cls, frame: Frame) -> _Packed:
         """Pack a frame."""
-        told = [one for one in frame.tallies if fits(one)]
-        others = [one for one in frame.tallies if not fits(one)] if len(told) < len(frame.tallies) else []
+        fitting = [one for one in frame.tallies if fits(one)]
+        others = [one for one in frame.tallies if not fits(one)] if len(fitting) < len(frame.tallies) else []
         return cls(
             frame.version, frame.sender, frame.sequence, frame.time, others, frame.samples, frame.events, frame.graph,
-            frame.failures, frame.shed, frame.counted_at, columns_of(told) if told else None, frame.looked,
+            frame.failures, frame.shed, frame.counted_at, columns_of(fitting) if fitting else None, frame.looked,
         )  # fmt: skip
 
     def frame(self) -> Frame:
@@ -107,8 +107,8 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
         """
         tallies: Sequence[Tally] = self.tallies
         if self.columns is not None:
-            told = TallyColumns(self.columns)
-            tallies = [*told, *tallies] if tallies else told
+            packed = TallyColumns(self.columns)
+            tallies = [*packed, *tallies] if tallies else packed
         return Frame(
             self.version, self.sender, self.sequence, self.time, tallies, self.samples, self.events, self.graph,
             self.failures, self.shed, self.counted_at, self.looked,

@@ -1,7 +1,7 @@
 """How everything stands and what was measured of it, time after time, for who shows that to readers.
 
-States are always those of the present: they change with news, or when the lookout has them due. Values of what is fine
-are read where somebody looks, and of everything else in turn, so that none is older than a round.
+States are always those of the present: they change with news, or when the evaluator has them due. Values of what is
+fine are read where somebody looks, and of everything else in turn, so that none is older than a round.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from roslens.judge.reference.expectation import Presence
-from roslens.live.rate.lookout import Lookout
+from roslens.live.rate.evaluator import Evaluator
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.unheard import Silence, waits_for
@@ -19,10 +19,10 @@ from roslens.live.window.voice import Voice, Voices
 class Hearing:
     """The observers of a monitor, and the silence of each as a verdict about it."""
 
-    def __init__(self, world: World, lookout: Lookout, start: float) -> None:
+    def __init__(self, world: World, evaluator: Evaluator, start: float) -> None:
         """Begin at ``start`` without any."""
         self._world = world
-        self._lookout = lookout
+        self._evaluator = evaluator
         self._voices = Voices(start)
         self._silences: dict[str, Silence] = {}
 
@@ -38,14 +38,14 @@ class Hearing:
         turned = self._voices.settle(now)
         if not turned:
             return []
-        self._lookout.silent = self._voices.silent()
+        self._evaluator.silent = self._voices.silent()
         told: list[Standing] = []
         for voice in turned:
             silence = self._silences.get(voice.name) or self._silences.setdefault(voice.name, Silence(voice, now))
             silence.follow(now)
             told.append(silence)
             for one in self._observed(voice):
-                self._lookout.wait(one)
+                self._evaluator.wait(one)
         return told
 
     def standing(self) -> Iterator[Standing]:
@@ -54,11 +54,11 @@ class Hearing:
 
     def waits_for(self, presence: Presence) -> Voice | None:
         """Return the silent observer that would have to say whether something is there."""
-        return waits_for(presence, self._lookout.silent) if self._lookout.silent else None
+        return waits_for(presence, self._evaluator.silent) if self._evaluator.silent else None
 
     def silent_of_graph(self) -> Voice | None:
         """Return a silent observer that tells who is there, and in which state."""
-        return next((voice for voice in self._lookout.silent if voice.of_graph), None)
+        return next((voice for voice in self._evaluator.silent if voice.of_graph), None)
 
     def shift(self, now: float) -> None:
         """Begin anew, because the time of the monitor itself broke."""

@@ -9,10 +9,10 @@ from itertools import chain
 from roslens.judge.reference.expectation import Reference
 from roslens.live.explain.explained import Explained
 from roslens.live.rate.checks import Checks
+from roslens.live.rate.evaluator import Evaluator
 from roslens.live.rate.existence import Existence, named_by
 from roslens.live.rate.glance import Glance, Glances
 from roslens.live.rate.hearing import Hearing
-from roslens.live.rate.lookout import Lookout
 from roslens.live.rate.plans import plan, required, tolerance
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
@@ -59,8 +59,8 @@ class Monitor:
         self._checks = Checks(self._rules, self._world, start)
         self._existence = Existence(self._world, self._checks.presences)
         self._explained = Explained(self._world, self._existence.gone_nodes)
-        self._lookout = Lookout(self._world, self._existence, self._plan)
-        self._hearing = Hearing(self._world, self._lookout, start)
+        self._evaluator = Evaluator(self._world, self._existence, self._plan)
+        self._hearing = Hearing(self._world, self._evaluator, start)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
         self._sweep_due = start
@@ -68,7 +68,7 @@ class Monitor:
         self._known: dict[str, Connection] = {}
         self.shed = 0
         self.failures: deque[Failure] = deque(maxlen=_KEPT_FAILURES)
-        self._lookout.wait_all(required(self._world, self._rules, start))
+        self._evaluator.wait_all(required(self._world, self._rules, start))
 
     @property
     def world(self) -> World:
@@ -102,9 +102,9 @@ class Monitor:
         """
         connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
         if connection is not None:
-            envelope, lookout = connection.envelope, self._lookout
-            if envelope is not None and envelope.takes(row_of(tally), lookout.round):
-                lookout.heard = True
+            envelope, evaluator = connection.envelope, self._evaluator
+            if envelope is not None and envelope.takes(row_of(tally), evaluator.round):
+                evaluator.heard = True
                 return
         self._add(tally, connection, voice)
 
@@ -114,8 +114,8 @@ class Monitor:
             for tally in tallies:
                 self.add_tally(tally, voice)
             return
-        lookout, heard, known = self._lookout, False, self._known
-        now = lookout.round
+        evaluator, heard, known = self._evaluator, False, self._known
+        now = evaluator.round
         for names, connection, row in zip(tallies.names, map(known.get, tallies.names), tallies.rows(), strict=False):
             envelope = connection.envelope if connection is not None else None
             if envelope is not None and envelope.takes(row, now):
@@ -126,7 +126,7 @@ class Monitor:
             self._add(tally, connection or self._world.connections.get(key), voice)
             if connection is None and key in self._world.connections:
                 known[names] = self._world.connections[key]
-        lookout.heard |= heard
+        evaluator.heard |= heard
 
     def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
         # What has no name cannot be told apart, nor shown.
@@ -143,7 +143,7 @@ class Monitor:
         if connection.add(kept, now, voice):
             if self._held and kept.count:
                 self.clock_runs(now)
-            self._lookout.wait(connection)
+            self._evaluator.wait(connection)
 
     def add_sample(self, sample: Sample, voice: Voice | None = None) -> None:
         """Take what was read of a host, process, node or service; values that are not finite are unknown."""
@@ -163,14 +163,14 @@ class Monitor:
         if sampled.add(sample, values):
             self._explained.stale |= bool(stopped) is not bool(sampled.newest("stopped"))
             self._existence.take_sample(sampled, sample.time)
-            self._lookout.wait(sampled)
+            self._evaluator.wait(sampled)
 
     def add_graph(self, graph: Graph, time: float) -> None:
         """Take the whole graph as it is at ``time``."""
         now = self._clock.now
         for entity in self._world.take_graph(graph, now):
             entity.planless = True
-            self._lookout.wait(entity)
+            self._evaluator.wait(entity)
         self._existence.take_graph(graph, time, now)
         self._checks.states.take(graph, now)
         self._explained.stale = True
@@ -191,7 +191,7 @@ class Monitor:
                 if isinstance(one, Connection) and one.publisher == entity.name:
                     # That it was away is no gap of what it publishes from now on.
                     one.clear(one.appeared)
-                self._lookout.wait(one)
+                self._evaluator.wait(one)
         self._explained.stale = True
 
     def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
@@ -220,7 +220,7 @@ class Monitor:
         for one in self._world.entities():
             if not one.seen:
                 one.appeared = time
-                self._lookout.wait(one)
+                self._evaluator.wait(one)
 
     def clock_stands(self, time: float) -> None:
         """Suspend what is judged of traffic until :meth:`clock_runs`, :meth:`clock_jumped` or the next message."""
@@ -230,7 +230,7 @@ class Monitor:
     def clock_runs(self, time: float) -> None:
         """Judge again from the next tick on, after grace."""
         self._held = False
-        if self._lookout.suspended:
+        if self._evaluator.suspended:
             self._resume(time)
 
     def clock_jumped(self, time: float) -> None:
@@ -254,8 +254,8 @@ class Monitor:
         self._retire(dropped, now)
         for one in self._world.entities():
             one.planless = True
-            self._lookout.wait(one)
-        self._lookout.wait_all(required(self._world, rules, now))
+            self._evaluator.wait(one)
+        self._evaluator.wait_all(required(self._world, rules, now))
         self._explained.stale = True
 
     def tick(self, now: float) -> tuple[Verdict, ...]:
@@ -279,7 +279,7 @@ class Monitor:
 
     def standing(self) -> tuple[Verdict, ...]:
         """Return every verdict as it stands, sorted by entity and expectation."""
-        self._moved += self._lookout.look_again(self._clock.now)
+        self._moved += self._evaluator.look_again(self._clock.now)
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
 
     def tolerance(self, tally: Tally) -> float:
@@ -290,17 +290,17 @@ class Monitor:
         """Return when a tick could change something if nothing comes; infinity where only news can."""
         if self._moved or self._retired:
             return now
-        return max(min(self._lookout.due, self._checks.due), now)
+        return max(min(self._evaluator.due, self._checks.due), now)
 
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
-        self._moved += self._lookout.look_again(self._clock.now)
+        self._moved += self._evaluator.look_again(self._clock.now)
         return self._glances.tree.view(self._standing(), now)
 
     def glance(self, now: float, looked_at: Collection[str]) -> Glance:
         """Return tree and verdicts; values of topics that nobody looks at may be some seconds old, states never."""
         turn = self._glances.turn(looked_at, now)
-        self._moved += self._lookout.look_again(self._clock.now, *turn)
+        self._moved += self._evaluator.look_again(self._clock.now, *turn)
         return self._glances.at(self._standing(), now, turn)
 
     def _standing(self) -> Iterator[Standing]:
@@ -319,7 +319,7 @@ class Monitor:
             self._suspend(now)
         elif self._settling:
             self._settling = False
-        elif self._lookout.suspended and not self._held:
+        elif self._evaluator.suspended and not self._held:
             self._resume(now)
 
     def _traffic(self) -> Iterator[Standing]:
@@ -329,9 +329,9 @@ class Monitor:
         )
 
     def _suspend(self, time: float) -> None:
-        if self._lookout.suspended:
+        if self._evaluator.suspended:
             return
-        self._lookout.suspended = True
+        self._evaluator.suspended = True
         for connection in self._world.connections.values():
             connection.wake()
         for one in self._traffic():
@@ -340,12 +340,12 @@ class Monitor:
 
     def _resume(self, time: float) -> None:
         """Begin anew: what came before the break says nothing of what comes now."""
-        self._lookout.suspended = False
+        self._evaluator.suspended = False
         self._began = time
         self._checks.fields.clear()
         for one in self._world.entities():
             one.resume(time)
-            self._lookout.wait(one)
+            self._evaluator.wait(one)
         for standing in self._traffic():
             standing.forget(time, State.UNKNOWN)
             self._moved.append(standing)
@@ -356,17 +356,17 @@ class Monitor:
         self._began = time
         self._hearing.shift(time)
         self._checks.jump(time)
-        self._lookout.forget_due()
+        self._evaluator.forget_due()
         self._sweep_due = time
         for one in self._world.entities():
             one.planned = one.due = float("inf")
             if isinstance(one, Sampled):
                 one.clear(time)
-                self._lookout.wait(one)
+                self._evaluator.wait(one)
 
     def _judge(self, now: float) -> list[Standing]:
-        changed: list[Standing] = [*self._lookout.judge(now)]
-        if not self._lookout.suspended:
+        changed: list[Standing] = [*self._evaluator.judge(now)]
+        if not self._evaluator.suspended:
             changed += self._checks.judge_traffic(now, self._began)
         changed += self._checks.judge_presence(now, self._began, self._existence.vanished, self._hearing)
         if now >= self._sweep_due:
@@ -393,6 +393,6 @@ class Monitor:
         gone, topics = self._existence.let_go(now)
         if topics:
             self._known.clear()
-            self._lookout.wait_all(topics)
+            self._evaluator.wait_all(topics)
         for one in gone:
             self._retire(one.judged, now)

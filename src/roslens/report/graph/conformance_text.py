@@ -64,7 +64,7 @@ def _lines(one: Disparity, found: Conformance) -> Iterator[str]:
     what = "" if one.aspect in (Aspect.PRESENCE, Aspect.EXPECTED) else f": {one.aspect.value}"
     also = f" (with {_plural(one.also, 'endpoint or parameter', 'endpoints and parameters')})" if one.also else ""
     yield f"{_SIGNS[one.severity]} {one.subject}{what}{also}"
-    cells = [f"{mark} {told}" for (mark, _, _), told in zip(_sides(found), one.told, strict=True) if told]
+    cells = [f"{mark} {cell}" for (mark, _, _), cell in zip(_sides(found), one.told, strict=True) if cell]
     yield f"    {'   '.join(cells)}"
     place = f" [{one.place}]" if one.place else ""
     yield f"    {one.why} Right: {one.right}.{place}"
@@ -73,9 +73,9 @@ def _lines(one: Disparity, found: Conformance) -> Iterator[str]:
 def summary(found: Conformance) -> str:
     """Return how many things differ and how many agree, in a line."""
     counts = Counter(one.severity for one in found.disparities)
-    told = [_plural(counts[severity], severity.value) for severity in _SIGNS if counts[severity]]
+    counted = [_plural(counts[severity], severity.value) for severity in _SIGNS if counts[severity]]
     agreed = ", ".join(_plural(number, kind.replace("_", " ")) for kind, number in found.agreed.items())
-    return f"{', '.join(told) or 'no difference'}; alike: {agreed or 'nothing'}"
+    return f"{', '.join(counted) or 'no difference'}; alike: {agreed or 'nothing'}"
 
 
 def _by_reason(found: Sequence[Disparity]) -> str:
@@ -107,10 +107,10 @@ def to_markdown(found: Conformance) -> str:
 
 
 def _row(one: Disparity) -> str:
-    told = " | ".join(_code(text) or _UNTOLD for text in one.told)
+    cells = " | ".join(_code(text) or _UNTOLD for text in one.told)
     place = f" {_code(one.place)}" if one.place else ""
     why = f"{_cell(one.why)}{place}"
-    return f"| {one.severity.value} | {_code(one.subject)} | {one.aspect.value} | {told} | {one.right} | {why} |"
+    return f"| {one.severity.value} | {_code(one.subject)} | {one.aspect.value} | {cells} | {one.right} | {why} |"
 
 
 def _code(text: str) -> str:

@@ -69,10 +69,10 @@ def to_markdown(found: Sequence[Difference], before: str, after: str, findings: 
     Findings come first: they are what a reviewer has to decide about.
     """
     head = f"**Computation graph**: `{_cell(before)}` to `{_cell(after)}`"
-    told = findings if findings is not None and (findings or findings.moved) else None
-    if not found and told is None:
+    of_interest = findings if findings is not None and (findings or findings.moved) else None
+    if not found and of_interest is None:
         return f"{head}: no difference\n"
-    parts = [f"{head}: {_summary(found, told)}"]
+    parts = [f"{head}: {_summary(found, of_interest)}"]
     if findings:
         parts.append(_finding_table(findings))
     if found:
@@ -82,8 +82,8 @@ def to_markdown(found: Sequence[Difference], before: str, after: str, findings: 
 
 def _summary(found: Sequence[Difference], findings: FindingDifference | None) -> str:
     count = {how: sum(one.how == how for one in found) for how in _SIGNS}
-    told = ", ".join(f"{number} {how}" for how, number in count.items() if number) or "no difference"
-    return told if findings is None else f"{told}; findings: {_count(findings)}"
+    words = ", ".join(f"{number} {how}" for how, number in count.items() if number) or "no difference"
+    return words if findings is None else f"{words}; findings: {_count(findings)}"
 
 
 def _finding_table(findings: FindingDifference) -> str:

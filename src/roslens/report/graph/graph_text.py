@@ -85,9 +85,9 @@ def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
     for one in missed:
         if one.missing is Missing.ENDPOINT_NAME and (one.node, one.cause) in causes:
             causes[one.node, one.cause].append(one)
-    told = {id(one) for same in causes.values() for one in same[1:]}
+    repeated = {id(one) for same in causes.values() for one in same[1:]}
     for one in missed:
-        if id(one) in told:
+        if id(one) in repeated:
             continue
         below = len(causes[one.node, one.cause]) - 1 if one.missing is Missing.NODE_NAME else 0
         node = f"{one.node}: " if one.node else ""
@@ -196,10 +196,10 @@ def _parameters(
 ) -> Iterator[str]:
     if not parameters:
         return
-    told = [one for one in parameters if not one.repeats_an_endpoint]
-    rows = [_parameter(one, everywhere=one.name in everywhere) for one in told]
-    if len(told) < len(parameters):
-        rows.append((f"qos_overrides.* ({len(parameters) - len(told)})", "", "", "as the endpoints above say"))
+    listed = [one for one in parameters if not one.repeats_an_endpoint]
+    rows = [_parameter(one, everywhere=one.name in everywhere) for one in listed]
+    if len(listed) < len(parameters):
+        rows.append((f"qos_overrides.* ({len(parameters) - len(listed)})", "", "", "as the endpoints above say"))
     yield f"  {head}"
     yield from _aligned(rows)
 

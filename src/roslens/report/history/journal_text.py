@@ -51,16 +51,16 @@ def action_text(action: Mapping[str, Any]) -> str:
     target = action.get("target") or ""
     if isinstance(target, dict):
         target = f"{target.get('kind', '')}:{target.get('name', '')}"
-    told = ", ".join(f"{key}: {_plain(value)}" for key, value in (action.get("arguments") or {}).items())
-    return " ".join(filter(None, (str(action.get("kind", "")), str(target), f"({told})" if told else "")))
+    arguments = ", ".join(f"{key}: {_plain(value)}" for key, value in (action.get("arguments") or {}).items())
+    return " ".join(filter(None, (str(action.get("kind", "")), str(target), f"({arguments})" if arguments else "")))
 
 
-def because_text(told: Any) -> str:
+def because_text(causes: Any) -> str:
     """Return what made a condition true in words, with its values."""
-    if not isinstance(told, (list, tuple)):
+    if not isinstance(causes, (list, tuple)):
         return ""
     shown = []
-    for one in told:
+    for one in causes:
         if isinstance(one, dict):
             value = f" = {one['value']:g}" if isinstance(one.get("value"), (int, float)) else ""
             shown.append(f"{_plain(one.get('statement', ''))}{value}")

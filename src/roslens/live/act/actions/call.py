@@ -13,8 +13,8 @@ def prepare(ros: Ros, asked: Asked) -> None:
     Raises:
         ActionError: the type is not known, or a field does not fit.
     """
-    told = asked.arguments
-    ros.meet(told["service"], told["type"], told["fields"])
+    arguments = asked.arguments
+    ros.meet(arguments["service"], arguments["type"], arguments["fields"])
 
 
 def act(ros: Ros, asked: Asked) -> str:
@@ -23,9 +23,9 @@ def act(ros: Ros, asked: Asked) -> str:
     Raises:
         ActionError: nobody answers in time, or the answer says that it did not succeed.
     """
-    told = asked.arguments
-    answer = ros.call(told["service"], told["type"], told["fields"], float(told["timeout"]))
+    arguments = asked.arguments
+    answer = ros.call(arguments["service"], arguments["type"], arguments["fields"], float(arguments["timeout"]))
     shown = ", ".join(f"{key}: {value}" for key, value in answer.items())[:_LONGEST]
     if answer.get("success") is False:
-        raise ActionError(f"{told['service']} answered {shown}", expected="success: True")
-    return f"{told['service']} answered {shown or 'without fields'}"
+        raise ActionError(f"{arguments['service']} answered {shown}", expected="success: True")
+    return f"{arguments['service']} answered {shown or 'without fields'}"

@@ -28,26 +28,26 @@ def act(ros: Ros, asked: Asked) -> str:
     Raises:
         ActionError: it is there already, or the container does not answer or refuses.
     """
-    told, timeout_s = asked.arguments, float(asked.arguments["timeout"])
-    container = told["container"]
-    if told["name"]:
-        wanted = f"{told['namespace'].rstrip('/')}/{told['name']}"
+    arguments, timeout_s = asked.arguments, float(asked.arguments["timeout"])
+    container = arguments["container"]
+    if arguments["name"]:
+        wanted = f"{arguments['namespace'].rstrip('/')}/{arguments['name']}"
         held = ros.call(f"{container}/_container/list_nodes", LIST, {}, timeout_s).get("full_node_names", ())
         if wanted in held:
             raise ActionError(f"{container} holds {wanted} already", expected="a name that is free")
     answer = ros.call(f"{container}/_container/load_node", _LOAD, _request(asked), timeout_s)
     if not answer.get("success"):
         raise ActionError(f"{container} did not load it: {answer.get('error_message', '')}", expected="success: True")
-    return f"loaded {answer.get('full_node_name', told['plugin'])} into {container}"
+    return f"loaded {answer.get('full_node_name', arguments['plugin'])} into {container}"
 
 
 def _request(asked: Asked) -> dict[str, Any]:
-    told = asked.arguments
+    arguments = asked.arguments
     return {
-        "package_name": told["package"],
-        "plugin_name": told["plugin"],
-        "node_name": told["name"],
-        "node_namespace": told["namespace"],
-        "remap_rules": list(told["remap"]),
-        "parameters": [parameter_fields(name, value) for name, value in told["parameters"].items()],
+        "package_name": arguments["package"],
+        "plugin_name": arguments["plugin"],
+        "node_name": arguments["name"],
+        "node_namespace": arguments["namespace"],
+        "remap_rules": list(arguments["remap"]),
+        "parameters": [parameter_fields(name, value) for name, value in arguments["parameters"].items()],
     }

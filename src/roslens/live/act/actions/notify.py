@@ -29,23 +29,23 @@ def act(ros: Ros, asked: Asked) -> str:
         ActionError: it cannot be published.
     """
     said = []
-    told = asked.arguments
-    if "rosout" in told["to"]:
-        ros.log(told["level"], told["text"])
+    arguments = asked.arguments
+    if "rosout" in arguments["to"]:
+        ros.log(arguments["level"], arguments["text"])
         said.append("on /rosout")
-    if "diagnostics" in told["to"]:
+    if "diagnostics" in arguments["to"]:
         ros.publish(_TOPIC, _TYPE, _array(asked), latched=False)
         said.append(f"on {_TOPIC}")
-    return f"said {' and '.join(said)}: {told['text']}"
+    return f"said {' and '.join(said)}: {arguments['text']}"
 
 
 def _array(asked: Asked) -> dict[str, Any]:
-    told = asked.arguments
+    arguments = asked.arguments
     reaction = asked.id.rpartition("/")[0] or asked.id
     status = {
-        "level": _LEVELS[told["level"]],
+        "level": _LEVELS[arguments["level"]],
         "name": f"roslens reaction: {reaction}",
-        "message": told["text"],
+        "message": arguments["text"],
         "values": [{"key": "decision", "value": asked.id}],
     }
     return {"status": [status]}

@@ -13,10 +13,10 @@ def prepare(ros: Ros, asked: Asked) -> None:
     Raises:
         ActionError: the type is not known, a field does not fit, or the rate is none.
     """
-    told = asked.arguments
-    if not 0 < float(told["rate"]) <= _FASTEST_HZ:
-        raise ActionError(f"a rate of {told['rate']:g} Hz", expected=f"above 0 and up to {_FASTEST_HZ:g} Hz")
-    ros.advertise(told["topic"], told["type"], told["fields"], latched=told["how"] == "latched")
+    arguments = asked.arguments
+    if not 0 < float(arguments["rate"]) <= _FASTEST_HZ:
+        raise ActionError(f"a rate of {arguments['rate']:g} Hz", expected=f"above 0 and up to {_FASTEST_HZ:g} Hz")
+    ros.advertise(arguments["topic"], arguments["type"], arguments["fields"], latched=arguments["how"] == "latched")
 
 
 def act(ros: Ros, asked: Asked) -> str:
@@ -25,16 +25,18 @@ def act(ros: Ros, asked: Asked) -> str:
     Raises:
         ActionError: it cannot be published, or nobody is there to hear it.
     """
-    told = asked.arguments
-    topic, latched = told["topic"], told["how"] == "latched"
+    arguments = asked.arguments
+    topic, latched = arguments["topic"], arguments["how"] == "latched"
 
     def once() -> int:
-        return ros.publish(topic, told["type"], told["fields"], latched=latched)
+        return ros.publish(topic, arguments["type"], arguments["fields"], latched=latched)
 
     heard = once()
-    if told["how"] == "repeated":
-        asked.repeat(1 / float(told["rate"]), once)
-        return f"published on {topic} to {_subscribers(heard)}, and again at {told['rate']:g} Hz until it is cleared"
+    if arguments["how"] == "repeated":
+        asked.repeat(1 / float(arguments["rate"]), once)
+        return (
+            f"published on {topic} to {_subscribers(heard)}, and again at {arguments['rate']:g} Hz until it is cleared"
+        )
     if not heard and not latched:
         raise ActionError(f"published on {topic}, which nobody subscribes to", expected="a subscriber")
     return f"published on {topic} to {_subscribers(heard)}"

@@ -29,6 +29,6 @@ def act(ros: Ros, asked: Asked) -> str:
     Raises:
         ActionError: the node refuses it, or does not answer.
     """
-    told = asked.arguments
-    ros.set_parameter(asked.target, told["name"], told["value"], float(told["timeout"]))
-    return f"{told['name']} of {asked.target} is {told['value']!r}"
+    arguments = asked.arguments
+    ros.set_parameter(asked.target, arguments["name"], arguments["value"], float(arguments["timeout"]))
+    return f"{arguments['name']} of {asked.target} is {arguments['value']!r}"

@@ -36,7 +36,7 @@ def check(url: str) -> None:
 
 def body_of(decision: Decision, text: str) -> bytes:
     """Return what is posted."""
-    told = {
+    document = {
         "text": text or decision.text,
         "reaction": decision.reaction,
         "decision": decision.id,
@@ -45,7 +45,7 @@ def body_of(decision: Decision, text: str) -> bytes:
         "time": decision.at_s,
         "because": [msgspec.to_builtins(one) for one in decision.because],
     }
-    return json.dumps(told, ensure_ascii=False).encode()
+    return json.dumps(document, ensure_ascii=False).encode()
 
 
 def act(decision: Decision) -> str:
@@ -55,14 +55,16 @@ def act(decision: Decision) -> str:
         ActionError: the page does not answer in time, or not with a code of 2xx.
     """
     kind = action_kind("webhook")
-    told = kind.filled(decision.action.arguments) if kind is not None else decision.action.arguments
-    url = str(told["url"])
+    arguments = kind.filled(decision.action.arguments) if kind is not None else decision.action.arguments
+    url = str(arguments["url"])
     check(url)
     headers = {"Content-Type": "application/json; charset=utf-8", "User-Agent": "roslens"}
-    body = body_of(decision, str(told["text"]))
+    body = body_of(decision, str(arguments["text"]))
     request = urllib.request.Request(url, body, headers, method="POST")  # noqa: S310 - the scheme was looked at
     try:
-        with urllib.request.build_opener(_NoRedirect).open(request, timeout=seconds(told, "timeout", 5.0)) as answer:
+        with urllib.request.build_opener(_NoRedirect).open(
+            request, timeout=seconds(arguments, "timeout", 5.0)
+        ) as answer:
             return f"posted to {urlsplit(url).hostname}, which answered {answer.status}"
     except urllib.error.HTTPError as error:
         raise ActionError(f"{urlsplit(url).hostname} answered {error.code}", expected="2xx") from None

@@ -87,23 +87,23 @@ class Hearing:
     def _connected(self, topic: str, uri: str) -> socket.socket:
         api = Caller(uri, self._resolver, _PATIENCE_S)
         try:
-            told = unwrap(api.call("requestTopic", self._caller, topic, [["TCPROS"]]), "requestTopic")
+            answer = unwrap(api.call("requestTopic", self._caller, topic, [["TCPROS"]]), "requestTopic")
         finally:
             api.close()
-        if not isinstance(told, list) or len(told) != 3 or told[0] != "TCPROS" or not isinstance(told[2], int):
-            raise TcprosError(f"requestTopic answers {str(told)[:80]}")
-        host = str(told[1]) or urlsplit(uri).hostname or ""
-        line = socket.create_connection((self._resolver.address(host), told[2]), timeout=_PATIENCE_S)
+        if not isinstance(answer, list) or len(answer) != 3 or answer[0] != "TCPROS" or not isinstance(answer[2], int):
+            raise TcprosError(f"requestTopic answers {str(answer)[:80]}")
+        host = str(answer[1]) or urlsplit(uri).hostname or ""
+        line = socket.create_connection((self._resolver.address(host), answer[2]), timeout=_PATIENCE_S)
         fields = {"callerid": self._caller, "topic": topic, "type": "*", "md5sum": "*", "message_definition": ""}
         line.sendall(encode_header({**fields, "tcp_nodelay": "1"}))
         return line
 
     def _messages(self, line: socket.socket, topic: str, node: str) -> None:
-        told = decode_header(self._part(line, LARGEST_HEADER))
-        if "error" in told:
-            raise TcprosError(told["error"][:200])
-        more = (("callerid", node), ("md5sum", told.get("md5sum", "")), ("latching", told.get("latching", "0")))
-        known = Topic(topic, told.get("type", ""), "ros1msg", told.get("message_definition", ""), "ros1", more)
+        header = decode_header(self._part(line, LARGEST_HEADER))
+        if "error" in header:
+            raise TcprosError(header["error"][:200])
+        more = (("callerid", node), ("md5sum", header.get("md5sum", "")), ("latching", header.get("latching", "0")))
+        known = Topic(topic, header.get("type", ""), "ros1msg", header.get("message_definition", ""), "ros1", more)
         while not self._closed.is_set():
             self._heard(known, self._part(line, _LARGEST))
 

@@ -165,11 +165,11 @@ class Listening:
         slave = Slave(source.uri, self._caller, self._resolver, self._wait_s)
         try:
             host, port = slave.request(source.topic)
-            line, told = connect(self._resolver.address(host), port, source.topic, self._caller, self._wait_s)
+            line, handshake = connect(self._resolver.address(host), port, source.topic, self._caller, self._wait_s)
         except (CallError, TcprosError, OSError) as error:
             problem = str(error)
         else:
-            self._add(source, line, told)
+            self._add(source, line, handshake)
         finally:
             slave.close()
         with self._lock:
@@ -182,13 +182,13 @@ class Listening:
                 what = f"{source.topic} cannot be read from {source.publisher}: {problem}"
                 self._fail(what, "a publisher that sends", "It is tried again, less and less often", source.publisher)
 
-    def _add(self, source: Source, line: socket.socket, told: Handshake) -> None:
+    def _add(self, source: Source, line: socket.socket, handshake: Handshake) -> None:
         with self._lock:
             rests = source.use is Use.TAP and self._budget.paused
             if not self._open or rests or source not in self._wanted or source in self._streams:
                 line.close()
                 return
-            self._streams[source] = Stream(source, line, told, self._clock(), self._host)
+            self._streams[source] = Stream(source, line, handshake, self._clock(), self._host)
             self._selector.register(line, selectors.EVENT_READ, source)
         os.eventfd_write(self._wake, 1)
 

@@ -19,9 +19,9 @@ def own_address(environment: Mapping[str, str], towards: str, port: int) -> str:
         towards: address of the master; the interface that leads there is the one that others reach.
         port: of the master.
     """
-    told = environment.get("ROS_HOSTNAME") or environment.get("ROS_IP")
-    if told:
-        return told
+    given = environment.get("ROS_HOSTNAME") or environment.get("ROS_IP")
+    if given:
+        return given
     family = socket.AF_INET6 if ":" in towards else socket.AF_INET
     with suppress(OSError), socket.socket(family, socket.SOCK_DGRAM) as probe:
         probe.connect((towards, port))  # a datagram socket sends nothing to connect; it only picks its interface

@@ -105,6 +105,6 @@ def _stamp(message: Any, types: Mapping[str, str], fields: Mapping[str, Any], st
     """Stamp the header of a message, unless its fields do."""
     if types.get("header") not in ("std_msgs/Header", _HEADER):
         return
-    told = fields.get("header")
-    if not (isinstance(told, Mapping) and "stamp" in told):
+    header = fields.get("header")
+    if not (isinstance(header, Mapping) and "stamp" in header):
         message.header.stamp.sec, message.header.stamp.nanosec = stamp

@@ -106,8 +106,8 @@ def graph_of_message(message: Any, type_: str) -> Graph:
         endpoints.update(_ends(name, node, _RELIABILITY[type_]))
         values = getattr(node, "parameter_values", ())
         if len(values) and len(values) == len(node.parameters):
-            told = zip(node.parameters, values, strict=True)
-            texts = ((str(one.name), _value(str(one.name), value)) for one, value in told)
+            pairs = zip(node.parameters, values, strict=True)
+            texts = ((str(one.name), _value(str(one.name), value)) for one, value in pairs)
             parameters[name] = {key: text for key, text in texts if text}
     nodes = tuple(Node(name) for name in sorted(names))
     return Graph("ros2", nodes, tuple(sorted(endpoints, key=_order)), parameters=dict(sorted(parameters.items())))
@@ -128,25 +128,25 @@ def _ends(node: str, message: Any, reliability: Mapping[int, str]) -> Iterator[E
                 yield Endpoint(node, role, str(one.name), type_.rpartition("_")[0])
 
 
-def _type(told: Any) -> tuple[str, str]:
-    if isinstance(told, str):
-        return told, ""
-    value = bytes(told.hash.value)
-    return str(told.name), f"RIHS{int(told.hash.version):02d}_{value.hex()}" if any(value) else ""
+def _type(described: Any) -> tuple[str, str]:
+    if isinstance(described, str):
+        return described, ""
+    value = bytes(described.hash.value)
+    return str(described.name), f"RIHS{int(described.hash.version):02d}_{value.hex()}" if any(value) else ""
 
 
-def _qos(told: Any, reliability: Mapping[int, str]) -> Qos | None:
+def _qos(qos: Any, reliability: Mapping[int, str]) -> Qos | None:
     known = Qos(
-        reliability.get(int(told.reliability), ""), _DURABILITY.get(int(told.durability), ""),
-        _HISTORY.get(int(told.history), ""), int(told.depth), _seconds(told.deadline), _seconds(told.lifespan),
-        _LIVELINESS.get(int(told.liveliness), ""), _seconds(told.liveliness_lease_duration),
+        reliability.get(int(qos.reliability), ""), _DURABILITY.get(int(qos.durability), ""),
+        _HISTORY.get(int(qos.history), ""), int(qos.depth), _seconds(qos.deadline), _seconds(qos.lifespan),
+        _LIVELINESS.get(int(qos.liveliness), ""), _seconds(qos.liveliness_lease_duration),
     )  # fmt: skip
     return known if known != Qos() else None
 
 
-def _seconds(told: Any) -> float:
+def _seconds(duration: Any) -> float:
     # Middlewares write "no limit" as the largest time they know.
-    return 0.0 if told.sec >= 2**31 - 1 else float(told.sec + told.nanosec * 1e-9)
+    return 0.0 if duration.sec >= 2**31 - 1 else float(duration.sec + duration.nanosec * 1e-9)
 
 
 def _value(name: str, value: Any) -> str:

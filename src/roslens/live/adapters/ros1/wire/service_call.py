@@ -39,9 +39,9 @@ def call_service(uri: str, service: str, caller: str, request: bytes, resolver: 
             size = int.from_bytes(_exactly(line, 4, end), "little")
             if size > LARGEST_HEADER:
                 raise ActionError(f"{service} answers with a header of {size:,} bytes")
-            told = decode_header(_exactly(line, size, end))
-            if "error" in told:
-                raise ActionError(f"{service} refuses: {told['error'][:200]}")
+            header = decode_header(_exactly(line, size, end))
+            if "error" in header:
+                raise ActionError(f"{service} refuses: {header['error'][:200]}")
             line.sendall(len(request).to_bytes(4, "little") + request)
             good = _exactly(line, 1, end) == b"\1"
             size = int.from_bytes(_exactly(line, 4, end), "little")

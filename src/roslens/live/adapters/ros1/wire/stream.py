@@ -54,14 +54,14 @@ class Drained(msgspec.Struct):
 class Stream:
     """Reads one connection without ever waiting."""
 
-    def __init__(self, source: Source, line: socket.socket, told: Handshake, now: float, host: str) -> None:
+    def __init__(self, source: Source, line: socket.socket, handshake: Handshake, now: float, host: str) -> None:
         self.source = source
         self.line = line
         self.problem = ""
         self._host = host
         self._taps = source.use is Use.TAP
         self._reader = HeadReader(_WHOLE.get(source.use, HEAD_BYTES))
-        self._accumulator = Accumulator(source.topic, source.publisher, told.stamped, now)
+        self._accumulator = Accumulator(source.topic, source.publisher, handshake.stamped, now)
         self._told: list[Tally] = []
         self._reports: list[tuple[float, bytes]] = []
         self._shed = 0
@@ -137,6 +137,6 @@ class Stream:
         """Return what came since the last time, and how many records were dropped."""
         if self._taps:
             return [self._accumulator.take(now, self._host)], 0
-        told, shed = self._told, self._shed
+        reported, shed = self._told, self._shed
         self._told, self._shed = [], 0
-        return told, shed
+        return reported, shed

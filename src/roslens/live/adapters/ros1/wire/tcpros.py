@@ -85,14 +85,14 @@ def connect(address: str, port: int, topic: str, caller: str, wait_s: float) -> 
     end = time.monotonic() + wait_s
     line = socket.create_connection((address, port), timeout=wait_s)
     try:
-        told = _shake_hands(line, topic, caller, end)
+        header = _shake_hands(line, topic, caller, end)
         line.setblocking(False)
     except BaseException:
         line.close()
         raise
-    type_ = told.get("type", "")[:300]
-    stamped = is_stamped(type_, told.get("message_definition", ""))
-    return line, Handshake(told.get("callerid", "")[:1024], type_, told.get("md5sum", "")[:64], stamped)
+    type_ = header.get("type", "")[:300]
+    stamped = is_stamped(type_, header.get("message_definition", ""))
+    return line, Handshake(header.get("callerid", "")[:1024], type_, header.get("md5sum", "")[:64], stamped)
 
 
 def _shake_hands(line: socket.socket, topic: str, caller: str, end: float) -> dict[str, str]:
@@ -102,10 +102,10 @@ def _shake_hands(line: socket.socket, topic: str, caller: str, end: float) -> di
     size = int.from_bytes(_exactly(line, 4, end), "little")
     if size > LARGEST_HEADER:
         raise TcprosError(f"a header of {size:,} bytes, expected at most {LARGEST_HEADER:,}")
-    told = decode_header(_exactly(line, size, end))
-    if "error" in told:
-        raise TcprosError(f"the publisher refuses: {told['error'][:200]}")
-    return told
+    header = decode_header(_exactly(line, size, end))
+    if "error" in header:
+        raise TcprosError(f"the publisher refuses: {header['error'][:200]}")
+    return header
 
 
 def _exactly(line: socket.socket, size: int, end: float) -> bytes:

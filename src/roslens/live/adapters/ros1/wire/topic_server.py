@@ -183,9 +183,9 @@ class TopicServer:
             if len(line.came) >= 4 + size >= 8:
                 self._meet(line, decode_header(line.came[4 : 4 + size]))
 
-    def _meet(self, line: _Line, told: Mapping[str, str]) -> None:
-        topic = told.get("topic", "")
-        problem = self._problem(topic, told)
+    def _meet(self, line: _Line, header: Mapping[str, str]) -> None:
+        topic = header.get("topic", "")
+        problem = self._problem(topic, header)
         if problem:
             with suppress(OSError):
                 line.stream.send(encode_header({"error": problem}))
@@ -207,12 +207,12 @@ class TopicServer:
         if published.latched and topic in self._last:
             line.add(self._last[topic])
 
-    def _problem(self, topic: str, told: Mapping[str, str]) -> str:
+    def _problem(self, topic: str, header: Mapping[str, str]) -> str:
         published = self._topics.get(topic)
         if published is None:
             return f"{topic[:200]!r} is not published here"
         for key, own in (("type", published.type), ("md5sum", published.md5)):
-            asked = told.get(key, _WILDCARD)
+            asked = header.get(key, _WILDCARD)
             if asked not in (own, _WILDCARD):
                 return f"{key} is {asked[:200]!r}, expected {own!r}"
         return ""

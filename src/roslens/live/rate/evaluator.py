@@ -22,7 +22,7 @@ RETRY_S = 1.0
 """Seconds after which it is found out again whether a connection need not be looked at."""
 
 
-class Lookout:
+class Evaluator:
     """Judges what has to be judged.
 
     Attributes:

@@ -27,7 +27,9 @@ integration mostly has one commit of it.
 - **Files that were renamed are followed**, by git's own detection (`git log --find-renames`: contents that are alike by
   half; at most 1,000 files that came by 1,000 that went in a commit): a file keeps its commits, people and lines under
   the names that it had before. A file that was copied begins anew, which `git log --follow` sees otherwise (`C` in its
-  `--name-status`). In a partial clone only files that were renamed without a change are followed.
+  `--name-status`). Where one file became several in a commit, the one that git takes for it goes on, and the others
+  begin anew; asked for one of them alone, `git log --follow` gives each the whole past. In a partial clone only files
+  that were renamed without a change are followed.
 - **Packages that were moved are followed**, too: where git finds a manifest (`package.xml`, of rosbuild `manifest.xml`)
   again under another folder, and the folder kept its name or most files that came to it by renaming came with it,
   commits that do not have that one behind them count for the folder that the package was in before, also those of

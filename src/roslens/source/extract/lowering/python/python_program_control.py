@@ -147,15 +147,10 @@ class Control(Patterns):
             self.statements(body)
 
     def _on_match(self, node: Node) -> None:
-        subject_node, body = node.child_by_field_name("subject"), node.child_by_field_name("body")
-        subject = self.expression(subject_node) if subject_node is not None else Opaque("")
+        subjects = tuple(self._subject(one, node) for one in node.children_by_field_name("subject"))
+        body = node.child_by_field_name("body")
         if body is None:
             return
-        if isinstance(subject, Call):
-            self._made += 1
-            kept = Name(f"#{self._made}")
-            self.pending.append(Assign(kept, subject, line=self.line(node)))
-            subject = kept
         found: list[tuple[list[Statement], Expression | None, tuple[Statement, ...], int]] = []
         outer, depth = self.pending, self._depth
         for case in self.parts(body):
@@ -164,7 +159,7 @@ class Control(Patterns):
                 break
             self._depth += 1
             self.pending = []
-            condition = self.case(case, subject)
+            condition = self.case(case, subjects)
             made = self.pending
             found.append((made, condition, self.block(case.child_by_field_name("consequence")), self.line(case)))
         self.pending, self._depth = outer, depth
@@ -172,6 +167,16 @@ class Control(Patterns):
         for made, condition, then, line in reversed(found):
             rest = (*made, *then) if condition is None else (*made, Branch(condition, then, rest, line))
         self.pending += rest
+
+    def _subject(self, subject: Node, of: Node) -> Expression:
+        """Return what cases are compared with: a call is made once."""
+        found = self.expression(subject)
+        if not isinstance(found, Call):
+            return found
+        self._made += 1
+        kept = Name(f"#{self._made}")
+        self.pending.append(Assign(kept, found, line=self.line(of)))
+        return kept
 
 
 def _breaks(body: tuple[Statement, ...]) -> bool:

@@ -4,25 +4,37 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from roslens.source.extract.ir.program import Assign, Expression, Literal, Member, Operation
+from roslens.source.extract.ir.program import Assign, Expression, Literal, Member, Opaque, Operation, Sequence
 from roslens.source.extract.lowering.python.python_program_expressions import Expressions
+from roslens.source.extract.lowering.python.python_program_reading import LONGEST_OPAQUE
+
+_SEQUENCES = ("tuple_pattern", "list_pattern")
 
 
 class Patterns(Expressions):
     """Lowers the cases of ``match``."""
 
-    def case(self, case: Node, subject: Expression) -> Expression | None:
-        """Return the condition of a case; None where there is none."""
-        conditions: list[Expression] = []
-        for part in self.parts(case):
-            if part.type == "case_pattern":
-                one = self._pattern(part, subject)
-                conditions += [] if one is None else [one]
-            elif part.type == "if_clause":
-                conditions.append(self._first(part))
+    def case(self, case: Node, subjects: tuple[Expression, ...]) -> Expression | None:
+        """Return the condition of a case for what is looked at, a sequence where it is several; or None."""
+        parts = self.parts(case)
+        conditions = self._matched([part for part in parts if part.type == "case_pattern"], subjects)
+        conditions += [self._first(part) for part in parts if part.type == "if_clause"]
         if not conditions:
             return None
         return conditions[0] if len(conditions) == 1 else Operation("and", tuple(conditions))
+
+    def _matched(self, patterns: list[Node], subjects: tuple[Expression, ...]) -> list[Expression]:
+        """Return what patterns ask of the subjects, each of its own."""
+        if len(patterns) == 1 and len(subjects) > 1:
+            inner = next(iter(self.parts(patterns[0])), None)
+            if inner is None or inner.type not in _SEQUENCES:
+                whole = self._pattern(patterns[0], Sequence(subjects))
+                return [] if whole is None else [whole]
+            patterns = self.parts(inner)
+        if len(patterns) != len(subjects) or any(_takes_the_rest(one) for one in patterns):
+            return [Opaque(", ".join(self._text_only(one).text for one in patterns)[:LONGEST_OPAQUE])]
+        asked = [self._pattern(pattern, subject) for pattern, subject in zip(patterns, subjects, strict=True)]
+        return [one for one in asked if one is not None]
 
     def _pattern(self, pattern: Node, subject: Expression) -> Expression | None:
         parts = self.parts(pattern)
@@ -42,3 +54,7 @@ class Patterns(Expressions):
         if isinstance(value, (Literal, Member)):
             return Operation("==", (subject, value))
         return self._text_only(node)
+
+
+def _takes_the_rest(pattern: Node) -> bool:
+    return any(part.type == "splat_pattern" for part in pattern.children)

@@ -14,7 +14,8 @@ from roslens.source.syntax.python_tree import LANGUAGE
 
 DEEPEST = 100
 """Levels of statements and expressions in each other that are followed."""
-_LONGEST_OPAQUE = 80
+LONGEST_OPAQUE = 80
+"""Characters of an expression of which nothing more is known."""
 _COMMENT = LANGUAGE.id_for_node_kind("comment", True) or 0
 _SPACE = re.compile(r"\s+")
 _BRACKET = re.compile(r"[\[(] | [\])]")
@@ -73,8 +74,8 @@ class Reading:
 
     def _text_only(self, node: Node) -> Opaque:
         start = node.start_byte
-        written = text_of(self.source[start : min(node.end_byte, start + 4 * _LONGEST_OPAQUE)])
-        return Opaque(_SPACE.sub(" ", written).strip()[:_LONGEST_OPAQUE])
+        written = text_of(self.source[start : min(node.end_byte, start + 4 * LONGEST_OPAQUE)])
+        return Opaque(_SPACE.sub(" ", written).strip()[:LONGEST_OPAQUE])
 
     def _too_deep(self, node: Node) -> Opaque:
         self.note(node, f"nested more than {DEEPEST} levels deep")

@@ -24,7 +24,7 @@ def test_back_undoes_selection_focus_filter_and_metric_one_by_one(visit: Visit, 
     page = visit("/graph")
     name = facts.names[0]
     page.locator("#colour").select_option("metric:loc")
-    page.get_by_label("own code only").check()
+    page.get_by_label("tests, generated and vendored code too").check()
     page.locator(f'#nodes .node[href="/packages/{name}"]').dispatch_event("click")
     expect(page.locator("#graph-selected h2")).to_have_text(name)
     page.get_by_role("button", name="Focus on it").click()
@@ -34,9 +34,9 @@ def test_back_undoes_selection_focus_filter_and_metric_one_by_one(visit: Visit, 
     expect(page.locator("#graph-selected h2")).to_have_text(name)
     page.go_back()
     expect(page.locator("#nodes .node.selected")).to_have_count(0)
-    expect(page.get_by_label("own code only")).to_be_checked()
+    expect(page.get_by_label("tests, generated and vendored code too")).to_be_checked()
     page.go_back()
-    expect(page.get_by_label("own code only")).not_to_be_checked()
+    expect(page.get_by_label("tests, generated and vendored code too")).not_to_be_checked()
     expect(page.locator("#colour")).to_have_value("metric:loc")
     page.go_back()
     expect(page.locator("#colour")).to_have_value("findings")
@@ -94,7 +94,7 @@ def test_tab_goes_on_from_a_tag_box(visit: Visit, box: str) -> None:
     expect(page.locator(f"{box} ~ .options")).to_be_visible()
     page.keyboard.press("Tab")
     assert focused(page) == "INPUT"
-    assert page.evaluate("document.activeElement.id || document.activeElement.name") in {"exclude-chips", "own"}
+    assert page.evaluate("document.activeElement.id || document.activeElement.name") in {"exclude-chips", "aside"}
     page.keyboard.press("Shift+Tab")
     assert page.evaluate("document.activeElement.id") == box.removeprefix("#")
 

@@ -4,8 +4,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
+from roslens.model.relations.strongly_connected import strongly_connected
 from roslens.model.source import OUTSIDE_PACKAGES
-from roslens.source.metrics.packages.dependency_graph import dependency_graph, strongly_connected
+from roslens.source.metrics.packages.dependency_graph import dependency_graph
 
 
 def graph_of(package_of, *lines):
@@ -57,7 +58,7 @@ def test_components_are_those_that_reach_each_other_in_order(targets):
         for node in below:
             if middle in reach[node]:
                 reach[node] |= reach[middle]
-    components = strongly_connected(below)
+    components = list(strongly_connected(below, below.__getitem__))
     assert sorted(node for component in components for node in component) == sorted(below)
     for place, component in enumerate(components):
         for node in component:

@@ -4,11 +4,11 @@ import os
 import shutil
 import socket
 import subprocess
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from ros2_domain import own_domain
+from running_node import running
 from watched_until import watch_until
 
 pytestmark = pytest.mark.real
@@ -32,16 +32,6 @@ text = 'kind: reference\\nname: {}\\nconstraints:\\n  - {{topic: /{}, expected: 
 node.declare_parameter('reference', [text.format('a', 'never'), text.format('b', 'ever')])
 rclpy.spin(node)
 """
-
-
-@contextmanager
-def running(*command, environment):
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        yield process
-    finally:
-        process.terminate()
-        process.wait(20)
 
 
 def absent(*names):

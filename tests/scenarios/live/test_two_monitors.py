@@ -9,12 +9,13 @@ import socket
 import subprocess
 import sys
 import time
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 import yaml
 from ros2_domain import own_domain
+from running_node import running
 
 from testbed import robot_ros1, robot_ros2
 
@@ -47,16 +48,6 @@ publisher = node.create_publisher(String, "/chatter", 10)
 node.create_timer(0.05, lambda: publisher.publish(String(data="hello")))
 rclpy.spin(node)
 """
-
-
-@contextmanager
-def running(*command, environment):
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        yield process
-    finally:
-        process.terminate()
-        process.wait(20)
 
 
 def watch_twice(generation, environment, folder):

@@ -12,13 +12,10 @@ from roslens.live.act.parameter_value import parameter_fields
 from roslens.live.act.ros import ActionError
 from roslens.live.adapters.ros2.fields import filled, interface, plain
 from roslens.live.adapters.ros2.listening import Listening
+from roslens.live.adapters.ros2.meeting import YOUNG_S, patience_s
 
 _DEPTH = 10
-_MEET_S = 1.0
-"""How long a message waits for the first subscriber where none is known yet: that of a publisher just made."""
 _LOOK_S = 0.02
-_YOUNG_S = 3.0
-"""So long after its start a node may not have met everybody; that nobody is known says nothing then."""
 _SET = "rcl_interfaces/srv/SetParameters"
 
 
@@ -36,8 +33,9 @@ class Ros2Hand:
         self._node = node
         self._wall = wall
         self._lock = threading.Lock()
-        self._grown = time.monotonic() + _YOUNG_S
+        self._grown = time.monotonic() + YOUNG_S
         self._publishers: dict[tuple[str, str, bool], Any] = {}
+        self._used: set[tuple[str, str]] = set()
         self._clients: dict[tuple[str, str], Any] = {}
         self._kept: dict[tuple[tuple[str, ...], float], Keeping] = {}
         self._listening: list[Listening] = []
@@ -59,10 +57,14 @@ class Ros2Hand:
         """
         message = filled(interface(type_, "msg"), fields, self._now())
         publisher = self._publisher(topic, type_, latched=latched)
-        now = time.monotonic()
-        end = now if latched else max(now + _MEET_S, self._grown)
-        while not (count := publisher.get_subscription_count()) and (now := time.monotonic()) < end:
-            if now > self._grown and not self._node.get_subscriptions_info_by_topic(topic):
+        with self._lock:
+            first = (topic, type_) not in self._used
+            self._used.add((topic, type_))
+        begun = time.monotonic()
+        while not (count := publisher.get_subscription_count()) and not latched:
+            known = bool(self._node.get_subscriptions_info_by_topic(topic))
+            end = begun + patience_s(known=known, first=first)
+            if time.monotonic() >= (end if known else max(end, self._grown)):
                 break
             time.sleep(_LOOK_S)
         publisher.publish(message)

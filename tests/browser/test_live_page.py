@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 import pytest
+from comes_true import comes_true
 from dashboard.live.made_up_snapshots import walk
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
 from pace import slowness
@@ -217,7 +218,7 @@ def test_the_wheel_scrolls_the_page_until_the_graph_was_clicked(follow: Open) ->
     canvas.hover(position={"x": 5, "y": 5})
     before = scene.get_attribute("transform") or ""
     page.mouse.wheel(0, 100)
-    page.wait_for_function("scrollY > 0")
+    comes_true(page, "scrollY > 0")
     assert scene.get_attribute("transform") == before
     page.keyboard.down("Control")
     canvas.hover(position={"x": 5, "y": 5})
@@ -245,12 +246,10 @@ def test_the_wheel_over_what_is_told_of_an_entity_scrolls_that_and_then_the_page
     panel = page.locator("#detail")
     panel.hover()
     page.mouse.wheel(0, 40)
-    page.wait_for_function("document.querySelector('#detail').scrollTop === 40")
+    comes_true(page, "document.querySelector('#detail').scrollTop === 40")
     page.mouse.wheel(0, 2000)
-    page.wait_for_function(
-        "() => { const one = document.querySelector('#detail');"
-        " return Math.abs(one.scrollTop + one.clientHeight - one.scrollHeight) < 2; }"
-    )
+    end = "((one) => Math.abs(one.scrollTop + one.clientHeight - one.scrollHeight) < 2)"
+    comes_true(page, f"{end}(document.querySelector('#detail'))")
 
 
 def test_names_lead_to_what_is_known_of_them(robot: ScriptedRobot, follow: Open) -> None:
@@ -466,7 +465,7 @@ def test_a_lost_monitor_is_shown_at_once_and_its_return_too(
 
 def test_a_monitor_that_stands_still_is_shown(follow: Open) -> None:
     page = follow()
-    told = re.compile("has told nothing new for ([6-9]|[1-9][0-9]) s")
+    told = re.compile("has reported nothing new for ([6-9]|[1-9][0-9]) s")
     expect(page.locator("#lost")).to_have_text(told, timeout=60_000)
 
 
@@ -531,7 +530,7 @@ def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Call
             before = used()
             robot.run()
             text = f"12:00:{robot.now:04.1f}"
-            page.wait_for_function("text => document.getElementById('when').textContent === text", arg=text)
+            comes_true(page, f"document.getElementById('when').textContent === '{text}'")
             page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
             after = used()
             script.append(1000 * (after["ScriptDuration"] - before["ScriptDuration"]))

@@ -24,7 +24,8 @@ demo: .venv/stamp
 	$(if $(filter build/demo,$(WS)),$(BIN)/python examples/recording/record.py build/rover_drive)
 	$(BIN)/roslens serve $(WS) --port $(PORT) $(if $(filter build/demo,$(WS)),--bag build/rover_drive --reference examples/recording/rover.yaml)
 
-# The pictures of docs/tour.md, in build/tour, of what `make demo` serves; looks at it dark and narrow too: make tour LOOKS=--every
+# The pictures of docs/tour.md, in build/tour, of what `make demo` serves; dark and narrow too: make tour LOOKS=--every. Every
+# kind of page of what is served already: PYTHONPATH=tests python -m tour URL FOLDER --every --screens
 tour: .venv/stamp
 	sh examples/change.sh build/demo
 	$(BIN)/roslens check build/demo --fail-on never --quiet || [ $$? -eq 3 ]

@@ -22,7 +22,8 @@ def machine(tmp_path):
     (tmp_path / ".ci").mkdir()
     for name in ("parts", "ros-source"):
         shutil.copy(SCRIPTS / name, tmp_path / ".ci" / name)
-    (tmp_path / ".ci" / "ros2").write_text("")
+    for name in ("ros2", "unpacked"):
+        (tmp_path / ".ci" / name).write_text("")
 
     class Machine:
         root = tmp_path
@@ -109,3 +110,36 @@ def test_source_that_cannot_be_unpacked_stops_nothing_and_leaves_no_part(machine
     assert "source of ros-ros-comm cannot be unpacked here: tests that read it are skipped" in done.stderr
     assert not (machine.root / "build" / "ros_source" / "ros_comm").exists()
     assert not [*(machine.root / "build" / "ros_source").iterdir()]
+
+
+def unpacks(machine, download):
+    shutil.copy(SCRIPTS / "unpacked", machine.root / ".ci" / "unpacked")
+    for name in ("chmod", "cp"):
+        (machine.root / "programs" / name).symlink_to(shutil.which(name))
+    machine.has("apt-get", f"#!/bin/sh\n{download}\n")
+    machine.has(
+        "dpkg-deb",
+        '#!/bin/sh\nmkdir -p "$3/usr/bin"\ncd "$3/usr/bin"; : >promtool; : >amtool; chmod +x *\n',
+    )
+    return machine.run("unpacked")
+
+
+def test_what_would_start_a_server_is_unpacked_and_not_installed(machine):
+    done = unpacks(machine, f'echo "$*" >>{machine.asked}\n: >"$3_1.deb"')
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    there = {one.name for one in (machine.root / "build" / "unpacked" / "usr" / "bin").iterdir()}
+    assert there == {"promtool", "amtool"}
+    assert machine.asked.read_text().split("\n") == [
+        "-qq download prometheus",
+        "-qq download prometheus-alertmanager",
+        "",
+    ]
+    again = machine.run("unpacked")
+    assert (again.returncode, len(machine.asked.read_text().splitlines())) == (0, 2)
+
+
+def test_what_cannot_be_downloaded_keeps_the_others(machine):
+    done = unpacks(machine, '[ "$3" = prometheus ] && exit 100\n: >"$3_1.deb"')
+    assert done.returncode == 0
+    assert done.stderr == "parts: could not download prometheus; the tests that need it are skipped\n"
+    assert (machine.root / "build" / "unpacked" / "usr" / "bin" / "amtool").exists()

@@ -47,11 +47,11 @@ def test_catkin_runs_it(tmp_path):
         assert not done.returncode, done.stdout + done.stderr
     (result,) = build.rglob("roslens-rover.xml")
     assert parse(result).getroot().find("testsuite").get("name") == "roslens.rover"
-    told = subprocess.run(
+    reported = subprocess.run(
         ["catkin_test_results", str(build)], capture_output=True, text=True, check=False, env=environment
     )
-    assert told.returncode == 1
-    assert "roslens-rover.xml" in told.stdout
+    assert reported.returncode == 1
+    assert "roslens-rover.xml" in reported.stdout
     assert not (source / ".roslens").exists()
 
 

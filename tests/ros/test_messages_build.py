@@ -43,7 +43,7 @@ EXPECTED = json.loads(
 real = pytest.mark.real
 
 
-def told(text):
+def reported(text):
     return json.loads(text.replace("NaN", '"NaN"'))
 
 
@@ -84,7 +84,7 @@ def test_genpy_reads_what_we_serialise_and_has_our_sums(messages1):
     definitions = known_definitions()
     names = ("RatedSignals", "RatedSignal", "ConnectionStatistics")
     assert sums.split() == [definitions.md5(f"roslens_msgs/{name}") for name in names]
-    assert (float(stamp), told(values)) == (5.5, EXPECTED)
+    assert (float(stamp), reported(values)) == (5.5, EXPECTED)
 
 
 @real
@@ -124,4 +124,4 @@ def test_rosidl_makes_messages_that_go_there_and_back(ros2_python, messages2):
     assert not ended.returncode, ended.stderr.decode()
     stamp, told_values = ended.stdout.decode().splitlines()
     assert stamp == "5 500000000 5"
-    assert told(told_values) == EXPECTED
+    assert reported(told_values) == EXPECTED

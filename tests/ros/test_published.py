@@ -29,7 +29,7 @@ constraints:
 NAME = "roslens: topic /chatter"
 SOON_S = 1.0
 BECAUSE = " (because of node:/talker)"
-"""Told from when it is known that the node is gone: with the silence of its topic, or a moment later."""
+"""Reported from when it is known that the node is gone: with the silence of its topic, or a moment later."""
 MAIN = "import sys; from roslens.cli.main import main; sys.exit(main(sys.argv[1:]))"
 TALKER1 = """
 import rospy
@@ -199,7 +199,7 @@ def test_ros1(master, messages1, tmp_path):
         status = told_soon(watch, listener, talker.process.terminate)
         assert status[4].replace(BECAUSE, "") == "is absent, expected >= 1; Look at the cable."
         assert ["presence state", "absent"] in status[6]
-        # Who comes late is told at once what stands.
+        # Who comes late is reported at once what stands.
         echo = subprocess.run(
             ["rostopic", "echo", "-n1", "/diagnostics"],
             env=master,

@@ -78,10 +78,10 @@ def test_values_are_kept_for_plots_and_forgotten_with_their_rows(part, robot):
 @pytest.mark.timed
 def test_a_monitor_is_asked_and_its_absence_told(part, robot):
     monitor = part("monitor")
-    came, told = threading.Event(), []
+    came, reported = threading.Event(), []
 
     def take(*look):
-        told.append(look)
+        reported.append(look)
         came.set()
 
     with LivePage(robot.page.newest, detail=robot.page.detail) as page:
@@ -91,7 +91,7 @@ def test_a_monitor_is_asked_and_its_absence_told(part, robot):
         watcher.start()
         assert came.wait(30)
         watcher.close()
-    snapshot, detail, problem = told[0]
+    snapshot, detail, problem = reported[0]
     assert (snapshot["version"], detail["entity"], problem) == (VERSION, "topic:/scan", "")
     with pytest.raises(monitor.MonitorError, match="no answer"):
         monitor.fetch("127.0.0.1:1", "snapshot.json")
@@ -133,7 +133,7 @@ def test_the_board_shows_it_with_qt(robot):
     if subprocess.run(
         ["/usr/bin/python3", "-c", "import PyQt5.QtWidgets"], capture_output=True, check=False
     ).returncode:
-        pytest.skip("no PyQt5: `apt-get install python3-pyqt5`, 70 MB with Qt, so that `make parts` does not")
+        pytest.skip("no PyQt5: `apt-get install python3-pyqt5`")
     look = {"snapshot": json.loads(robot.page.newest()), "detail": json.loads(robot.page.detail("topic:/scan"))}
     done = subprocess.run(
         ["/usr/bin/python3", "-c", SHOW], input=json.dumps(look), capture_output=True, text=True, check=False,

@@ -1,5 +1,7 @@
 """Files are shared out to few calls, and what fails is found without losing the rest."""
 
+from threading import Event
+
 import pytest
 
 from roslens.model.source import Language, SourceFile
@@ -121,16 +123,21 @@ def test_a_reader_that_breaks_is_a_failure_of_the_tool():
 
 
 def test_what_calls_found_is_heard_of_while_others_are_still_to_come():
-    heard = []
+    heard, one_came = [], Event()
 
     class Ending(Runner):
         def run(self, words, **more):
             if len(self.calls) == 1:
+                assert one_came.wait(30.0), "nothing was heard of the first call"
                 raise KeyboardInterrupt
             return super().run(words, **more)
 
+    def keep(found):
+        heard.append(found)
+        one_came.set()
+
     request = Request("played", "/robot", (), {}, "")
-    looking = Batches(Played(), request, Ending(), jobs=1, time_limit_s=5, keep=heard.append)
+    looking = Batches(Played(), request, Ending(), jobs=1, time_limit_s=5, keep=keep)
     with pytest.raises(KeyboardInterrupt):
         looking.look_at(files(100))
     assert [len(found) for found in heard] == [50]

@@ -1,6 +1,7 @@
 """Tools that are installed find in the recorded sources what they found when that was recorded, in any version."""
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -13,6 +14,8 @@ from roslens.source.tools.table import tool_named
 from roslens.source.tools.used import TOOLS
 
 pytestmark = pytest.mark.real
+
+WHEELS = Path(__file__).parents[3] / "build" / "ros2" / "bin"
 
 MANIFEST = """<package format="2"><name>arm</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">A</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend></package>
@@ -34,7 +37,8 @@ FINDS = {
 
 
 @pytest.mark.parametrize("name", [name for name in TOOLS if name != "ament_xmllint"])  # which asks the net
-def test_a_tool_that_is_installed_is_understood(name, tmp_path, capfd):
+def test_a_tool_that_is_installed_is_understood(name, tmp_path, capfd, monkeypatch):
+    monkeypatch.setenv("PATH", os.pathsep.join((os.environ["PATH"], str(WHEELS))))
     tool = tool_named(name)
     if find_program(tool.program, str(tmp_path)) is None:
         pytest.skip(f"{tool.program} is not installed; {tool.get}")

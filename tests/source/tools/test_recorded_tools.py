@@ -229,9 +229,9 @@ def test_cppcheck_is_told_of_the_macros_of_ros(tmp_path):
 def test_an_addon_that_does_not_run_is_no_clean_bill():
     tool = tool_named("cppcheck")
     error = b'<error id="internalError" severity="error" msg="Failed to execute addon"/>'
-    told = b'<results version="2"><errors>' + error + b"</errors></results>"
+    reported = b'<results version="2"><errors>' + error + b"</errors></results>"
     with pytest.raises(ToolError, match="cannot run its addon"):
-        tool.read(Ended(0, b"", told), request(tool, ["old.c"]))
+        tool.read(Ended(0, b"", reported), request(tool, ["old.c"]))
 
 
 def test_pylint_leaves_out_what_has_its_names_from_elsewhere():
@@ -242,8 +242,8 @@ def test_pylint_leaves_out_what_has_its_names_from_elsewhere():
 
 def test_catkin_lint_passes_over_packages_of_others():
     tool = tool_named("catkin_lint")
-    told = Ended(0, b"", b"catkin_lint: no packages to check\n")
-    assert tool.read(told, request(tool, ["am/package.xml"])).findings == ()
+    reported = Ended(0, b"", b"catkin_lint: no packages to check\n")
+    assert tool.read(reported, request(tool, ["am/package.xml"])).findings == ()
 
 
 def test_clang_tidy_without_checks_says_so():

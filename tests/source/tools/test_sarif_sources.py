@@ -89,10 +89,10 @@ def test_files_that_cannot_be_imported_are_failures(check, tmp_path):
     code, report = check(*[word for file in (bad, outside, good, gone) for word in ("--import", str(file))])
     assert code == 3
     assert found(report) == HERE
-    told = "\n".join(said(report))
-    assert f"'{bad}' was not imported: no SARIF" in told
-    assert f"'{gone}' was not imported: No such file" in told
-    assert "outside.sarif: 1 results that point outside of the workspace were left out" in told
+    reported = "\n".join(said(report))
+    assert f"'{bad}' was not imported: no SARIF" in reported
+    assert f"'{gone}' was not imported: No such file" in reported
+    assert "outside.sarif: 1 results that point outside of the workspace were left out" in reported
 
 
 def test_a_file_that_is_too_large_is_not_read(check, tmp_path, monkeypatch):

@@ -33,7 +33,7 @@ class Played:
 
 
 @pytest.fixture
-def told(tmp_path, monkeypatch):
+def reported(tmp_path, monkeypatch):
     """Return a function that returns findings with the fixes that a tool tells, and failures."""
     program = type("Program", (), {"path": "/usr/bin/tool"})
     monkeypatch.setattr("roslens.source.tools.running.tool_edits.find_program", lambda *_: program)
@@ -74,7 +74,7 @@ def finding(rule, path, line, column=0):
     return Finding(rule, Severity.NOTE, "m", path, line, column)
 
 
-def test_ruff_counts_letters_and_only_what_is_safe_is_taken(told):
+def test_ruff_counts_letters_and_only_what_is_safe_is_taken(reported):
     output = [
         ruff("F541", 1, 14, [('"a"', (1, 14), (1, 18))]),
         ruff("F401", 2, 8, [("", (2, 1), (3, 1))]),
@@ -82,7 +82,7 @@ def test_ruff_counts_letters_and_only_what_is_safe_is_taken(told):
         {**ruff("E999", 1, 1, []), "fix": None},
     ]
     runner = Played(json.dumps(output).encode())
-    found, failures = told(
+    found, failures = reported(
         "ruff",
         runner,
         finding("ruff.F541", "n.py", 1, 14),
@@ -99,15 +99,15 @@ def test_ruff_counts_letters_and_only_what_is_safe_is_taken(told):
 
 
 @pytest.mark.parametrize("content", [b"\xef\xbb\xbfimport os\n", b"import os\r\n", b"x = '\xff'\n"])
-def test_where_ruff_counts_otherwise_no_fix_is_taken(told, content):
-    (told.root / "n.py").write_bytes(content)
+def test_where_ruff_counts_otherwise_no_fix_is_taken(reported, content):
+    (reported.root / "n.py").write_bytes(content)
     output = json.dumps([ruff("F401", 1, 8, [("", (1, 1), (2, 1))])]).encode()
-    found, failures = told("ruff", Played(output), finding("ruff.F401", "n.py", 1, 8))
+    found, failures = reported("ruff", Played(output), finding("ruff.F401", "n.py", 1, 8))
     assert not found[0].edits
     assert not failures
 
 
-def test_clang_format_tells_replacements_in_bytes(told):
+def test_clang_format_tells_replacements_in_bytes(reported):
     def replaced(what, text):
         start = CPP.index(what)
         return f"<replacement offset='{start}' length='{len(what)}'>{text}</replacement>"
@@ -120,7 +120,7 @@ def test_clang_format_tells_replacements_in_bytes(told):
         + "</replacements>"
     ).encode()
     runner = Played(output, 0)
-    found, failures = told(
+    found, failures = reported(
         "clang_format", runner, *(finding("clang_format.violation", "a.cpp", line) for line in (2, 3))
     )
     assert not failures
@@ -128,7 +128,7 @@ def test_clang_format_tells_replacements_in_bytes(told):
     assert [len(one.edits) for one in found] == [1, 2]
     assert edited(CPP, [edit for one in found for edit in one.edits]).decode() == "// größe\nint a;\nint b;\nint c;\n"
     # What is silenced is not among the findings, and stays.
-    found, _ = told("clang_format", runner, finding("clang_format.violation", "a.cpp", 2))
+    found, _ = reported("clang_format", runner, finding("clang_format.violation", "a.cpp", 2))
     assert edited(CPP, found[0].edits).decode() == "// größe\nint a;\nint b ;int c ;\n"
 
 
@@ -141,18 +141,18 @@ def test_clang_format_tells_replacements_in_bytes(told):
         ("clang_format", Played(error=ToolError("did not end within 600 s")), "did not end within 600 s"),
     ],
 )
-def test_a_tool_that_fails_is_told_and_the_findings_stand(told, tool, runner, said):
+def test_a_tool_that_fails_is_told_and_the_findings_stand(reported, tool, runner, said):
     given = finding(f"{tool}.x", "n.py" if tool == "ruff" else "a.cpp", 1)
-    found, (failure,) = told(tool, runner, given)
+    found, (failure,) = reported(tool, runner, given)
     assert found == (given,)
     assert failure.tool == tool
     assert said in failure.what
 
 
-def test_a_tool_is_not_asked_about_a_file_that_changed(told):
-    (told.root / "a.cpp").write_bytes(b"int a;\n")
+def test_a_tool_is_not_asked_about_a_file_that_changed(reported):
+    (reported.root / "a.cpp").write_bytes(b"int a;\n")
     runner = Played(b"", 0)
-    found, failures = told("clang_format", runner, finding("clang_format.violation", "a.cpp", 2))
+    found, failures = reported("clang_format", runner, finding("clang_format.violation", "a.cpp", 2))
     assert not runner.calls
     assert not failures
     assert not found[0].edits

@@ -127,11 +127,11 @@ def test_a_tool_that_is_not_there(check, played):
 
 
 def test_all_means_those_that_are_there(check, played):
-    code, report, told = check("--tools", "all")
+    code, report, reported = check("--tools", "all")
     assert code == 0
     assert found(report) == ALL
     assert report["failures"] == []
-    assert "ruff was not run, because it is not installed" in told
+    assert "ruff was not run, because it is not installed" in reported
 
 
 def test_an_unknown_version(check, played, monkeypatch):
@@ -165,10 +165,10 @@ def test_what_failed_is_tried_again_and_the_rest_is_known(check, played):
 
 
 def test_a_name_that_nothing_has(check, played):
-    code, _, told = check("--tools", "cplint")
+    code, _, reported = check("--tools", "cplint")
     assert code == 2
-    assert "unknown tool 'cplint'" in told
-    assert "Did you mean 'cpplint'?" in told
+    assert "unknown tool 'cplint'" in reported
+    assert "Did you mean 'cpplint'?" in reported
 
 
 def test_the_configuration_names_tools(check, played, workspace):
@@ -179,17 +179,17 @@ def test_the_configuration_names_tools(check, played, workspace):
     config.write_text('disable = ["cpplint"]\n[tools]\nuse = ["cpplint"]\n')
     assert found(check()[1]) == []
     config.write_text("[tools]\nuses = 3\n")
-    code, _, told = check()
+    code, _, reported = check()
     assert code == 2
-    assert f"{config}:2:1" in told
-    assert "unknown key 'tools.uses'" in told
+    assert f"{config}:2:1" in reported
+    assert "unknown key 'tools.uses'" in reported
 
 
 def test_an_option_that_the_tool_does_not_have(check, played, workspace):
     (workspace / "roslens.toml").write_text("[options.cpplint]\nline_lenght = 80\n")
-    code, _, told = check()
+    code, _, reported = check()
     assert code == 2
-    assert "Did you mean 'line_length'?" in told
+    assert "Did you mean 'line_length'?" in reported
 
 
 def test_a_suppression_in_the_source_holds(check, played, workspace):
@@ -214,7 +214,7 @@ def test_the_tools_are_listed(workspace, played, monkeypatch, capsys):
 
 def test_a_check_of_a_tool_is_explained(workspace, capsys):
     assert main(["explain", "cpplint.runtime/explicit", str(workspace)]) == 0
-    told = capsys.readouterr().out
-    assert "hicpp 12.1.1" in told
+    reported = capsys.readouterr().out
+    assert "hicpp 12.1.1" in reported
     assert main(["explain", "clang_tidy.bugprone-something-new", str(workspace)]) == 0
     assert "bugprone-something-new" in capsys.readouterr().out

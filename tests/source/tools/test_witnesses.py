@@ -14,14 +14,14 @@ def finding(rule, line=7, column=0, path="a.hpp"):
     return Finding(rule, Severity.WARNING, f"says {rule}", path, line, column)
 
 
-def told(findings):
+def reported(findings):
     return [(one.rule, one.line, one.witnesses) for one in joined(findings)]
 
 
 def test_the_first_of_a_row_stands_and_names_the_others():
     native, cpplint, cppcheck = EXPLICIT
-    assert told([finding(cppcheck), finding(cpplint), finding(native)]) == [(native, 7, (cpplint, cppcheck))]
-    assert told([finding(cppcheck), finding(cpplint)]) == [(cpplint, 7, (cppcheck,))]
+    assert reported([finding(cppcheck), finding(cpplint), finding(native)]) == [(native, 7, (cpplint, cppcheck))]
+    assert reported([finding(cppcheck), finding(cpplint)]) == [(cpplint, 7, (cppcheck,))]
 
 
 def test_another_line_or_file_is_another_finding():
@@ -43,7 +43,7 @@ def test_the_second_of_one_is_the_second_of_the_other():
         finding("pylint.unused-import", 2, 1),
         finding("ament_flake8.F401", 2, 1),
     ]
-    assert told(given) == [
+    assert reported(given) == [
         ("ruff.F401", 2, ("ament_flake8.F401", "pylint.unused-import")),
         ("ruff.F401", 2, ("pylint.unused-import",)),
     ]
@@ -51,7 +51,7 @@ def test_the_second_of_one_is_the_second_of_the_other():
 
 def test_what_concerns_a_file_is_one_whatever_line_is_named():
     given = [finding("ruff.syntax-error", 3), finding("pylint.syntax-error", 5)]
-    assert told(given) == [("ruff.syntax-error", 3, ("pylint.syntax-error",))]
+    assert reported(given) == [("ruff.syntax-error", 3, ("pylint.syntax-error",))]
 
 
 def test_nothing_is_lost():
@@ -64,7 +64,7 @@ def test_nothing_is_lost():
 def test_the_clauses_of_a_native_rule_are_checks_that_are_the_same():
     rows = {row.rules[0]: row.rules for row in all_equivalents()}
     assert rows["cpp.missing_default"] == ("cpp.missing_default", "clang_tidy.hicpp-multiway-paths-covered")
-    assert told([finding("clang_tidy.hicpp-multiway-paths-covered"), finding("cpp.missing_default")]) == [
+    assert reported([finding("clang_tidy.hicpp-multiway-paths-covered"), finding("cpp.missing_default")]) == [
         ("cpp.missing_default", 7, ("clang_tidy.hicpp-multiway-paths-covered",))
     ]
 
@@ -91,7 +91,7 @@ def test_what_tools_say_alike_is_handed_on_to_the_native_rule_that_knows_one_of_
 def test_a_check_that_two_native_rules_name_is_a_witness_of_the_one_that_is_there():
     naming = "clang_tidy.readability-identifier-naming"
     given = [finding(naming, 1), finding(naming, 2), finding("cpp.class_name", 1), finding("cpp.function_name", 2)]
-    assert told(given) == [("cpp.class_name", 1, (naming,)), ("cpp.function_name", 2, (naming,))]
+    assert reported(given) == [("cpp.class_name", 1, (naming,)), ("cpp.function_name", 2, (naming,))]
 
 
 def test_without_tools_nothing_is_looked_at():

@@ -13,6 +13,7 @@ from graph_findings.judgements import NATIVE_TABLES, Sample, drawn, read, sample
 from graph_findings.page import MEASURED, PAGE, RULES_PAGE, measured, page, rules_page
 from graph_findings.rates import RATES, rates_text
 from graph_findings.repositories import repositories
+from graph_findings.standing import enough
 
 _SEVERITIES = ("note", "warning", "error")
 
@@ -26,6 +27,11 @@ def main() -> int:
     sample.add_argument("--seed", type=int, required=True)
     sample.add_argument("--per-rule", type=int, default=20, metavar="N", help="at most so many of each rule")
     sample.add_argument("--per-repository", type=int, default=0, metavar="N", help="at most so many of a rule in one")
+    sample.add_argument("--rule", action="append", default=[], metavar="ID", help="of these rules only")
+    sample.add_argument("--whole", action="store_true", help="all of a rule of which there are at most --per-rule")
+    sample.add_argument(
+        "--spare", type=int, default=0, metavar="N", help="at most N of coding rules of which enough was read before"
+    )
     sample.add_argument("--severity", choices=_SEVERITIES, default="warning", help="from this on (default: warning)")
     sample.add_argument("--developed", action="store_true", help="rules were changed because of these repositories")
     sample.add_argument("--native", action="store_true", help="coding rules instead of rules of the graph")
@@ -62,14 +68,19 @@ def _sample(options: argparse.Namespace) -> int:
         sys.stderr.write(f"{options.folder} has no clones: nothing was written\n")
         return 2
     wanted = _SEVERITIES[_SEVERITIES.index(options.severity) :]
+    if options.rule:
+        found = {name: [one for one in every if one["rule"] in options.rule] for name, every in found.items()}
     on = {name: [one for one in every if one["severity"] in wanted] for name, every in found.items()}
-    rows = taken_over(drawn(on, options.seed, options.per_rule, options.per_repository), commits, judged)
+    spared = dict.fromkeys(enough(samples(NATIVE_TABLES)), options.spare) if options.spare else {}
+    chosen = drawn(on, options.seed, options.per_rule, options.per_repository, whole=options.whole, spared=spared)
+    rows = taken_over(chosen, commits, judged)
     counted = Counter(one["rule"] for every in on.values() for one in every)
     notes = Counter(one["rule"] for every in found.values() for one in every if one["severity"] not in wanted)
     write(
         Sample(
             options.developed, options.seed, options.per_rule, options.severity, commits, not_read,
             dict(sorted(counted.items())), dict(sorted(notes.items())), rows, options.per_repository,
+            options.whole, spared, sorted(options.rule),
         ),
         options.output,
     )  # fmt: skip

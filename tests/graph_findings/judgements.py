@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from random import Random
+from types import MappingProxyType
 from typing import Any
 
 import msgspec
@@ -57,6 +58,10 @@ class Sample(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         notes: how many notes there are besides, by rule.
         findings: that were drawn.
         per_repository: at most so many of each rule in one repository; 0 is as many as there are.
+        whole: whether a rule of which there are at most ``per_rule`` findings was drawn in full, however many are of
+            one repository.
+        spared: at most so many of these rules, by rule: enough was read of them before.
+        only: the rules that it is about; empty is all. Of others it says nothing.
     """
 
     developed_on: bool
@@ -69,10 +74,23 @@ class Sample(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     notes: dict[str, int]
     findings: list[Judgement]
     per_repository: int = 0
+    whole: bool = False
+    spared: dict[str, int] = {}
+    only: list[str] = []
+
+    def looks_at(self, rule: str) -> bool:
+        """Return whether it says anything of a rule."""
+        return not self.only or rule in self.only
 
 
 def drawn(
-    found: Mapping[str, Sequence[Mapping[str, Any]]], seed: int, per_rule: int, per_repository: int = 0
+    found: Mapping[str, Sequence[Mapping[str, Any]]],
+    seed: int,
+    per_rule: int,
+    per_repository: int = 0,
+    *,
+    whole: bool = False,
+    spared: Mapping[str, int] = MappingProxyType({}),
 ) -> list[Judgement]:
     """Return at most ``per_rule`` findings of each rule; the same findings and seed give the same ones.
 
@@ -82,6 +100,8 @@ def drawn(
         per_rule: at most so many.
         per_repository: at most so many of each rule in one repository, so that one with many of a rule does not decide
             alone; 0 is as many as there are.
+        whole: draw all of a rule of which there are at most ``per_rule``, so that nothing of it is left to chance.
+        spared: at most so many of these rules instead, by rule.
     """
     by_rule: dict[str, list[Judgement]] = {}
     for name, findings in sorted(found.items()):
@@ -93,8 +113,10 @@ def drawn(
             by_rule.setdefault(row.rule, []).append(row)
     chosen = []
     for rule, rows in sorted(by_rule.items()):
-        rows = _spread(rows, f"{seed} {rule}", per_repository)
-        chosen += sorted(Random(f"{seed} {rule}").sample(rows, min(per_rule, len(rows))), key=_order)
+        most = spared.get(rule, per_rule)
+        if not whole or len(rows) > most:
+            rows = _spread(rows, f"{seed} {rule}", per_repository)
+        chosen += sorted(Random(f"{seed} {rule}").sample(rows, min(most, len(rows))), key=_order)
     return chosen
 
 

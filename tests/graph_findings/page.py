@@ -8,6 +8,7 @@ from graph_findings.again import read_again
 from graph_findings.first_findings import read_shown, section
 from graph_findings.judgements import ROOT, Judgement, Sample
 from graph_findings.mendings import read_mendings, since
+from graph_findings.standing import BOUND, READ, SPREAD, Standing, standing_of
 from graph_findings.tool_findings import read_tools, tool_section
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.findings import RULES
@@ -18,8 +19,6 @@ RULES_PAGE = ROOT / "docs" / "accuracy_of_rules.md"
 MEASURED = ROOT / "src" / "roslens" / "source" / "rules" / "field" / "precision.toml"
 GOAL = 0.8
 """A rule of which less is true is a note."""
-BOUND = 0.9
-"""The same of coding rules."""
 _FEW = 5
 _HEAD = """# How many findings of the graph are true
 
@@ -61,6 +60,13 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 """
 
 
+_OVERVIEW = """\
+What was read of each rule; of one that was below {bound:.0f} %, since the cause was mended. Enough is at least {read}
+findings of at least {spread} repositories, drawn with a seed. Where there are fewer, it is every finding of the last
+table that has any: how often the rule is true in the repositories that are named is then known, not estimated, although
+they may be few, and older tables may hold findings that nobody read. Of a rule of which none was found no share is
+known: it rests on its fixtures. The last table on all rules is of {looked_at} repositories. A rule of which five or
+more were read and less than {bound:.0f} % are true is a note or off, which a test sees to."""
 _BELOW = """\
 Below {:.0f} % over all tables, however few were read, and warnings or errors all the same: each was mended by the cause
 of what was not true. What was read before still counts in its share; what was read in tables that were drawn since
@@ -80,9 +86,12 @@ def rules_page(found: Mapping[str, Sample]) -> str:
     on = [rule.id for rule in rules.values() if rule.profiles and rule.severity is not Severity.NOTE]
     errors = {rule.id for rule in rules.values() if rule.profiles and rule.severity is Severity.ERROR}
     by_default = {rule.id for rule in rules.values() if {"ros1", "ros2"} & set(rule.profiles)}
-    together = _together(found, [one for one in on if one in by_default], errors)
+    usual = [one for one in on if one in by_default]
+    overview, together = _overview(found, usual, errors), _together(found, usual, errors)
     return _page(
-        "\n".join((_NATIVE_HEAD, *together, *section(read_shown()), *_again(), *tool_section(read_tools()))), on, found
+        "\n".join((_NATIVE_HEAD, *overview, *together, *section(read_shown()), *_again(), *tool_section(read_tools()))),
+        on,
+        found,
     )
 
 
@@ -136,6 +145,45 @@ def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[
     return lines
 
 
+def _overview(found: Mapping[str, Sample], on: Sequence[str], errors: Container[str]) -> list[str]:
+    """Return what is known of each rule that is on by default, and whether that is as much as is wanted."""
+    mendings = read_mendings()
+    known = {rule: standing_of(rule, mendings.get(rule), found) for rule in on}
+    complete = (one for one in found.values() if not one.developed_on and not one.only)
+    newest = max(complete, key=lambda one: one.seed)
+    looked_at = len(newest.repositories) - len(newest.not_read)
+    lines = [
+        "## Each rule that warns by default", "",
+        _OVERVIEW.format(read=READ, spread=SPREAD, bound=100 * BOUND, looked_at=looked_at), "",
+        "| rule | severity | read | repositories | true | enough? |", "| --- | --- | --: | --: | --: | --- |",
+    ]  # fmt: skip
+    for rule, one in known.items():
+        severity = "error" if rule in errors else "warning"
+        share = f"{100 * one.true / one.read:.0f} %" if one.read else "-"
+        lines.append(f"| `{rule}` | {severity} | {one.read} | {one.repositories} | {share} | {_enough(one)} |")
+    sampled = sum(one.sampled for one in known.values())
+    counted = sum(one.counted and not one.sampled for one in known.values())
+    absent = [rule for rule, one in known.items() if one.absent]
+    left = [rule for rule, one in known.items() if not one.met and not one.absent]
+    return [
+        *lines, "",
+        f"Of {len(on)} rules, {sampled} were sampled in full, of {counted} every finding was read, of {len(absent)} "
+        f"there was none in the last table on them, and {len(left)} are not measured as wanted"
+        + (": " + ", ".join(f"`{rule}`" for rule in left) if left else "") + ".", "",
+    ]  # fmt: skip
+
+
+def _enough(one: Standing) -> str:
+    if one.sampled:
+        return "yes: sampled"
+    if one.counted:
+        every = f"all {one.whole} findings" if one.whole > 1 else "the one finding"
+        return f"yes: {every} of {one.looked_at} repositories {'were' if one.whole > 1 else 'was'} read"
+    if one.absent:
+        return f"none found in {one.looked_at} repositories"
+    return "no: fewer read although more exist" if one.read else "no: none read since it was mended"
+
+
 def totals(found: Mapping[str, Sample]) -> dict[str, tuple[int, int]]:
     """Return of each rule how many findings were true and read, over the samples to which nothing was tuned."""
     sums: dict[str, tuple[int, int]] = {}
@@ -186,10 +234,18 @@ def _section(name: str, sample: Sample, on: Sequence[str]) -> list[str]:
     tuned = "rules were changed because of what they found here" if sample.developed_on else "no rule was tuned to them"
     read = len(sample.repositories) - len(sample.not_read)
     spread = f", {sample.per_repository} of one repository" if sample.per_repository else ""
+    drawing = f"Seed {sample.seed}, at most {sample.per_rule} of each rule{spread}"
+    if sample.whole:
+        drawing += f"; all of a rule of which there are at most {sample.per_rule}"
+    if sample.only:
+        drawing += f"; only of {len(sample.only)} rules that were mended before"
+    if sample.spared:
+        named = ", ".join(f"`{rule}` ({most})" for rule, most in sample.spared.items())
+        drawing += f"; fewer where enough was read before: {named}"
     lines = [
         f"## {name.replace('_', ' ').capitalize()}",
         "",
-        f"{read} repositories; {tuned}. Seed {sample.seed}, at most {sample.per_rule} of each rule{spread}.",
+        f"{read} repositories; {tuned}. {drawing}.",
         "",
         "| rule | warnings and errors | read | true | share | notes besides |",
         "| --- | --: | --: | --: | --: | --: |",
@@ -203,7 +259,7 @@ def _section(name: str, sample: Sample, on: Sequence[str]) -> list[str]:
     lines.append(f"| all | {_row(sum(sample.population.values()), *total)} | {sum(sample.notes.values())} |")
     if total[1]:
         lines += ["", _WEIGHTED.format(_weighted(sample))]
-    silent = sorted(one for one in on if one not in every)
+    silent = sorted(one for one in on if one not in every and sample.looks_at(one))
     if silent:
         named = ", ".join(f"`{rule}`" for rule in silent)
         lines += ["", f"Nothing is known of these, of which no warning or error was found here: {named}."]

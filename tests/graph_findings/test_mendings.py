@@ -6,7 +6,8 @@ import yaml
 
 from graph_findings.judgements import NATIVE_TABLES, Judgement, Sample, samples
 from graph_findings.mendings import Mending, read_mendings, since
-from graph_findings.page import BOUND, totals
+from graph_findings.page import totals
+from graph_findings.standing import BOUND
 from roslens.model.finding import Severity
 from roslens.source.rules.table import native_rules
 

@@ -36,10 +36,11 @@ _DEPENDS = {
 _BUILD = {"ros2": "ament_cmake", "ros1": "catkin"}
 
 
-_WAITS = r"[sS]pin|while|[sS]leep|[wW]ait|[rR]un|[lL]oop|join|exec|start|input"
+_WAITS = r"[sS]pin|while|[sS]leep|[wW]ait|[rR]un|[lL]oop|join|exec|start|input|show|serve|listen|launch|interact|pause"
 SILENT = {
     **dict.fromkeys(("node.spin_missing", "node.spin_missing_python"), (_WAITS, "the file spins or waits")),
-    "node.unlocked_state": (r"mutex|atomic|lock|[rR]ealtime", "the file has a lock"),
+    "node.unlocked_state": (r"mutex|atomic|lock|[rR]ealtime|SingleThreaded|spin", "the file has a lock, or one thread"),
+    "node.node_before_init": (r"PLUGINLIB|_PLUGIN\b", "the file holds a plug-in, which a running node loads"),
     "node.rate_without_thread": (r"[tT]hread|spin|asyncio", "the file spins elsewhere"),
     "node.console_output": (r"main\b|argc|printf", "the file is a tool for the command line"),
     "python.python2_name": (r"xrange|six|__future__|version_info", "the file is written for Python 3 too"),

@@ -22,6 +22,23 @@ class Sensor:
     def read(self, message):
         return self.scale
 """
+EXIT = (
+    "#include <ros/ros.h>\nvoid A::stop(const Stop &) {{ exit({0}); }}\n"
+    'void A::f() {{ sub_ = nh_.subscribe("stop", 1, &A::stop, this); }}\n'
+)
+AGAIN = (
+    '#include <ros/ros.h>\nvoid f() {{\nros::service::call("brake", s);\n{}\n'
+    'if (ros::service::call("{}", s)) report(s.response.a);\n}}\n'
+)
+EXECUTORS = "rclcpp::executors"
+HEADER = "#include <rclcpp/rclcpp.hpp>\nvoid f({0} & one);\n"
+WAIT = 'ros::service::waitForService("spawn");'
+SERVICE = "#include <ros/ros.h>\nvoid f() {{ ros::ServiceClient client; {0} client.call(s); {1} }}\n"
+FAILED = (
+    "#include <ros/ros.h>\nvoid f() {{ ros::ServiceClient client; if (!grasp()) {{ client.call(s); {} }}"
+    " drive(s.response.a); }}\n"
+)
+COMPARED = "#include <rclcpp/rclcpp.hpp>\nbool f() {{ return {0} > rclcpp::Time(0); }}\n"
 CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clock::now(); }}\n"
 TIMER, HEARD = "Timer(rospy.Duration(1), self.read)", "Subscriber('a', String, self.read)"
 RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
@@ -34,6 +51,29 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.stamp_missing", Language.CPP, CPP.format("JointState", "position"), Severity.NOTE),
         ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("Range", "range"), None),
         ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("JointState", "position"), Severity.NOTE),
+        ("node.stamp_missing", Language.CPP, CPP.format("TwistStamped", "twist"), Severity.NOTE),
+        ("node.exit_in_callback", Language.CPP, EXIT.format(1), None),
+        ("node.exit_in_callback", Language.CPP, EXIT.format(0), Severity.NOTE),
+        ("node.exit_in_callback", Language.CPP, EXIT.format("EXIT_SUCCESS"), Severity.NOTE),
+        ("node.deprecated_ros2", Language.CPP, HEADER.format("rclcpp::executor::Executor"), None),
+        (
+            "node.deprecated_ros2",
+            Language.CPP,
+            HEADER.format(f"{EXECUTORS}::StaticSingleThreadedExecutor"),
+            Severity.NOTE,
+        ),
+        ("node.service_result_dropped", Language.CPP, SERVICE.format("", "drive();"), None),
+        ("node.service_result_dropped", Language.CPP, SERVICE.format(WAIT, "drive();"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, SERVICE.format(WAIT, "a = s.response.a;"), None),
+        ("node.service_result_dropped", Language.CPP, FAILED.format("return;"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, FAILED.format("throw s;"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, FAILED.format("stop();"), None),
+        ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "brake"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, AGAIN.format("drive();", "brake"), None),
+        ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "lamp"), None),
+        ("node.mixed_clocks", Language.CPP, COMPARED.format("get_node()->now()"), None),
+        ("node.mixed_clocks", Language.CPP, COMPARED.format("this->node_->get_clock()->now()"), None),
+        ("node.mixed_clocks", Language.CPP, COMPARED.format("steady_clock_->now()"), Severity.NOTE),
         ("cpp.swallowed", Language.CPP, "void f() { try { g(); } catch (...) { } }\n", None),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Severity.NOTE),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),
@@ -44,8 +84,6 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Severity.NOTE),
         ("cpp.using_namespace", Language.CPP, "using namespace std;\n", None),
         ("cpp.using_namespace", Language.CPP, "using namespace std::placeholders;\n", Severity.NOTE),
-        ("cpp.self_assignment", Language.CPP, "void f(int a) { g(a) ? a = 0 : a = a; }\n", Severity.NOTE),
-        ("cpp.self_assignment", Language.CPP, "void f(int a) { a = a; }\n", None),
         ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = 1"), Severity.NOTE),
         ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = look()"), None),
         ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(HEARD, "self.a = 1"), None),

@@ -9,13 +9,15 @@ from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
+from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
+from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.edits.placed_edits import with_placed_edits
 from roslens.source.rules.guard_style import guard_style
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.match_file import MOST_HITS
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.place_hits import place_hits
-from roslens.source.rules.python2_package import as_notes_without_python3
 from roslens.source.rules.rule import TOOL, PackageRule
 from roslens.source.rules.selection import selected
 from roslens.source.rules.table import native_rules, package_rules
@@ -54,7 +56,8 @@ def rule_findings(
                 failures.append(_broken(rule, view, error))
     style = guard_style(settings.profiles, view.ros)
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
-    placed = as_notes_without_python3(placed, view)
+    placed = as_notes_with_older_standard(as_notes_without_python3(placed, view), view)
+    placed = as_notes_where_left_behind(placed)
     return place_hits(placed, callbacks, selection, rules, entities)
 
 

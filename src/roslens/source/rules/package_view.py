@@ -1,4 +1,4 @@
-"""A package as rules see it: its manifest, its files, what the one parse told of them."""
+"""A package as rules see it: its manifest, its files, what the one parse found in them."""
 
 from __future__ import annotations
 
@@ -72,11 +72,12 @@ class PackageView(PackageFiles, frozen=True, dict=True):
 
     @cached_property
     def mistakes(self) -> tuple[Mistake, ...]:
-        """What the manifest should say otherwise."""
+        """What the manifest should say otherwise, but for what a template leaves open."""
         from roslens.source.workspace.mistakes import mistakes_of
 
         path = self.package.manifest.path
-        return mistakes_of(self.read(path), path) if path else ()
+        found = mistakes_of(self.read(path), path) if path else ()
+        return tuple(one for one in found if not one.left_open)
 
     @cached_property
     def manifest_edits(self) -> ManifestEdits:

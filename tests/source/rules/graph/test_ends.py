@@ -33,7 +33,7 @@ def test_what_is_known_of_nodes():
 
 def test_an_end_tells_its_place():
     one = ends(KNOWN)[0]
-    assert (one.told, one.entity) == ("/a (src/a.cpp:1)", "topic:/x")
+    assert (one.label, one.entity) == ("/a (src/a.cpp:1)", "topic:/x")
 
 
 def test_lists_are_cut():

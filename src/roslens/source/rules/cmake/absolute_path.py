@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
+
+if TYPE_CHECKING:
+    from roslens.source.extract.builds.cmake_syntax import Argument
 
 _PATHS = frozenset({
     "include_directories", "link_directories", "target_include_directories", "target_link_libraries",
@@ -24,7 +29,9 @@ def found(view: PackageView) -> Iterator[Hit]:
     for one in view.cmake.commands:
         if one.name not in _PATHS:
             continue
-        for argument in one.command.arguments:
+        if _is_asked(one, view):
+            continue
+        for argument in _used(one):
             if match := _ALONE.search(argument.written):
                 message = f"{match[1]!r} is a folder of one machine; expected find_package(), or a path in the package"
                 yield one.hit("cmake.absolute_path", message)
@@ -34,6 +41,21 @@ def found(view: PackageView) -> Iterator[Hit]:
                 message = f"{match[1]!r} is written out; expected find_package() or find_library(), which look for it"
                 yield _note(one.hit("cmake.absolute_path", message))
                 break
+
+
+def _used(one: Written) -> Sequence[Argument]:
+    """Return the arguments of a command without the text that explains a variable of the cache."""
+    given = one.command.arguments
+    words = [argument.literal for argument in given]
+    return given[: words.index("CACHE") + 2] if "CACHE" in words else given
+
+
+def _is_asked(one: Written, view: PackageView) -> bool:
+    """Return whether CMake asks first if the path is there: around the command, or of the variable that it sets."""
+    if any("EXISTS" in condition for condition in one.conditions):
+        return True
+    name = one.command.arguments[0].literal if one.name == "set" and one.command.arguments else None
+    return bool(name) and re.search(rf"EXISTS\s+\"?\$\{{{re.escape(name or '')}[}}/]", view.cmake.text) is not None
 
 
 def _note(hit: Hit) -> Hit:

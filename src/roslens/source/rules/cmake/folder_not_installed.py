@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.words.plural import plural
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -46,9 +47,8 @@ def found(view: PackageView) -> Iterator[Hit]:
         inside = [path for path in files if view.inside(path).startswith(f"{folder}/")]
         inside = [path for path in inside if not path.endswith(("CMakeLists.txt", "__init__.py"))]
         if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text) and _is_asked_for(folder, inside, view):
-            message = (
-                f"folder {folder!r} ({len(inside)} files) is installed by nothing; expected a rule that installs it"
-            )
+            amount = plural(len(inside), "file")
+            message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
             severity = None if 2 in view.ros else Severity.NOTE
             yield Hit("cmake.folder_not_installed", message, place[1], context=folder, path=place[0], severity=severity)
 

@@ -13,6 +13,7 @@ from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
 
 _AFTER = frozenset({"INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"})
+_NOT_BUILT = frozenset({"IMPORTED", "INTERFACE", "ALIAS"})
 _AUTOMATIC = ("ament_auto_package", "autoware_package")
 
 
@@ -21,9 +22,15 @@ def found(view: PackageView) -> Iterator[Hit]:
     cmake = view.cmake
     if cmake.first(*_AUTOMATIC) is not None:
         return
-    made = {one.words[0] for one in cmake.named("add_library", "cuda_add_library") if one.words and not one.conditions}
+    made = {
+        one.words[0]
+        for one in cmake.named("add_library", "cuda_add_library")
+        if one.words and not one.conditions and _NOT_BUILT.isdisjoint(one.words)
+    }
     installed: set[str] = set()
-    for one in cmake.named("install", "install_targets"):
+    for one in cmake.commands:
+        if "install" not in one.name or "python" in one.name:
+            continue
         if any("$" in word for word in one.words[1:3]):
             return
         installed.update(one.words)

@@ -8,9 +8,11 @@ from collections.abc import Iterator
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.cmake_view import Written
 
 OLDEST = (3, 5)
 """CMake 4 refuses what asks for an older one."""
+_ROS_1 = re.compile(r"ROS_VERSION\W+(?:EQUAL|STREQUAL)\W+1\b|catkin_FOUND")
 _VERSION = re.compile(r"(\d+)\.(\d+)(?:\.\d+)*(?:\.\.\.(\d+)\.(\d+))?")
 
 
@@ -19,7 +21,10 @@ def found(view: PackageView) -> Iterator[Hit]:
     cmake = view.cmake
     if not cmake.exists or not cmake.commands:
         return
-    command = next((one for one in cmake.named("cmake_minimum_required") if one.path == cmake.top), None)
+    asked = [one for one in cmake.named("cmake_minimum_required") if one.path == cmake.top]
+    if asked and all(_is_for_ros_1(one) for one in asked):
+        return
+    command = next((one for one in asked if not _is_for_ros_1(one)), None)
     if command is None:
         project = cmake.first("project")
         if project is not None and project.path == cmake.top:
@@ -33,6 +38,10 @@ def found(view: PackageView) -> Iterator[Hit]:
     if highest < OLDEST:
         message = f"the minimum is CMake {version[0]}, which CMake 4 refuses; expected at least 3.5"
         yield command.hit("cmake.minimum_version", message)
+
+
+def _is_for_ros_1(one: Written) -> bool:
+    return any(_ROS_1.search(condition) for condition in one.conditions)
 
 
 RULE = PackageRule(

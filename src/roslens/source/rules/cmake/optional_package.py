@@ -12,6 +12,8 @@ from roslens.source.rules.views.cmake_view import Written
 
 _QUICKER = frozenset({"openmp", "mpi", "cuda", "tbb"})
 """What makes a program quicker where it is there: without it the variables are empty, and the build is in order."""
+_BUILD_SYSTEMS = frozenset({"catkin", "ament_cmake", "ament_cmake_auto"})
+"""Without them the next command of the file does not exist, and the build ends there."""
 _CHECKS = frozenset({"find_package_handle_standard_args", "ament_auto_find_build_dependencies"})
 
 
@@ -23,7 +25,13 @@ def found(view: PackageView) -> Iterator[Hit]:
         if _is_required(one) or one.defined or not one.command.arguments or one.for_tests:
             continue
         name = one.command.arguments[0].literal
-        if name is None or name.lower() in _QUICKER or _is_asked(name, text) or cmake.first(*_CHECKS):
+        if (
+            name is None
+            or name.lower() in _QUICKER
+            or name in _BUILD_SYSTEMS
+            or _is_asked(name, text)
+            or cmake.first(*_CHECKS)
+        ):
             continue
         if any(_required_too(other, name) for other in cmake.named("find_package")):
             continue

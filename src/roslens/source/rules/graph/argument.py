@@ -8,8 +8,8 @@ from roslens.model.configuration import Configuration, ConfiguredArgument
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.ends import is_launched
 from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.argument",
@@ -38,7 +38,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
             message = (
                 f"argument `{name}` is given as `{given[name]}`; {one.proof.place} allows {', '.join(one.choices)}."
             )
-            yield told(RULE, message, one.proof, entity=_entity(one), context=name)
+            yield occurrence(RULE, message, one.proof, entity=_entity(one), context=name)
     if not is_launched(configuration) or not declared:
         return
     first = min(configuration.arguments, key=lambda one: one.proof)
@@ -46,14 +46,14 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         near = nearest_name(name, list(declared))
         advice = f"Did you mean `{near}`?" if near else f"It declares {', '.join(sorted(declared))}."
         message = f"argument `{name}` is given, but {first.proof.path} declares none of that name. {advice}"
-        yield told(RULE, message, first.proof, entity=_entity(first), severity=Severity.WARNING, context=name)
+        yield occurrence(RULE, message, first.proof, entity=_entity(first), severity=Severity.WARNING, context=name)
 
 
 def _missing(one: ConfiguredArgument, near: str) -> Finding:
     advice = f"`{near}` is given instead." if near else f"Give `{one.name}:=…` or declare a default."
     means = f" ({one.description})" if one.description else ""
     message = f"argument `{one.name}`{means} must be given: {one.proof.place} declares it without a default. {advice}"
-    return told(RULE, message, one.proof, entity=_entity(one), context=one.name)
+    return occurrence(RULE, message, one.proof, entity=_entity(one), context=one.name)
 
 
 def _entity(one: ConfiguredArgument) -> str:

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends, listed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.command_topic",
@@ -52,8 +52,10 @@ def _told(name: str, publishers: list[End]) -> Finding:
     first, second = publishers[:2]
     severity, doubt = weighed(RULE.severity, (first.one.proof, second.one.proof), conditions_of(first, second))
     message = (
-        f"{len(publishers)} nodes publish commands on {name}: {listed([end.told for end in publishers])}. "
+        f"{len(publishers)} nodes publish commands on {name}: {listed([end.label for end in publishers])}. "
         "The last one to speak is obeyed; let a multiplexer choose between them."
     )
     names = " ".join(sorted(end.node.name for end in publishers))
-    return told(RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names, doubt=doubt)
+    return occurrence(
+        RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names, doubt=doubt
+    )

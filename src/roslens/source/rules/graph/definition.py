@@ -8,8 +8,8 @@ from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.definition",
@@ -42,10 +42,10 @@ def _told(kind: str, name: str, type_: str, differing: list[End], *, together: b
     if not together:
         severity, doubt = weighed_apart(doubt)
     message = (
-        f"{bad.told} and {good.told} use {kind} {name} with different definitions of {type_}: "
+        f"{bad.label} and {good.label} use {kind} {name} with different definitions of {type_}: "
         f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}."
     )
-    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_, doubt=doubt)
+    return occurrence(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_, doubt=doubt)
 
 
 def _short(end: End) -> str:

@@ -10,8 +10,8 @@ from roslens.model.source import Package
 from roslens.source.rules.graph.brought_along import brought_by, may_be_brought_by
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import WORDS, End
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.dependency",
@@ -71,9 +71,9 @@ def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...])
     )
     only = f" It is there because `{along}` brings it along." if along else ""
     message = (
-        f"{end.told} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
+        f"{end.label} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
         f"`{owner}`.{only} Add `<depend>{owner}</depend>`."
     )
-    return told(
+    return occurrence(
         RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner, doubt=doubt
     )

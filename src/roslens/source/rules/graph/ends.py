@@ -81,8 +81,8 @@ class End(msgspec.Struct, frozen=True):
         return self.node.name, self.node.proof.place, self.role.value, self.name, self.one.proof.place
 
     @property
-    def told(self) -> str:
-        """The node and the place, as messages tell it."""
+    def label(self) -> str:
+        """The node and the place, as messages name it."""
         place = self.one.proof.place
         return f"{self.node.name} ({place})" if place else self.node.name
 
@@ -95,7 +95,7 @@ class End(msgspec.Struct, frozen=True):
 def conditions_of(first: End, second: End) -> tuple[str, ...]:
     """Return what must hold for both ends to be there.
 
-    What one word means in the code of two nodes are two values, of each its own: it is told whose it is.
+    What one word means in the code of two nodes are two values, of each its own: whose it is, is stated.
     """
     if first.node.name == second.node.name:
         return (*first.conditions, *second.conditions)

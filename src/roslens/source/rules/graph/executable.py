@@ -10,8 +10,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, listed
 from roslens.source.rules.graph.likeness import likely_program
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.executable",
@@ -62,7 +62,9 @@ def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Su
         f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
         f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
     )
-    return told(RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name, doubt=doubt)
+    return occurrence(
+        RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name, doubt=doubt
+    )
 
 
 def _unbuilt(name: str, sources: tuple[str, ...]) -> str:

@@ -125,7 +125,7 @@ def _by_candidate(of_name: Sequence[End], view: View) -> Expected | None:
     if not candidates:
         return None
     best = min(candidates)
-    whose = listed([one.told for one in view.lonely[kind, best.name] if one.role is wanted])
+    whose = listed([one.label for one in view.lonely[kind, best.name] if one.role is wanted])
     words = f"Candidate: {best.name} of {whose}, {best.why}. Correct or remap one of the two names."
     return Expected(words, best.name)
 

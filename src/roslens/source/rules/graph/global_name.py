@@ -8,8 +8,8 @@ from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import KIND, WORDS, End
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.global_name",
@@ -25,7 +25,7 @@ RULE = RuleInfo(
 
 
 _MOST = 5
-"""So many further places are named; of more it is told how many they are."""
+"""So many further places are named; of more only the number is stated."""
 
 
 def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
@@ -50,10 +50,10 @@ def _told(end: End, *others: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (), ())
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
-        f"{end.told} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
+        f"{end.label} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
         f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given, doubt=doubt)
+    return occurrence(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given, doubt=doubt)
 
 
 def _also(others: Sequence[End]) -> str:

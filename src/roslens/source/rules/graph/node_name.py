@@ -10,8 +10,8 @@ from roslens.model.configuration import Configuration, ConfiguredNode
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.node_name",
@@ -64,7 +64,7 @@ def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, 
         f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "
         f"{effect}.{more} Give one of them another name or namespace."
     )
-    return told(RULE, message, second.proof, entity=f"node:{name}", severity=severity, doubt=doubt)
+    return occurrence(RULE, message, second.proof, entity=f"node:{name}", severity=severity, doubt=doubt)
 
 
 def _what(node: ConfiguredNode) -> str:

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import OTHER, WORDS, End, by_name, ends, is_launched, listed
 from roslens.source.rules.graph.expected_end import WAITING, Expected, View, expected, types_fit, view_of
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.one_end",
@@ -93,7 +93,7 @@ def _told(
         # That the other end is expected says more than that somebody unknown might be there.
         more=_missing(view) or (_more_doubt(end, view) if why is None else why.doubt),
     )
-    said = listed([f"{one.told} {WORDS[one.role]}" for one in of_name])
+    said = listed([f"{one.label} {WORDS[one.role]}" for one in of_name])
     missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}
     nobody = missing[kind][0 if waits else 1]
     message = f"{said} the {kind} {name}, which nobody {nobody}."
@@ -105,7 +105,9 @@ def _told(
         message += f" It is given as `{end.one.given}`."
     if not surroundings.together:
         severity, doubt = weighed_apart(doubt)
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.role.value, doubt=doubt)
+    return occurrence(
+        RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.role.value, doubt=doubt
+    )
 
 
 def _missing(view: View) -> str:
@@ -124,5 +126,5 @@ def _more_doubt(end: End, view: View) -> str:
     wanted = OTHER[end.role]
     open_ends = [one for one in view.unresolved if one.role is wanted and types_fit(end, one)]
     if open_ends:
-        return f"the name is unknown of {listed([one.told for one in open_ends])}"
+        return f"the name is unknown of {listed([one.label for one in open_ends])}"
     return ""

@@ -9,8 +9,8 @@ from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End, by_name, ends, is_launched, unknown_nodes
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 Content = Callable[[str], bytes | None]
 _WORD = re.compile(rb"\w+")
@@ -82,7 +82,7 @@ def _last(name: str) -> str:
 def _told(kind: str, end: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (end.one.proof,), end.conditions)
     message = (
-        f"only {end.told} itself uses both ends of {kind} {end.name}, and no other file of the workspace names it. "
+        f"only {end.label} itself uses both ends of {kind} {end.name}, and no other file of the workspace names it. "
         f"Call it `~/{_last(end.name)}`, if nothing outside of the workspace uses it."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, doubt=doubt)
+    return occurrence(RULE, message, end.one.proof, entity=end.entity, severity=severity, doubt=doubt)

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.occurrence import TOOL, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, ids_of, told
 
 RULE = RuleInfo(
     "graph.remap",
@@ -98,7 +98,7 @@ def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list
     )
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(users)
-    return told(
+    return occurrence(
         RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
     )
 
@@ -117,7 +117,7 @@ def _waiting(one: ConfiguredRemap, nodes: list[ConfiguredNode], configuration: C
     held = {node.name for node in nodes}
     target = _absolute(one.target, nodes[0])
     users = [end for end in ends(configuration) if end.name == target and end.node.name not in held]
-    return [end.told for end in users] if len({end.role for end in users}) == 1 else []
+    return [end.label for end in users] if len({end.role for end in users}) == 1 else []
 
 
 def _meant(source: str, names: list[str]) -> str:
@@ -143,6 +143,6 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
     message = f"remapping of `{one.source}` to `{one.target}`: {who} {verb} no such name. {advice}"
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(nodes)
-    return told(
+    return occurrence(
         RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
     )

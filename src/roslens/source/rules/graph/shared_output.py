@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.shared_output",
@@ -92,4 +92,4 @@ def _told(name: str, of_name: list[tuple[ConfiguredNode, ConfiguredEndpoint]], a
         f"{who} ({one.proof.place}) all publish topic {name}, while they keep {listed(apart)} apart by remapping. "
         f"Remap `{one.given or name}` for each of them too."
     )
-    return told(RULE, message, node.proof, entity=f"topic:{name}", severity=severity, doubt=doubt)
+    return occurrence(RULE, message, node.proof, entity=f"topic:{name}", severity=severity, doubt=doubt)

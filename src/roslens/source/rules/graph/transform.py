@@ -8,8 +8,8 @@ from itertools import combinations
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings, Transform
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.transform",
@@ -47,6 +47,6 @@ def _told(child: str, first: Transform, second: Transform) -> Finding:
             f"and {second.parent} by {second.node} ({second.proof.place})"
         )
     message = f"{what}. Remove one of the two."
-    return told(
+    return occurrence(
         RULE, message, second.proof, entity=f"node:{second.node}", severity=severity, context=child, doubt=doubt
     )

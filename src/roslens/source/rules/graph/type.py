@@ -9,8 +9,8 @@ from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.type",
@@ -90,13 +90,13 @@ def _told(
     if not surroundings.together:
         severity, doubt = weighed_apart(doubt)
     said = "; ".join(
-        f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
+        f"{listed([f'{end.label} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )
     message = (
         f"{kind} {name} has {len(ranked)} types: {said}. They are never joined. "
         f"Give all of them one type, or {bad.type} another name."
     )
-    return told(
+    return occurrence(
         RULE,
         message,
         bad.one.proof,

@@ -12,6 +12,9 @@ from roslens.source.rules.rule import PackageRule
 from roslens.source.workspace.elements import Element
 
 _OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
+_SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
+_WRITTEN = re.compile(r"(?i)result|output|save|record|dump|export|write")
+"""In names of parameters: the program makes the file."""
 _FILES = frozenset({"file", "textfile", "binfile", "from", "value", "args", "command", "default"})
 _ENDINGS = (
     ".launch",
@@ -44,6 +47,8 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
     """Yield the paths of files below the own package that an element names."""
+    if element.tag == "param" and _WRITTEN.search(element.attributes.get("name", "")):
+        return
     for key, value in element.attributes.items():
         match = _OWN.search(value.strip()) if key in _FILES else None
         if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
@@ -59,13 +64,25 @@ def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
 
 def _is_there(path: str, names: Collection[str], view: PackageView) -> bool:
     """Whether a path of the package leads to a file, or will once it is built; ``names`` are those of its files."""
-    if view.exists(view.path(path)):
+    if view.exists(view.path(path)) or _is_in_submodule(view.path(path), view):
         return True
     name = path.rpartition("/")[2]
     if 2 in view.ros and name in names:
         return True
     # Builds make files of templates, and install them elsewhere.
     return name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names
+
+
+def _is_in_submodule(path: str, view: PackageView) -> bool:
+    """Return whether a path lies in a repository that a clone without submodules does not have."""
+    folder = path
+    while folder:
+        folder = folder.rpartition("/")[0]
+        known = view.read(f"{folder}/.gitmodules" if folder else ".gitmodules").decode("utf-8", "replace")
+        inside = path[len(folder) + 1 :] if folder else path
+        if any(inside.startswith(f"{one.strip('/')}/") for one in _SUBMODULE.findall(known)):
+            return True
+    return False
 
 
 def _installs_what_it_builds(view: PackageView) -> bool:

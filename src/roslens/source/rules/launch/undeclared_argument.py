@@ -30,7 +30,9 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 def _used(element: Element) -> Iterator[str]:
     """Yield the names of arguments that stand in the attributes and the text of an element."""
-    for value in (*element.attributes.values(), element.text()):
+    # Of texts roslaunch looks at those of <rosparam> alone.
+    text = element.text() if element.tag == "rosparam" else ""
+    for value in (*element.attributes.values(), text):
         yield from ROS_1_ARGUMENT.findall(value)
 
 

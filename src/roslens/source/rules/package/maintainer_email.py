@@ -23,7 +23,7 @@ RULE = PackageRule(
     title="Maintainer without e-mail address",
     finds="A `<maintainer>` without `email`, or a maintainer or author with an address that is none.",
     why="catkin_pkg, which catkin, colcon, bloom and rosdep read manifests with, refuses the file: the package is "
-    "left out of the build; and nobody can be told of a fault of a robot.",
+    "left out of the build; and there is no address to report a fault of a robot to.",
     severity=Severity.ERROR,
     profiles=("ros2", "ros1"),
     tags=("manifest",),

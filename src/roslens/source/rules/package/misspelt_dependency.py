@@ -16,17 +16,25 @@ MOST = 500
 SHORTEST = 10
 """Letters; shorter names differ by one letter and mean two packages (``mav_msgs``, ``map_msgs``)."""
 _ALIKE = 0.95
+_OTHERS = frozenset({"ddynamic_reconfigure"})
+"""Packages of these names that are not of the core of ROS."""
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each dependency that no package has and that differs by a letter from one of ROS."""
-    told: set[str] = set()
+    reported: set[str] = set()
     for one in view.package.dependencies[:MOST]:
         name = one.name
-        if name in OF_THE_CORE or name in told or len(name) < SHORTEST or one.kind in ("conflict", "replace", "group"):
+        if (
+            name in OF_THE_CORE
+            or name in _OTHERS
+            or name in reported
+            or len(name) < SHORTEST
+            or one.kind in ("conflict", "replace", "group")
+        ):
             continue
         if close := _close(name):
-            told.add(name)
+            reported.add(name)
             where = one.location
             message = f"dependency {name!r}; meant {close!r}?"
             yield Hit("package.misspelt_dependency", message, where.line, where.column, context=name, path=where.path)
@@ -48,7 +56,7 @@ RULE = PackageRule(
     title="Dependency whose name is misspelt",
     finds="A dependency of at least ten letters that differs by one letter from a package of the core of ROS: "
     "`sensor_msg`, `geomety_msgs`.",
-    why="rosdep finds nothing of that name and stops, or, told to go on, leaves the package out; the workspace "
+    why="rosdep finds nothing of that name and stops, or with `-r` leaves the package out; the workspace "
     "builds where the right one happens to be installed.",
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),

@@ -1,4 +1,4 @@
-"""Rule ``package.plugin_export``: a description of plug-ins that nobody is told of."""
+"""Rule ``package.plugin_export``: a description of plug-ins that no package exports."""
 
 from __future__ import annotations
 

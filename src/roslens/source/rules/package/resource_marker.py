@@ -9,6 +9,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_FILES = ("setup.py", "setup.cfg", "pyproject.toml")
 _INDEX = b"resource_index"
 
 
@@ -16,16 +17,21 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield the setup.py that installs no marker, and the marker that does not exist."""
     if view.package.build_type != "ament_python" or view.setup_call is None:
         return
-    path = view.path("setup.py")
-    text = view.read(path)
+    texts = {view.path(name): view.read(view.path(name)) for name in _FILES if name in view.listing}
+    if any(keyword.arg is None for keyword in view.setup_call.keywords):
+        # What `**` hands over may be anything.
+        return
     marker = f"resource/{view.package.name}"
-    if _INDEX not in text:
+    if not any(_INDEX in text for text in texts.values()):
         message = f"no marker for the index of packages is installed; expected data_files with {marker!r}"
-        yield Hit("package.resource_marker", message, view.setup_call.lineno, context="data_files", path=path)
-    elif b"resource/" in text and not view.exists(view.path(marker)):
+        at = view.setup_call.lineno
+        yield Hit("package.resource_marker", message, at, context="data_files", path=view.path("setup.py"))
+        return
+    naming = next((path for path, text in texts.items() if b"resource/" in text), None)
+    if naming is not None and not view.exists(view.path(marker)):
         message = f"{marker!r} does not exist; expected an empty file of that name"
-        line = text.partition(b"resource/")[0].count(b"\n") + 1
-        yield Hit("package.resource_marker", message, line, context=marker, path=path)
+        line = texts[naming].partition(b"resource/")[0].count(b"\n") + 1
+        yield Hit("package.resource_marker", message, line, context=marker, path=naming)
 
 
 RULE = PackageRule(

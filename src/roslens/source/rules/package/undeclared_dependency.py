@@ -33,12 +33,12 @@ _TAGS = {BUILD: "<depend>", RUN: "<exec_depend>", TEST: "<test_depend>"}
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each package that is found and not declared, and at once those that are included, or imported."""
     declared = {one.name for one in (*view.package.dependencies, *view.package.member_of_groups)}
-    told: set[str] = set()
+    reported: set[str] = set()
     gathered: dict[str, dict[str, Use]] = {"#include": {}, "import": {}, "launch": {}}
     for use in view.uses:
-        if use.name in told or not _expected(use, view) or any(_is_said(key, use) for key in declared):
+        if use.name in reported or not _expected(use, view) or any(_is_said(key, use) for key in declared):
             continue
-        told.add(use.name)
+        reported.add(use.name)
         how = use.how.partition(" ")[0]
         if how in gathered:
             gathered[how][use.name] = use

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.workspace.placeholder import has_placeholder
 
 
 def found(view: PackageView) -> Iterator[Hit]:
@@ -19,7 +20,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         value = keyword.value
         if keyword.arg != "version" or not isinstance(value, ast.Constant) or not isinstance(value.value, str):
             continue
-        if value.value != view.package.version:
+        if value.value != view.package.version and not has_placeholder(f"{value.value} {view.package.version}"):
             message = f"version {value.value!r} here, {view.package.version!r} in package.xml; expected the same"
             at = value.lineno, value.col_offset + 1
             yield Hit("package.version_disagrees", message, *at, context="version", path=view.path("setup.py"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
@@ -11,21 +10,19 @@ from roslens.source.rules.mistaken import mistaken
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
-_TO_BE_FILLED = re.compile(r"\{\w+\}")
-"""What a release writes into a template of bloom: ``:{version}``."""
-
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each version that is not three numbers."""
     from roslens.source.workspace.validity import VERSION
 
-    yield from (one for one in mistaken(view, "package.version_form", VERSION) if not _TO_BE_FILLED.search(one.context))
+    yield from mistaken(view, "package.version_form", VERSION)
 
 
 RULE = PackageRule(
     id="package.version_form",
     title="Version that is not three numbers",
-    finds="A `<version>`, or its `compatibility`, that is not of three numbers.",
+    finds="A `<version>`, or its `compatibility`, that is not of three numbers. What a template leaves open "
+    "(`@VERSION@`, `:{version}`) is no mistake, here and in the other rules on manifests.",
     why="catkin_pkg, which catkin, colcon, bloom and rosdep read manifests with, refuses the file: the package is "
     "left out of the build, and no release can be made.",
     severity=Severity.ERROR,

@@ -131,7 +131,7 @@ class CmakeView:
         return next(self.named(*names), None)
 
     def project(self) -> str:
-        """Return the name of the project; empty where it cannot be told."""
+        """Return the name of the project; empty where that is unknown."""
         found = self._values["PROJECT_NAME"]
         return found[0] if len(set(found)) == 1 and "$" not in found[0] else ""
 

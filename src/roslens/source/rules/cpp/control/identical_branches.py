@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_STRING = re.compile(rb'("(?:[^"\\\n]|\\.)*")')
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -22,11 +26,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             return
         other = inside[0]
     # The end of a chain may be written out although what is left does the same.
-    if node.parent is not None and node.parent.type == "else_clause":
+    if (node.parent is not None and node.parent.type == "else_clause") or _ends_a_chain(node):
         return
     if then.type == "compound_statement" and not then.named_child_count:
         return
-    if _written(then, view) == _written(other, view):
+    if _written(then, view) == _written(other, view) and not _is_one_of_several(node, view):
         what = "branches" if node.type == "if_statement" else "values"
         yield view.hit(
             "cpp.identical_branches",
@@ -35,9 +39,36 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         )
 
 
+def _ends_a_chain(node: Node) -> bool:
+    """Return whether a choice of two values is what is left of another one: its last row may be written out."""
+    inner, around = node, node.parent
+    while around is not None and around.type == "parenthesized_expression":
+        inner, around = around, around.parent
+    if around is None or around.type != "conditional_expression":
+        return False
+    return around.child_by_field_name("alternative") == inner
+
+
+def _is_one_of_several(node: Node, view: FileView) -> bool:
+    """Return whether the statement above or below chooses a value by the same condition: one row of a table."""
+    condition = node.child_by_field_name("condition")
+    if node.type != "conditional_expression" or condition is None:
+        return False
+    statement = node
+    while statement.parent is not None and statement.parent.type != "compound_statement":
+        statement = statement.parent
+    asked = re.compile(re.escape(view.text(condition)) + r"\s*\?")
+    neighbours = (statement.prev_named_sibling, statement.next_named_sibling)
+    return any(one is not None and asked.search(view.text(one)) is not None for one in neighbours)
+
+
 def _written(node: Node, view: FileView) -> list[bytes]:
-    """Return the words of a branch as the file has them: macros are taken out of what is parsed."""
-    return view.content[node.start_byte : node.end_byte].split()
+    """Return the words of a branch as the file has them: macros are taken out of what is parsed.
+
+    Strings are kept as they are: they may differ in nothing but their spaces.
+    """
+    text = view.content[node.start_byte : node.end_byte]
+    return [word for part in _STRING.split(text) for word in ([part] if part[:1] == b'"' else part.split())]
 
 
 RULE = FileRule(
@@ -46,6 +77,7 @@ RULE = FileRule(
     finds="`if (a) { x } else { x }` and `a ? x : x`: the condition decides nothing. One branch was meant to be "
     "another, or the condition goes.",
     why="The fallback of a failed sensor or planner is the failed way itself.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

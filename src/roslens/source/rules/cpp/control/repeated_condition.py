@@ -19,15 +19,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if node.child_by_field_name("alternative") is None:
         return
     seen: dict[str, int] = {}
+    moved_on = False
     for condition in _conditions(node):
         text = " ".join(view.content[condition.start_byte : condition.end_byte].decode("utf-8", "replace").split())
-        if text in seen and _is_pure(text):
+        if text in seen and _is_pure(text) and not (moved_on and "(" in text[1:]):
             yield view.hit(
                 "cpp.repeated_condition",
                 condition,
                 f"`{text[:60]}` is asked on line {seen[text]} too; expected another condition",
             )
         seen.setdefault(text, view.place(condition.start_byte)[0])
+        moved_on = moved_on or not _is_pure(text)
 
 
 def _conditions(node: Node) -> Iterator[Node]:

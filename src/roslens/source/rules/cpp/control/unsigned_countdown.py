@@ -29,12 +29,20 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         and view.text(left) == name
         and operator == ">="
         and view.text(right) in ("0", "0u", "0U")
+        and not _is_left(node, name, view)
     ):
         yield view.hit(
             "cpp.unsigned_countdown",
             condition,
             f"`{text}` is always true: `{name}` is {kind}; expected a signed type or `{name}-- > 0`",
         )
+
+
+def _is_left(loop: Node, name: str, view: FileView) -> bool:
+    """Return whether the body looks for zero itself, and leaves."""
+    body = view.text(loop.child_by_field_name("body"))
+    at_zero = rf"\b{re.escape(name)}\s*==\s*0\b|\b0\s*==\s*{re.escape(name)}\b|!\s*{re.escape(name)}\b"
+    return re.search(at_zero, body) is not None and re.search(r"\b(?:break|return|goto)\b", body) is not None
 
 
 RULE = FileRule(

@@ -30,7 +30,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="cpp.exception_specification",
     title="Exception specification",
-    finds="`throw (…)` behind a function: removed in C++17, as `throw()` in C++20. Write `noexcept`, or nothing.",
+    finds="`throw (…)` behind a function: removed in C++17, as `throw()` in C++20. Write `noexcept`, or nothing. "
+    "In a package that pins an older standard it is a note.",
     why="The package does not compile with the next distribution; before, an exception that is not in the "
     "list ended the process.",
     severity=Severity.WARNING,

@@ -33,7 +33,8 @@ RULE = FileRule(
     title="Part of the standard library that was removed",
     finds="`std::auto_ptr`, `std::random_shuffle`, `std::bind1st`, `std::bind2nd`, `std::mem_fun`, "
     "`std::mem_fun_ref`, `std::ptr_fun`, `std::unary_function`, `std::binary_function` and "
-    "`std::unexpected_handler` were removed in C++17. Use `std::unique_ptr`, `std::shuffle`, lambdas.",
+    "`std::unexpected_handler` were removed in C++17. Use `std::unique_ptr`, `std::shuffle`, lambdas. "
+    "In a package that pins an older standard it is a note.",
     why="The package does not compile with the next distribution; `std::auto_ptr` also moves where it seems to copy.",
     severity=Severity.WARNING,
     profiles=(

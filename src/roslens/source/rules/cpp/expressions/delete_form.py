@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.calls import function_around
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView
@@ -23,7 +24,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     name = view.text(operand)
     word = re.split(r"->|\.|::", name)[-1].encode()
-    gets = (_NEW.match(view.code, at + len(word)) for at in word_places(word, view)) if b"new" in view.words else ()
+    places = list(word_places(word, view)) if b"new" in view.words else []
+    function = function_around(node)
+    if operand.type == "identifier" and function is not None and _is_declared_in(function, word, view):
+        places = [at for at in places if function.start_byte <= at < function.end_byte]
+    gets = (_NEW.match(view.code, at + len(word)) for at in places)
     forms = {b"[" in _made(match[1]) for match in gets if match is not None}
     is_array = has_token(node, "[")
     if forms == {not is_array}:
@@ -33,6 +38,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             node,
             f"`{view.text(node)}`, but `{name}` is made by `new{'' if is_array else '[]'}`; expected `{form} {name}`",
         )
+
+
+def _is_declared_in(function: Node, name: bytes, view: FileView) -> bool:
+    """Return whether a function has a pointer of its own of a name, whatever others do with one of that name."""
+    declared = re.compile(rb"\w\s*\*+\s*(?:const\s+)?%s\s*[=;,{(]" % re.escape(name))
+    return declared.search(view.code, function.start_byte, function.end_byte) is not None
 
 
 def _made(text: bytes) -> bytes:

@@ -8,7 +8,7 @@ from typing import cast
 
 from tree_sitter import Node
 
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
@@ -22,10 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     text = view.text(operand)
     if operand.type == "identifier":
-        if text.encode() not in _to_void(view):
-            return
-        declared = re.findall(rb"(\w+)\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code)
-        is_void = bool(declared) and set(declared) == {b"void"}
+        is_void = text.encode() in _to_void(view) and _is_to_void(text.encode(), node, view)
     else:
         is_void = text.replace(" ", "").startswith(("(void*)", "static_cast<void*>", "reinterpret_cast<void*>"))
     if is_void:
@@ -34,6 +31,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             node,
             f"`{view.text(node)}` of a `void*` runs no destructor; expected a pointer with its type",
         )
+
+
+def _is_to_void(name: bytes, node: Node, view: FileView) -> bool:
+    """Return whether a name is a pointer to void in the function around a node, or else all over the file."""
+    function = above(node, "function_definition", "lambda_expression")
+    code = view.code[function.start_byte : node.start_byte] if function is not None else b""
+    word = re.escape(name)
+    if re.search(rb"\bauto\b[^;=()]*\b%s\b|,\s*\*+\s*%s\b" % (word, word), code):
+        return False
+    pointer = re.compile(rb"(\w+)\s*\*+\s*(?:const\s+)?%s\b" % word)
+    return set(pointer.findall(code) or pointer.findall(view.code)) == {b"void"}
 
 
 def _to_void(view: FileView) -> Set[bytes]:

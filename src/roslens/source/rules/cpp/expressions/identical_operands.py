@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from roslens.source.rules.cpp_statement import is_written_twice
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
@@ -31,18 +31,49 @@ def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
         return
     operator = view.text(node.child_by_field_name("operator"))
     text = view.text(left)
-    if text in ("INFINITY", "NAN") or (operator == "-" and _CONSTANT.fullmatch(text)):
-        return  # an offset from the first of several constants, written as the others are
     if operator not in _OPERATORS or "++" in text or "--" in text or is_declaration(node) or not text:
+        return
+    if _is_meant(operator, left.type, text):
         return
     # What is called twice may give two values.
     if "(" in text and not _ASKS.fullmatch(text):
         return
     if node.parent is not None and node.parent.type in ("template_argument_list", "ERROR"):
         return
+    if above(node, "preproc_if", "preproc_elif") is not None and _is_condition(node):
+        return  # `defined X && X`: whether it is there, and then its value
+    if b"," in view.content[left.end_byte : node.end_byte] or _is_asked_for_its_type(node):
+        return
     yield view.hit(
         "cpp.identical_operands", node, f"`{text[:60]}` on both sides of `{operator}`; expected two different operands"
     )
+
+
+def _is_meant(operator: str, kind: str, text: str) -> bool:
+    """Return whether a name is written twice on purpose.
+
+    So is an offset from the first of several constants, written as the others are, and the usual way to a register of
+    zeros.
+    """
+    if text in ("INFINITY", "NAN"):
+        return True
+    return (operator == "-" and _CONSTANT.fullmatch(text) is not None) or (operator == "^" and kind == "identifier")
+
+
+def _is_condition(node: Node) -> bool:
+    """Return whether a node is what a condition of the preprocessor asks for."""
+    while node.parent is not None and not node.parent.type.startswith("preproc_"):
+        node = node.parent
+    around = node.parent
+    return around is not None and around.child_by_field_name("condition") == node
+
+
+def _is_asked_for_its_type(node: Node) -> bool:
+    """Return whether a member of the result is asked for: ``(a - a).rows()`` is of the type, not of the value."""
+    around = node.parent
+    if around is None or around.type != "parenthesized_expression" or around.parent is None:
+        return False
+    return around.parent.type == "field_expression"
 
 
 def is_declaration(node: Node) -> bool:

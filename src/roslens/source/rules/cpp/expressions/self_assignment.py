@@ -27,19 +27,7 @@ def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
     text = view.text(left)
     if "++" not in text and "--" not in text and text:
         message = f"`{view.text(node)[:60]}` does nothing; expected another side"
-        severity = Severity.NOTE if _is_all_of_else(node) else None
-        yield view.hit("cpp.self_assignment", node, message, severity=severity)
-
-
-def _is_all_of_else(node: Node) -> bool:
-    """Return whether it is all that an ``else`` or a ``:`` does: it says that nothing is to be done."""
-    statement = node.parent
-    if statement is not None and statement.type == "conditional_expression":
-        return True
-    block = statement.parent if statement is not None else None
-    if block is not None and block.type == "compound_statement" and block.named_child_count == 1:
-        block = block.parent
-    return block is not None and block.type == "else_clause"
+        yield view.hit("cpp.self_assignment", node, message)
 
 
 RULE = FileRule(
@@ -47,7 +35,9 @@ RULE = FileRule(
     title="Assignment of a variable to itself",
     finds="`x = x;`: a member and a parameter of the same name, or the wrong name. Write `this->x = x` or what "
     "was meant.",
-    why="The value that was configured is thrown away, and the default stays.",
+    why="The value that was configured is thrown away, and the default stays. Most say that nothing is to be done, or "
+    "silence a warning: it is a note.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

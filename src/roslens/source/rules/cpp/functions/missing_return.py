@@ -13,7 +13,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ENDS = re.compile(
-    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
+    rb"\b(?:return|co_return|co_yield|co_await|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
     rb"|\b(?:while|for)\s*\(\s*(?:1|true|;\s*;)\s*\)|#"
 )
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
@@ -47,7 +47,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 def _is_result(text: str) -> bool:
     """Whether a type is certainly one of which a value has to be returned."""
-    if text in ("void", "auto", "noreturn", "decltype(auto)") or _MACRO.fullmatch(text):
+    if text in ("void", "auto", "noreturn", "decltype(auto)", "else", "do", "try") or _MACRO.fullmatch(text):
         return False
     return not any(one in text for one in ("NORETURN", "enable_if", "disable_if"))
 

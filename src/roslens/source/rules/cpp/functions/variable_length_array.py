@@ -28,8 +28,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     text = view.text(size)
     if _KEYWORD.search(text):  # a name that only C allows: what stands here is no declaration
         return
-    if not _varies(text, function, view):
-        return
+    inner = node.child_by_field_name("declarator")
+    length = inner.child_by_field_name("size") if inner is not None and inner.type == "array_declarator" else None
+    if not _varies(text, function, view) or (length is not None and _varies(view.text(length), function, view)):
+        return  # of an array of arrays one length says enough
     name = view.text(name_node(node))
     yield view.hit(
         "cpp.variable_length_array",

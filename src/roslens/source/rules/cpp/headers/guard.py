@@ -18,6 +18,7 @@ _GUARD = re.compile(
     rb"#[ \t]*if(?:ndef[ \t]+(\w+)|[ \t]+!?[ \t]*!defined[ \t]*\(?[ \t]*(\w+)[ \t]*\)?)[^\n]*\n"
     rb"(?:[ \t]*\n)*[ \t]*#[ \t]*define[ \t]+(\w+)"
 )
+_BRANCH = re.compile(rb"^[ \t]*#[ \t]*(if|el|endif\b)", re.MULTILINE)
 _ONCE = re.compile(rb"#[ \t]*pragma[ \t]+once\b")
 _DEFINING = frozenset(
     (
@@ -60,6 +61,8 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         # What includes nothing needs what stands before its one `#include`: a piece of another file.
         yield hit if b"#include" in view.code else msgspec.structs.replace(hit, severity=Severity.NOTE)
         return
+    if not _is_around_the_rest(view.code, guard.end()):
+        return
     tested = guard[1] or guard[2]
     # A guard around the whole file may be defined in a branch of another condition.
     if tested != guard[3] and not re.search(rb"#[ \t]*ifndef[ \t]+%s\b" % re.escape(guard[3]), view.code):
@@ -73,6 +76,25 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             only=GUARDED,
             edits=view.edits((guard.start(3), guard.end(3), wanted)) if once else (),
         )
+
+
+def _is_around_the_rest(code: bytes, start: int) -> bool:
+    """Return whether a condition that is open at ``start`` has one branch and ends where the file ends.
+
+    A condition around some values, or around one of two definitions of a macro, is no guard.
+    """
+    depth = 1
+    for branch in _BRANCH.finditer(code, start):
+        if branch[1] == b"if":
+            depth += 1
+        elif branch[1] == b"el":
+            if depth == 1:
+                return False
+        else:
+            depth -= 1
+            if not depth:
+                return not code[branch.end() :].partition(b"\n")[2].strip()
+    return True
 
 
 def _declares(view: FileView) -> bool:
@@ -119,6 +141,7 @@ RULE = FileRule(
     finds="A header with neither `#pragma once` nor `#ifndef` and `#define` of one name around it. Add one of the two. "
     "Pieces that include nothing themselves are notes; lists of calls of macros are let be.",
     why="The day two headers include it, nothing compiles, with messages about another file.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

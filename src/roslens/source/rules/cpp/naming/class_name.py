@@ -28,7 +28,7 @@ RULE = FileRule(
     title="Name of a class",
     finds="A class, struct or enumeration whose name is not `CamelCased`; names that end in `_t` and traits in "
     "`detail` are let be.",
-    why="The guides of ROS 1, ROS 2 and Google agree on it: types are told from variables by their first letter.",
+    why="The guides of ROS 1, ROS 2 and Google agree on it: the first letter distinguishes types from variables.",
     severity=Severity.NOTE,
     profiles=(
         "google",

@@ -38,7 +38,7 @@ RULE = FileRule(
     id="cpp.variable_name",
     title="Name of a variable",
     finds="A local variable whose name holds a capital letter, but for constants (`kLimit`, `LIMIT`).",
-    why="The guides of ROS and Google agree on `under_scored` names: variables are told from types and "
+    why="The guides of ROS and Google agree on `under_scored` names: variables are distinguished from types and "
     "functions at a glance.",
     severity=Severity.NOTE,
     profiles=(

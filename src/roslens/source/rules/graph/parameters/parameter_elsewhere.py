@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin, Proof
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_elsewhere",
@@ -53,4 +53,4 @@ def _told(node: ConfiguredNode, owner: ConfiguredNode, ones: list[tuple[Configur
         f"Read `~{last}` if it is meant to be its own."
     )
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, proof, entity=entity, severity=severity, context=owner.name, doubt=doubt)
+    return occurrence(RULE, message, proof, entity=entity, severity=severity, context=owner.name, doubt=doubt)

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed
 from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Ignored, Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_file",
@@ -49,6 +49,6 @@ def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding
         f"all of it is ignored.{hint} Key it to {own}`/**`{perhaps}."
     )
     entity, also = f"node:{one.node}", tuple(f"node:{name}" for name in one.also)
-    return told(
+    return occurrence(
         RULE, message, one.proof, entity=entity, severity=severity, context=one.proof.path, also=also, doubt=doubt
     )

@@ -10,8 +10,8 @@ from roslens.model.configuration import Configuration, ConfiguredNode, Configure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed, unknown_nodes
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_namespace",
@@ -147,4 +147,4 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
         f"nobody sets: the value has no effect. {advice}."
     )
     entity = f"parameter:{node}:{one.set.name}"
-    return told(RULE, message, proof, entity=entity, severity=severity, context=one.read.name, doubt=doubt)
+    return occurrence(RULE, message, proof, entity=entity, severity=severity, context=one.read.name, doubt=doubt)

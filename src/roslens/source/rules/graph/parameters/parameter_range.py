@@ -9,8 +9,8 @@ from roslens.model.configuration import Configuration, ConfiguredNode, Configure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_range",
@@ -90,7 +90,7 @@ def number_of(text: str) -> float | None:
 
 def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: bool) -> Finding:
     code = one.proof
-    assert code is not None  # noqa: S101 - only parameters that code declares are told
+    assert code is not None  # noqa: S101 - only parameters that code declares are reported
     place, value = one.set_by or code, _given(one)
     severity, doubt = weighed(
         Severity.WARNING if ros1 else RULE.severity, (one.set_by, code), (*node.conditions, *one.conditions)
@@ -100,4 +100,4 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: 
     effect = "the nearest end is used" if ros1 else "the node does not start"
     message = f"parameter `{one.name}` of {node.name} is {how} `{value}`; {where} {wanted}: {effect}."
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}", doubt=doubt)
+    return occurrence(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}", doubt=doubt)

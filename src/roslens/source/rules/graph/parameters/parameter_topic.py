@@ -10,15 +10,15 @@ from roslens.model.configuration import Configuration, ConfiguredNode, Configure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, is_unknown, listed, unknown_nodes
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_topic",
     "Parameter that names no topic",
     "A parameter whose name ends with `topic` is set to a global name below a node or namespace that is not there, and "
-    "no node of the configuration has a topic of that name. It is told of nodes whose code is known; names that may be "
-    "those of unknown parts, and names whose other end is usually elsewhere, are left out. It is a warning in a "
+    "no node of the configuration has a topic of that name. Only nodes whose code is known are looked at; names that "
+    "may be those of unknown parts, and names whose other end is usually elsewhere, are left out. It is a warning in a "
     "configuration that `roslens.toml` declares to be the whole system, a note in others. Correct the value, or start "
     "who has the topic.",
     Severity.WARNING,
@@ -79,14 +79,14 @@ def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *,
     usual = RULE.severity if whole else Severity.NOTE
     severity, doubt = weighed(usual, (one.set_by,), (*node.conditions, *one.conditions), more=more)
     proof = one.set_by
-    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    assert proof is not None  # noqa: S101 - only parameters that are set are reported
     space = "/" + (one.value or "").split("/")[1]
     unread = "" if one.access else f" {node.name} is not known to use the parameter."
     message = (
         f"parameter `{one.name}` is set to `{one.value}`, a topic that nobody has: there is no node and no name in "
         f"`{space}`.{unread} Correct the name, or start who has the topic."
     )
-    return told(
+    return occurrence(
         RULE,
         message,
         proof,

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_type",
@@ -57,7 +57,7 @@ def _is_kept(one: ConfiguredParameter) -> bool:
 
 def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Finding:
     proof, code = one.set_by, one.proof
-    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    assert proof is not None  # noqa: S101 - only parameters that are set are reported
     assert code is not None  # noqa: S101
     severity, doubt = weighed(
         Severity.WARNING if ros1 else RULE.severity, (proof, code), (*node.conditions, *one.conditions)
@@ -70,7 +70,7 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
         f"{one.access or 'reads'} it as {one.type}: {effect}. {_advice(one)}"
     )
     entity = f"parameter:{node.name}:{one.name}"
-    return told(
+    return occurrence(
         RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}", doubt=doubt
     )
 

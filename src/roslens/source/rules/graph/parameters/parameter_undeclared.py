@@ -12,9 +12,9 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_unknown
 from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.parameters.parameter_namespace import misplaced
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.parameter_undeclared",
@@ -33,7 +33,7 @@ _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 _OF_LIBRARIES = frozenset({"image_transport", "tf_prefix"})
 """Parameters that libraries of a node read, in ROS 1 below its name."""
 _FEW = 3
-"""So many of one cause are told one by one."""
+"""So many of one cause are reported one by one."""
 _SHOWN = 3
 _PREFIXES = ("qos_overrides.", "diagnostic_updater.")
 
@@ -42,7 +42,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     """Yield a finding for each parameter that is set and not known by the node it is set for."""
     ros1 = configuration.generation == "ros1"
     open_nodes = {one.node for one in configuration.unresolved if one.node}
-    # What is set in the wrong namespace is told by a rule of its own.
+    # What is set in the wrong namespace is reported by a rule of its own.
     elsewhere = {one.set.name for one in misplaced(configuration) if one.private}
     read = [one.name for node in configuration.nodes for one in node.parameters if one.access] if ros1 else []
     for node in configuration.nodes:
@@ -156,7 +156,7 @@ def _told(
 ) -> Finding:
     one, others = group[0], group[1:]
     proof = one.set_by
-    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    assert proof is not None  # noqa: S101 - only parameters that are set are reported
     near = "" if others else nearest_name(one.name, known)
     why = ""
     if is_open and not _differs_in_letters(near, one.name):
@@ -175,7 +175,7 @@ def _told(
         f"{_it(known, others)}. {advice}"
     )
     entity = f"parameter:{node.name}:{one.name}"
-    found = told(RULE, message, proof, entity=entity, severity=severity, context=proof.path, doubt=doubt)
+    found = occurrence(RULE, message, proof, entity=entity, severity=severity, context=proof.path, doubt=doubt)
     same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
     return msgspec.structs.replace(found, others=same)
 

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings, Wait
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.deadlock",
@@ -75,4 +75,6 @@ def _told(node: ConfiguredNode, end: End, wait: Wait) -> Finding:
         f"({end.one.proof.place}) is in {group} as the callback itself: the answer is never taken. "
         "Give the client a callback group of its own."
     )
-    return told(RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function, doubt=doubt)
+    return occurrence(
+        RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function, doubt=doubt
+    )

@@ -12,8 +12,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, Key, by_name, conditions_of, ends, listed
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.qos",
@@ -88,15 +88,15 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     asks = "; ".join(one.asks for one in lacking)
     loss = "it gets nothing at all" if starved else "it gets nothing of this publisher, but of others"
     rest = len({(one.publisher.key, one.subscription.key) for one in joined}) - 1
-    others = [one.subscription.told for one in joined if one.subscription.key != subscription.key]
-    others += [one.publisher.told for one in joined if one.publisher.key != publisher.key]
+    others = [one.subscription.label for one in joined if one.subscription.key != subscription.key]
+    others += [one.publisher.label for one in joined if one.publisher.key != publisher.key]
     more = f" The same between {rest} more pair{'s' if rest > 1 else ''}: {listed(others)}." if rest else ""
     message = (
-        f"{subscription.told} requests {requested} on {name}, {publisher.told} offers {offered}: {loss} "
+        f"{subscription.label} requests {requested} on {name}, {publisher.label} offers {offered}: {loss} "
         f"(it asks {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription."
     )
     context = " ".join((*(one.policy for one in lacking), subscription.node.name, publisher.node.name))
-    return told(
+    return occurrence(
         RULE,
         message,
         subscription.one.proof,

@@ -9,8 +9,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
+from roslens.source.rules.graph.occurrence import TOOL, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.queue",
@@ -60,7 +60,9 @@ def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (end.one.proof,), conditions_of(end, publisher))
     more = f" (and {len(short) - 1} more)" if len(short) > 1 else ""
     message = (
-        f"{end.told}{more} keeps 1 message of {name}, which {publisher.told} publishes best effort with {rate:g} Hz: "
+        f"{end.label}{more} keeps 1 message of {name}, which {publisher.label} publishes best effort with {rate:g} Hz: "
         "messages are lost while a callback runs. Keep more, unless only the newest counts."
     )
-    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name, doubt=doubt)
+    return occurrence(
+        RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name, doubt=doubt
+    )

@@ -11,8 +11,8 @@ from roslens.model.graph import Role
 from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed, missing_parts
+from roslens.source.rules.graph.occurrence import TOOL, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, ids_of, told
 
 RULE = RuleInfo(
     "graph.sim_time",
@@ -77,4 +77,4 @@ def _told(
         f"{listed(others)}. Set it for all nodes that run together."
     )
     first, *also = ids_of(without)
-    return told(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also), doubt=doubt)
+    return occurrence(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also), doubt=doubt)

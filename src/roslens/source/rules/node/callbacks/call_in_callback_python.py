@@ -24,7 +24,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or of is None or any(one in view.code for one in _GROUPS):
         return
     name = re.escape(view.text(of).encode())
-    if not re.search(rb"(?<![\w.])" + name + rb"\s*(:[^=\n]*)?=\s*[\w.]*\bcreate_client\b", view.code):
+    if not re.search(
+        rb"(?<![\w.])" + name + rb"\s*(:[^=\n]*)?=\s*(?:self\.|(?:self\.)?_?node\.)create_client\b", view.code
+    ):
         return
     callback = callback_around(call, view)
     if callback is not None:

@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.calls import call_at, function_around, receiver, statement_around
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLPY, FileRule
 
@@ -21,16 +21,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or of is None:
         return
     asked = view.text(of)
-    if not re.search(r"\.(call_async|send_goal_async|get_result_async)\(.*\)$", asked):
-        statement = statement_around(call)
-        before = statement.prev_named_sibling
-        while before is not None and before.type == "comment":
-            before = before.prev_named_sibling
-        name = re.escape(asked)
-        if function is None or before is None:
-            return
-        if not re.match(rf"^{name} = (?!await).*\.(call_async|send_goal_async)\(", view.text(before)):
-            return
+    if asked.startswith("(await") or _is_later(call):
+        return
+    if not re.search(r"\.(call_async|send_goal_async|get_result_async)\(.*\)$", asked) and not (
+        function is not None and _is_asked_before(asked, call, view)
+    ):
+        return
     if call.parent is not None and call.parent.type == "await":
         return
     yield view.hit(
@@ -40,6 +36,25 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         "answer; "
         "expected `await`, `add_done_callback`, or `spin_until_future_complete` before",
     )
+
+
+def _is_asked_before(future: str, call: Node, view: FileView) -> bool:
+    """Return whether the statement before makes the request of a future."""
+    before = statement_around(call).prev_named_sibling
+    while before is not None and before.type == "comment":
+        before = before.prev_named_sibling
+    request = rf"^{re.escape(future)} = (?!await).*\.(call_async|send_goal_async)\("
+    return before is not None and re.match(request, view.text(before)) is not None
+
+
+def _is_later(call: Node) -> bool:
+    """Return whether a call runs later, in what is handed over, or again and again until there is an answer."""
+    for one in all_above(call):
+        if one.type in ("lambda", "while_statement"):
+            return True
+        if one.type in ("function_definition", "module"):
+            return False
+    return False
 
 
 RULE = FileRule(

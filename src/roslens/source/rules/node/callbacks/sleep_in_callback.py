@@ -48,8 +48,8 @@ RULE = FileRule(
     id="node.sleep_in_callback",
     title="Sleep in a callback",
     finds="A callback of a subscription, timer, service or action that sleeps. Let a timer go on later instead.",
-    why="A node's executor has one thread unless told otherwise: while a callback sleeps, no message, no timer and no "
-    "stop command is looked at, and queues run over.",
+    why="A node's executor has one thread by default: while a callback sleeps, no message, no timer and no stop "
+    "command is looked at, and queues run over.",
     severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "real-time"),

@@ -47,8 +47,7 @@ RULE = FileRule(
     title="Sleep in a callback (Python)",
     finds="A callback that sleeps: of a subscription or timer, in rclpy of a service or action too. Let a timer go on "
     "later instead.",
-    why="rclpy runs all callbacks in one thread unless told otherwise, rospy all of a connection: messages queue up, "
-    "and "
+    why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
     severity=Severity.NOTE,
     profiles=("ros2", "ros1"),

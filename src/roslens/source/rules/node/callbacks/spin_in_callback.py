@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import call_at
+from roslens.source.rules.calls import arguments, call_at, function_around, loop_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
+
+_ITSELF = re.compile(r"^\*?(?:this->)?(?:shared_from_this|get_node_base_interface)\(\)|^this\b")
+_FIRST_NAME = re.compile(r"^\*?(?:this->)?(\w+)(?:->get_node_base_interface\(\))?$")
+
+_OWN_SUBSCRIBER = re.compile(rb"\bSubscriber\s+\w+\s*=\s*[^;]*\bsubscribe\b")
+
+_OF_A_SERVICE = re.compile(rb"Request\s*&")
+"""The server of a service in ROS 1 can wait for what it is asked for in no other way, and that works."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -23,8 +32,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     is_ros2 = text.startswith("rclcpp::")
     if not is_ros2 and text not in ("ros::spin", "ros::spinOnce"):
         return
+    if is_ros2 and not _is_own_node(call, view):
+        return
     callback = callback_around(call, view)
-    if callback is not None:
+    if callback is not None and (is_ros2 or not _is_waited_for(call, view)):
         yield view.hit(
             "node.spin_in_callback",
             call,
@@ -33,6 +44,36 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             callback=callback,
             severity=None if is_ros2 else Severity.WARNING,
         )
+
+
+def _is_waited_for(call: Node, view: FileView) -> bool:
+    """Return whether a loop of ROS 1 takes in what its own subscriber receives, or what a service is to answer."""
+    function, loop = function_around(call), loop_around(call)
+    if function is None or loop is None:
+        return False
+    before = view.code[function.start_byte : loop.start_byte]
+    head = before.partition(b"{")[0]
+    return _OF_A_SERVICE.search(head) is not None or _OWN_SUBSCRIBER.search(before) is not None
+
+
+def _is_own_node(call: Node, view: FileView) -> bool:
+    """Return whether a call spins a node that has callbacks in this file; a second one, for requests, may be spun."""
+    given = arguments(call)
+    if not given:
+        return False
+    text = view.text(given[0])
+    if _ITSELF.search(text):
+        return True
+    name = _FIRST_NAME.match(text)
+    if name is None or not (word := name[1]).isidentifier():
+        return False
+    registers = (
+        rb"\b"
+        + re.escape(word.encode())
+        + rb"\s*->\s*(?:create_subscription|create_service|create_wall_timer|create_timer)\b"
+    )
+    handed = rb"create_server\s*<[^;()]*>\s*\(\s*" + re.escape(word.encode()) + rb"\b"
+    return re.search(registers + rb"|" + handed, view.code) is not None
 
 
 RULE = FileRule(

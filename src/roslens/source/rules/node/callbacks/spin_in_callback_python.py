@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import call_at
+from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
+
+_OWN_EXECUTOR = re.compile(rb"\b(?:Single|Multi)ThreadedExecutor\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call of rclpy or rospy that spins in a callback."""
     call = call_at(node)
     if call is None or not view.text(call.child_by_field_name("function")).startswith(("rclpy.", "rospy.")):
+        return
+    given = arguments(call)
+    if given and view.text(given[0]) != "self" and _OWN_EXECUTOR.search(view.code):
+        # Another node is spun by the global executor while this one runs in its own.
         return
     callback = callback_around(call, view)
     if callback is not None:

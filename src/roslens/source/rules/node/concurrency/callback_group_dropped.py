@@ -15,7 +15,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
 
 _KEEP_NONE = frozenset(("create_wall_timer", "create_timer", "create_client", "create_service"))
-_STAYS = re.compile(rb"\bspin|\bok\s*\(|add_callback_group")
+_STAYS = re.compile(rb"spin|\bok\s*\(|add_callback_group|\bwait_for\b|\bwait\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:

@@ -14,16 +14,20 @@ from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
-_STAYS = re.compile(rb"\bspin|\bwait|\bsleep|\bget\(\)|\bjoin\b")
+_STAYS = re.compile(rb"spin|\bwait|\bsleep|\bget\(\)|\bjoin\b|\bwhile\b|\brun\s*\(|\bexec\s*\(")
+
+_DECLARING = (
+    *("parameter_declaration", "optional_parameter_declaration", "declaration", "reference_declarator"),
+    *("pointer_declarator", "array_declarator", "for_range_loop", "structured_binding_declarator"),
+)
+"""What a name that is declared stands in."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a lambda handed over in a function that returns, which holds a local variable of it by reference."""
     call, function = call_at(node), function_around(node)
     body = body_of(function) if function is not None else None
-    if call is None or function is None or body is None or function.type != "function_definition":
-        return
-    if function_name(function, view) == "main" or _STAYS.search(view.code[body.start_byte : body.end_byte]):
+    if call is None or function is None or body is None or not _outlives(call, function, body, view):
         return
     for one in arguments(call):
         if one.type != "lambda_expression":
@@ -43,6 +47,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             )
 
 
+def _outlives(call: Node, function: Node, body: Node, view: FileView) -> bool:
+    """Return whether what a call makes lives on when the function around it has returned."""
+    # What a local variable keeps ends with the function, and its callbacks with it.
+    if function.type != "function_definition" or (call.parent is not None and call.parent.type == "init_declarator"):
+        return False
+    return function_name(function, view) != "main" and not _STAYS.search(view.code[body.start_byte : body.end_byte])
+
+
 def _locals(body: Node, until: Node, view: FileView) -> set[str]:
     """Return the local variables, not static and no references, that a function declares before a node."""
     found_: set[str] = set()
@@ -50,7 +62,7 @@ def _locals(body: Node, until: Node, view: FileView) -> set[str]:
         block = one.parent
         if one.end_byte > until.start_byte or block is None or block.end_byte < until.end_byte:
             continue
-        if view.text(one).startswith(("static ", "constexpr ")):
+        if not {"static", "constexpr", "thread_local", "extern"}.isdisjoint(view.text(one).split("=")[0].split()):
             continue
         for child in one.children_by_field_name("declarator"):
             inner = child.child_by_field_name("declarator") if child.type == "init_declarator" else child
@@ -64,13 +76,17 @@ def _used(one: Node, view: FileView) -> set[str]:
     if body is None:
         return set()
     own = {view.text(name) for name in below(one, "identifier") if _is_declared(name)}
-    return {view.text(name) for name in below(body, "identifier")} - own
+    return {view.text(name) for name in below(body, "identifier") if not _is_qualified(name)} - own
+
+
+def _is_qualified(name: Node) -> bool:
+    return name.parent is not None and name.parent.type == "qualified_identifier"
 
 
 def _is_declared(name: Node) -> bool:
     around = name.parent
     return around is not None and (
-        around.type in ("parameter_declaration", "declaration", "reference_declarator", "for_range_loop")
+        around.type in _DECLARING
         or (around.type == "init_declarator" and around.child_by_field_name("declarator") == name)
     )
 

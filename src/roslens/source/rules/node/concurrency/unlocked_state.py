@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.callbacks import callbacks_of, function_name
+from roslens.source.rules.callbacks import REGISTERING_CPP, callbacks_of, callee_name, function_name
 from roslens.source.rules.calls import body_of, call_at
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
@@ -18,13 +18,15 @@ _WRITTEN = re.compile(
     rb"(?<![\w.>])(\w+_)\s*(?:=(?!=)|\+=|-=|\+\+|\.(?:push_back|clear|insert|erase|emplace_back)\s*\()"
 )
 
+_ONE_THREAD = re.compile(rb"\brclcpp::spin(?:_some)?\s*\(|SingleThreadedExecutor")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a reentrant group in a file whose callbacks write one member in two of them, where no lock is in sight."""
     call = call_at(node)
-    if call is None or b"Reentrant" not in view.text(call).encode() or _LOCKED.search(view.code):
+    if call is None or "Reentrant" not in view.text(call) or _LOCKED.search(view.code) or _ONE_THREAD.search(view.code):
         return
-    registered = set(callbacks_of(view))
+    registered = _callbacks_in(call, view)
     writers: dict[bytes, set[str]] = {}
     for function in below(view.root, "function_definition"):
         name, body = function_name(function, view), body_of(function)
@@ -45,6 +47,35 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             return
 
 
+def _callbacks_in(made: Node, view: FileView) -> set[str]:
+    """Return the callbacks that are registered in the group that a call makes, by its name or that of its options."""
+    around = made.parent
+    while around is not None and around.type not in ("assignment_expression", "init_declarator"):
+        if around.type in ("compound_statement", "translation_unit"):
+            return set()
+        around = around.parent
+    target = (
+        around.child_by_field_name("left" if around.type == "assignment_expression" else "declarator")
+        if around
+        else None
+    )
+    group = view.text(target).rpartition("->")[2].rpartition(".")[2]
+    if not group.isidentifier():
+        return set()
+    handed = rf"(\w+)\s*(?:\.|->)\s*callback_group\s*=\s*(?:this->)?{group}\b"
+    options = set(re.findall(handed, view.code.decode("utf-8", "replace")))
+    used = re.compile(rf"\b(?:{'|'.join(map(re.escape, (group, *options)))})\b")
+    registered = set(callbacks_of(view))
+    found_: set[str] = set()
+    for call in below(view.root, "call_expression"):
+        if callee_name(call, view) not in REGISTERING_CPP:
+            continue
+        text = view.text(call)
+        if used.search(text):
+            found_ |= {one for one in registered if re.search(rf"\b{re.escape(one.rpartition('::')[2])}\b", text)}
+    return found_
+
+
 RULE = FileRule(
     id="node.unlocked_state",
     title="State of concurrent callbacks without a lock",
@@ -59,6 +90,7 @@ RULE = FileRule(
     bad="""#include <rclcpp/rclcpp.hpp>
 Arm::Arm() : Node("arm") {
   group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  options_.callback_group = group_;
   a_ = create_subscription<Goal>("a", 1, std::bind(&Arm::on_a, this, _1), options_);
   b_ = create_subscription<Goal>("b", 1, std::bind(&Arm::on_b, this, _1), options_);
 }

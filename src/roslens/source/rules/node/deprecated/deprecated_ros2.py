@@ -25,7 +25,8 @@ _ROWS = (
 RULE = FileRule(
     id="node.deprecated_ros2",
     title="Deprecated name of ROS 2",
-    finds="A name or header that a distribution deprecated or removed. The finding says since when, and what to write.",
+    finds="A name or header that a distribution deprecated or removed. The finding says since when, and what to write. "
+    "What is only deprecated is a note: the new name may not exist in an older distribution that is built for.",
     why="What is deprecated warns in every build of everybody who uses it, and with the next distribution it does not "
     "build.",
     profiles=("ros2",),

@@ -10,6 +10,7 @@ import msgspec
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import whole_name
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
@@ -94,16 +95,21 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
         name = view.text(place)
     if _is_chosen(node, view) or _is_defined(name, view):
         return
-    for row in table:
-        if (
-            name == row.name
-            or name.startswith(f"{row.name}::")
-            or (place is not node and name.endswith((f".{row.name}", f"->{row.name}")))
-        ):
-            gone = f" and removed in {row.gone}" if row.gone else ""
-            message = f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`"
-            yield view.hit(rule, place, message, edits=_renamed(place, row, view))
-            return
+    row = next((row for row in table if _is_meant(name, row.name, alone=place is node)), None)
+    if row is None:
+        return
+    gone = f" and removed in {row.gone}" if row.gone else ""
+    message = f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`"
+    # What is still there in every distribution may be all that the oldest one that is built for has.
+    severity = Severity.NOTE if rule.startswith("node.deprecated_ros2") and not row.gone else None
+    yield view.hit(rule, place, message, edits=_renamed(place, row, view), severity=severity)
+
+
+def _is_meant(name: str, deprecated: str, *, alone: bool) -> bool:
+    """Return whether a name is a deprecated one, a member of it, or, behind an object, a method of that name."""
+    if name == deprecated or name.startswith(f"{deprecated}::"):
+        return True
+    return not alone and name.endswith((f".{deprecated}", f"->{deprecated}"))
 
 
 def _renamed(place: Node, row: Deprecated, view: FileView) -> tuple[Edit, ...]:

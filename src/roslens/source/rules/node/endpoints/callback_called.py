@@ -37,6 +37,12 @@ def _returns_nothing(name: str, view: FileView) -> bool:
     function = node.parent if node is not None else None
     if function is None or function.type != "function_definition":
         return False
+    around = function.parent
+    if around is not None and around.type == "decorated_definition":
+        return False
+    if next(below(function, "raise_statement"), None) is not None:
+        # Classes that are derived from this one give back something.
+        return False
     if any(one.named_child_count for one in below(function, "return_statement")):
         return False
     return next(below(function, "yield"), None) is None

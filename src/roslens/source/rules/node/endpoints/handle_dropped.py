@@ -30,8 +30,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if len(given) < 2 or not any(_CALLBACK.search(view.text(one)) for one in given[1:]):
         return
     if is_discarded(call):
-        # Of a class of one's own, which gets the node as an argument and keeps what it makes.
-        if _NODE.match(view.text(given[0])):
+        # Of a class of one's own, which gets the node as an argument and keeps what it makes, or is around the call.
+        if _NODE.match(view.text(given[0])) or (
+            name == view.text(call.child_by_field_name("function")) and _of_ros1(name)
+        ):
             return
         yield view.hit(
             "node.handle_dropped",
@@ -48,6 +50,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{local}` keeps what `{name}` returns only until this function ends, then its callback never runs; "
             "expected a member that keeps it",
         )
+
+
+def _of_ros1(name: str) -> bool:
+    """Return whether a function is one of a node handle of ROS 1, which is called by an object."""
+    return not name.startswith("create_")
 
 
 def _unused_local(call: Node, view: FileView) -> str:

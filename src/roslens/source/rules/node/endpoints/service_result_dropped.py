@@ -19,7 +19,16 @@ _ACTS = re.compile(
     rb"(?<![\w:.>])(?!if\b|while\b|for\b|switch\b|return\b|exit\b|sleep\b|usleep\b|delete\b)[a-z]\w*\s*\(|\.publish\s*\("
 )
 """What happens after the call and may rest on it: calls of own functions, and messages."""
-_LOOKED_AT = re.compile(rb"\b(?:res|response|resp)\.(?:success|ok|result)\b")
+_DOES = re.compile(rb"^\s*[a-z]\w*\s*\(|\.publish\s*\(|\bcall\s*\(", re.MULTILINE)
+"""What is done between two calls of a service, but for what the second one is given."""
+_BLOCKS = ("compound_statement", "case_statement")
+_LEAVES = ("return_statement", "throw_statement")
+_WAITED = re.compile(rb"\bwaitFor(?:Service|Existence)\s*\(")
+_LOOKED_AT = re.compile(
+    rb"\b(?:res|response|resp)\.(?:success|ok|result)\b"
+    rb"|\bif\s*\(\s*!\s*[\w.>-]*\b(?:res|response|resp)\.\w+\s*\)"
+)
+"""That the response says so, or that a truth in it is missing, as it is where nobody answered."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -39,26 +48,59 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             or (_CLIENT.search(name) is not None and name.isidentifier())
         )
     )
-    after = view.code[call.end_byte : function.end_byte] if function is not None else b""
+    after = view.code[call.end_byte : _end_of_way(call, function)] if function is not None else b""
     if is_client and not _LOOKED_AT.search(after):
-        given = view.text(arguments(call)[-1])
-        used = re.search(rb"\b" + re.escape(given.encode()) + rb"(?:\.|->)res", after) is not None
-        goes_on = re.search(_ACTS, after) is not None
         yield view.hit(
             "node.service_result_dropped",
             call,
             f"result of `{view.text(call)}` is dropped: where the service is not there, the response is empty; "
             "expected "
             "`if (!...)`",
-            severity=None if used or goes_on else Severity.NOTE,
+            severity=None if _matters(call, function, after, view) else Severity.NOTE,
         )
+
+
+def _end_of_way(call: Node, function: Node) -> int:
+    """Return where what runs behind a call ends: at a jump out of the function in a block around it, or with it."""
+    inner = call
+    while inner.parent is not None and inner != function:
+        following = inner.next_named_sibling
+        while inner.parent.type in _BLOCKS and following is not None:
+            if following.type in _LEAVES:
+                return following.end_byte
+            following = following.next_named_sibling
+        inner = inner.parent
+    return function.end_byte
+
+
+def _matters(call: Node, function: Node | None, after: bytes, view: FileView) -> bool:
+    """Return whether what follows a call rests on it: the response is read, or other things are done."""
+    given = view.text(arguments(call)[-1])
+    asked = _asked_again(call, after, view)
+    read = after if asked is None else asked
+    if re.search(rb"\b" + re.escape(given.encode()) + rb"(?:\.|->)res", read):
+        return True
+    if asked is not None and re.search(_DOES, asked) is None:
+        return False
+    before = view.code[function.start_byte : call.start_byte] if function is not None else b""
+    return re.search(_ACTS, after) is not None and not _WAITED.search(before)
+
+
+def _asked_again(call: Node, after: bytes, view: FileView) -> bytes | None:
+    """Return what stands before the next call of the same service whose result is looked at; None is no such call."""
+    text = view.text(call)
+    service = text.rpartition("," if text.startswith("ros::service::call") else "(")[0]
+    behind = view.content[call.end_byte : call.end_byte + len(after)]
+    again = re.search(rb"[(!=&|]\s*" + re.escape(service.encode()) + rb"\s*[,(]", behind)
+    return None if again is None else after[: again.start()]
 
 
 RULE = FileRule(
     id="node.service_result_dropped",
     title="Result of a service call dropped",
     finds="`client.call(...)` of roscpp as a statement of its own. Ask whether it is true. "
-    "It is a note where the function does nothing behind the call.",
+    "It is a note where the function does nothing behind the call, or waited for the service before and looks at no "
+    "response.",
     why="It returns false where the service is gone or refuses, and the response then holds its defaults: brakes that "
     "were "
     "asked to close are taken for closed.",

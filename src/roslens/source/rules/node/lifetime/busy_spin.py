@@ -33,7 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if text != "ros::spinOnce" and (not text.endswith("spin_some") or (text != "rclcpp::spin_some" and given)):
         return
     code = view.code[loop.start_byte : loop.end_byte]
-    if re.search(rb"\b(break|return)\b", code) and loop.type == "for_statement":
+    if loop.type == "for_statement" and (re.search(rb"\b(break|return)\b", code) or _is_counted(loop, view)):
         return
     if all(callee_name(one, view) in _QUICK for one in below(loop, "call_expression")):
         yield view.hit(
@@ -42,6 +42,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{text}` in a loop that waits for nothing: it takes a whole processor; expected `rate.sleep()` in it, or "
             + ("`ros::spin()`" if text.startswith("ros::") else "`rclcpp::spin(node)`"),
         )
+
+
+def _is_counted(loop: Node, view: FileView) -> bool:
+    """Return whether a loop of ``for`` goes round so many times and does not last as long as the node."""
+    condition = view.text(loop.child_by_field_name("condition"))
+    return bool(condition) and "ok" not in condition
 
 
 RULE = FileRule(

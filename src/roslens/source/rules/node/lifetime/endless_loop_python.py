@@ -13,9 +13,12 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ENDS = re.compile(
-    rb"\b(break|return|raise|exit|_exit|is_shutdown|is_preempt_requested|yield|await)\b|rospy\.sleep|[rR]ate\.sleep|"
-    rb"wait_for_message|rospy\.Rate"
+    rb"\b(break|return|raise|exit|_exit|is_shutdown|is_preempt_requested|yield|await|set_trace|breakpoint)\b|"
+    rb"(?<![\w.])(?:raw_)?input\s*\(|(?<!time)\.sleep\s*\(|wait_for_message|rospy\.Rate"
 )
+
+_INITIALISED = re.compile(rb"^[^#\n]*\binit_node\b", re.MULTILINE)
+"""Without it, rospy leaves Ctrl-C to the process."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -26,7 +29,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     body = body_of(loop)
     if is_handled(loop) and not _is_interrupt_alone(loop, view):
         return
+    if _INITIALISED.search(view.code) is None:
+        return
     if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
+        return
+    if _is_of_a_daemon(loop, view):
         return
     yield view.hit(
         "node.endless_loop_python",
@@ -35,6 +42,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         "expected "
         "`while not rospy.is_shutdown():`",
     )
+
+
+def _is_of_a_daemon(loop: Node, view: FileView) -> bool:
+    """Return whether a loop runs in a thread that ends with the process: a timer of rospy, or one that is a daemon."""
+    function = above(loop, "function_definition")
+    name = re.escape(view.text(function.child_by_field_name("name")).encode()) if function is not None else b""
+    handed = rb"\b(Timer|Thread)\s*\([^\n]*\b" + name + rb"\b(?!\s*\()"
+    found = re.search(handed, view.code) if name else None
+    return found is not None and (found[1] == b"Timer" or b"aemon" in view.code)
 
 
 def _is_interrupt_alone(loop: Node, view: FileView) -> bool:

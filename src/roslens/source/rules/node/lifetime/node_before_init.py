@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -12,13 +13,13 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
 
+_PLUGIN = re.compile(rb"\b(?:PLUGINLIB_(?:EXPORT|DECLARE)_CLASS|GZ_REGISTER_\w+_PLUGIN)\b")
+"""A library with a plug-in is loaded by a process that has called ``ros::init``."""
 _OBJECTS = ("identifier", "init_declarator", "array_declarator")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield an object that needs ROS and is a global, or stands before ``ros::init`` in its function."""
-    if any(one in view.content for one in FIRMWARE):
-        return
     name = whole_name(node)
     declaration = name.parent
     if declaration is None or declaration.type != "declaration" or declaration.child_by_field_name("type") != name:
@@ -28,6 +29,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     inner = declarator.child_by_field_name("declarator")
     if inner is not None and inner.type in ("pointer_declarator", "reference_declarator"):
+        return
+    # To search the whole file is dear, and most handles were members.
+    if _is_loaded_otherwise(view):
         return
     function = function_around(declaration)
     if function is None and above(declaration, "class_specifier", "struct_specifier", "function_definition") is None:
@@ -46,6 +50,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 declaration,
                 f"`{view.text(declaration)}` before `ros::init` ends the process; expected it after",
             )
+
+
+def _is_loaded_otherwise(view: FileView) -> bool:
+    """Return whether a file is firmware, or a plug-in, whose process has called ``ros::init`` before."""
+    if any(one in view.content for one in FIRMWARE):
+        return True
+    return b"PLUGIN" in view.code and _PLUGIN.search(view.code) is not None
 
 
 RULE = FileRule(

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import call_at
+from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
@@ -15,8 +15,17 @@ from roslens.source.rules.rule import ROS_PYTHON, FileRule
 _NEEDS_SPIN = re.compile(rb"\b(Subscriber|create_subscription|create_service|create_timer|Service)\b\s*\(")
 _STAYS = re.compile(
     rb"[sS]pin|\bwhile\b|[sS]leep|[wW]ait|mainloop|exec_?\b|\binput\b|raw_input|[rR]un|join\s*\(|[lL]oop|Executor|execute|"
-    rb"unittest|rostest|\.main\s*\(|\.start\s*\("
+    rb"unittest|rostest|\.main\s*\(|\.start\s*\(|\bshow\s*\(|serve|pause\s*\(|interact|embed\s*\(|\blaunch\s*\(|listen\s*\("
 )
+
+_STATEMENT = re.compile(rb"^[ \t]*([A-Za-z_][\w.]*)\(", re.MULTILINE)
+_PROGRAM = frozenset(("expression_statement", "if_statement", "try_statement", "with_statement"))
+_RETURNS = re.compile(
+    rb"print|exit|publish|append|add\w*|set\w*|update|info|warn(?:ing)?|error|debug|fatal|__init__|super|log\w+|"
+    rb"Subscriber|Publisher|Service|Timer|create_\w+|destroy_\w+|shutdown|declare_parameters?|registerCallback|write|"
+    rb"close|get\w*|insert|extend|sendTransform|advertise"
+)
+"""Names of what returns at once."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -25,7 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or (b"__main__" not in view.content and b"def main" not in view.content):
         return
     registers = _NEEDS_SPIN.search(view.code)
-    if registers is None or _STAYS.search(view.code):
+    if registers is None or _STAYS.search(view.code) or _may_stay_elsewhere(call, view):
         return
     is_rospy = view.text(node) == "init_node"
     yield view.hit(
@@ -34,6 +43,23 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         f"the program makes `{registers[1].decode()}` and nothing in this file spins or waits: it ends at once; "
         "expected " + ("`rospy.spin()`" if is_rospy else "`rclpy.spin(node)`"),
     )
+
+
+def _may_stay_elsewhere(call: Node, view: FileView) -> bool:
+    """Return whether a statement of the program calls what another file defines and is not known to return at once.
+
+    Those of the function in which the node begins are looked at, and those outside of functions.
+    """
+    function = function_around(call)
+    inside = view.code[function.start_byte : function.end_byte] if function is not None else view.code
+    outside = b"\n".join(view.code[one.start_byte : one.end_byte] for one in view.root.children if one.type in _PROGRAM)
+    for match in _STATEMENT.finditer(inside + b"\n" + outside):
+        *of, name = match[1].split(b".")
+        if of[:1] in ([b"rospy"], [b"rclpy"], [b"sys"], [b"logging"], [b"parser"]) or _RETURNS.fullmatch(name):
+            continue
+        if not re.search(rb"\b(?:def|class)\s+" + re.escape(name) + rb"\b", view.code):
+            return True
+    return False
 
 
 RULE = FileRule(

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if value is None or not called or called.rpartition(".")[2].encode() not in _imported(view):
         return
     name, function = view.text(node.child_by_field_name("name")), function_around(node)
-    if function is None or not _is_written(name, view.text(function)):
+    if function is None or not _is_written(name, view.text(function)) or _is_never_used(node, function, view):
         return
     yield view.hit(
         "node.message_as_default",
@@ -37,6 +37,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 def _is_written(name: str, function: str) -> bool:
     """Tell whether a function writes into a parameter, or calls what may: what is only read may be shared."""
     return re.search(_WRITTEN.format(re.escape(name)), function) is not None
+
+
+def _is_never_used(parameter: Node, function: Node, view: FileView) -> bool:
+    """Return whether a first parameter is handed over by every call of its function in the file, and there is one."""
+    before = parameter.prev_named_sibling
+    if before is not None and view.text(before) not in ("self", "cls"):
+        return False
+    name = re.escape(view.text(function.child_by_field_name("name")).encode())
+    calls = re.findall(rb"(?<!def )\b" + name + rb"\s*\(\s*(\)?)", view.code) if name else []
+    return bool(calls) and not any(calls)
 
 
 def _imported(view: FileView) -> set[bytes]:

@@ -26,7 +26,7 @@ STAMPED = frozenset(
 )
 """Of geometry_msgs, nav_msgs, sensor_msgs, visualization_msgs, diagnostic_msgs, stereo_msgs."""
 
-COMMANDS = frozenset(("JointState", "Odometry"))
+COMMANDS = frozenset(("JointState", "Odometry", "TwistStamped"))
 """Those that are sent as set points as well, to controllers and simulators that read no header."""
 
 FAST = frozenset(
@@ -46,6 +46,9 @@ FAST = frozenset(
     )
 )
 """Messages that come ten times a second and more."""
+
+SELDOM = frozenset(("PoseArray", "Path", "MarkerArray", "OccupancyGrid", "Octomap", "OctomapWithPose", "PlanningScene"))
+"""Large, but sent now and then."""
 
 LARGE = frozenset(
     (

@@ -14,7 +14,10 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.naming.names import node_fault
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
-_NODE = re.compile(r"\b(Lifecycle)?Node\b")
+_NODE = re.compile(r"(?<![\w.])(?:rclpy\.(?:node|lifecycle)\.)?(?:Lifecycle)?Node\b")
+_IMPORTED = re.compile(
+    rb"from\s+rclpy(?:\.\w+)*\s+import\s+(?:\([^)]*|[^\n]*)\bNode\b|from\s+rclpy(?:\.\w+)*\s+import\s+\*|LifecycleNode"
+)
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -26,7 +29,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.text(node) == "__init__":
         of_class = above(call, "class_definition")
         bases = view.text(of_class.child_by_field_name("superclasses")) if of_class is not None else ""
-        if not _NODE.search(bases) or "super" not in view.text(call):
+        if not _is_of_rclpy(bases, view) or "super" not in view.text(call):
             return
     fault = node_fault(view.text(given[0])[1:-1])
     if fault:
@@ -37,6 +40,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "digits "
             "and _",
         )
+
+
+def _is_of_rclpy(bases: str, view: FileView) -> bool:
+    """Return whether a class is a node of rclpy: trees of behaviours and parsers have classes of that name as well."""
+    named = _NODE.search(bases)
+    return named is not None and ("rclpy." in named[0] or _IMPORTED.search(view.code) is not None)
 
 
 RULE = FileRule(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -15,6 +16,8 @@ from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
 _NEAR = 1000
 """So many bytes behind the name of a method its first argument begins, template arguments included."""
 
+_NAMED_SO = re.compile(r"(?i)^n_?$|(?:^|_|ros|p|l|g)nh?_*\d*$|node|handle|nh_?$")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a method of a node handle with a literal that begins with ``~``."""
@@ -23,7 +26,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if call is None or receiver(call) is None or not given or any(one in view.content for one in FIRMWARE):
+    of = view.text(receiver(call)) if call is not None else ""
+    if not of or not given or any(one in view.content for one in FIRMWARE) or not _is_node_handle(of, view):
         return
     if given[0].type == "string_literal" and view.text(given[0]).startswith('"~'):
         yield view.hit(
@@ -33,6 +37,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "expected a "
             '`ros::NodeHandle("~")`',
         )
+
+
+def _is_node_handle(of: str, view: FileView) -> bool:
+    """Return whether an object is one by its name, or a declaration in this file; others may read ~ by themselves."""
+    name = re.split(r"\.|->|::", of.removesuffix("()"))[-1]
+    if _NAMED_SO.search(name):
+        return True
+    declared = rb"NodeHandle(?:Ptr)?[\s&*>]+(?:\w+\s*,\s*)*" + re.escape(name.encode()) + rb"\b"
+    return bool(name) and re.search(declared, view.code) is not None
 
 
 RULE = FileRule(

@@ -2,25 +2,37 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.calls import arguments, call_at
+from roslens.source.rules.calls import arguments, call_at, template_argument
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.naming.names import topic_fault
 from roslens.source.rules.rule import FIRMWARE, ROS_CPP, FileRule
+
+_OF_OTHERS = re.compile(r"[+#]|://")
+"""In names of MQTT, and in addresses: whatever has a method of that name, nobody writes so for ROS."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a literal name that is refused where the endpoint is made."""
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if len(given) < 2 or given[0].type != "string_literal" or any(one in view.content for one in FIRMWARE):
+    if (
+        call is None
+        or len(given) < 2
+        or given[0].type != "string_literal"
+        or any(one in view.content for one in FIRMWARE)
+    ):
         return
-    fault = topic_fault(view.text(given[0])[1:-1], ros1=not view.text(node).startswith("create_"))
+    name, is_ros1 = view.text(given[0])[1:-1], not view.text(node).startswith("create_")
+    if _OF_OTHERS.search(name) or (not is_ros1 and not template_argument(call, view)):
+        return
+    fault = topic_fault(name, ros1=is_ros1)
     if fault:
         yield view.hit(
             "node.topic_name",

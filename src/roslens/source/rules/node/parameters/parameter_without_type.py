@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, call_at, receiver, template_argument
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
+
+_NODE = re.compile(r"(?i)^this$|node|^get_\w*parameters\w*\(\)$|shared_from_this")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -19,7 +23,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or len(given) != 1 or given[0].type != "string_literal" or template_argument(call, view):
         return
     of = view.text(receiver(call))
-    if of and "client" in of:
+    if of and not _NODE.search(of):
+        # Another object than a node may keep its own parameters.
+        return
+    if re.search(rb"\b(?:void|auto|T|\w+_t|bool|int|double)\s+(?:\w+::)*declare_parameter\s*\(", view.code):
         return
     yield view.hit(
         "node.parameter_without_type",
@@ -38,6 +45,7 @@ RULE = FileRule(
     why="Parameters have one type for good since ROS 2 Galactic, and the call with a name alone was deprecated there "
     "and "
     "removed: it does not build on newer distributions, and on older ones a launch file may set anything.",
+    severity=Severity.NOTE,
     profiles=("ros2",),
     tags=("parameters", "deprecated"),
     bad='#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") { declare_parameter("limit"); }\n',

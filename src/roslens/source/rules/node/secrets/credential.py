@@ -27,6 +27,9 @@ NAMES = (
 )
 """What a file with a secret mentions: looking for these few is quicker than for the patterns."""
 
+_SHOWN = 100
+"""So many bytes behind the beginning of a key there are dots where it is an example."""
+
 _NO_SECRET = re.compile(
     rb"(?i)^(password|passwd|secret|changeme|example|your|default|none|null|true|false|test|xxx+|\.+)|_|/"
 )
@@ -40,6 +43,9 @@ def found(_node: Node, view: FileView) -> Iterator[Hit]:
 def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
     """Yield the secrets of a file in any language; the message shows none of them."""
     for match in _KNOWN.finditer(view.content):
+        if b"..." in view.content[match.end() : match.end() + _SHOWN]:
+            # An example: the key is left out.
+            continue
         line, column = view.place(match.start())
         message = f"`{match[1][:8].decode()}…`, the beginning of a key, in the source; {_EXPECTED}"
         yield _without_text(view.hit_at(rule, line, message, column=column), "key")

@@ -15,7 +15,10 @@ from roslens.source.rules.rule import RCLCPP, FileRule
 
 _OPERATORS = frozenset(("-", "<", ">", "<=", ">=", "==", "!="))
 _RAW = re.compile(r"stamp$")
-_ROS_TIME = re.compile(r"\bnow\(\)$|^rclcpp::Time\(.*stamp\)$")
+_ROS_TIME = re.compile(
+    r"^(?:this->)?(?:\w*node\w*(?:\(\))?(?:->|\.))?(?:get_clock\(\)->)?now\(\)$|^rclcpp::Time\(.*stamp\)$"
+)
+"""Of the clock of a node; any other object that is asked may be a clock of the system."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.calls import call_at, loop_around, statement_around
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.calls import arguments, call_at, loop_around, statement_around
+from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -23,6 +23,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     statement = statement_around(call)
     block = statement.parent
     if block is None or block.parent != loop:
+        return
+    if loop.type == "for_statement" and _depends(call, loop, view):
         return
     at_once = re.search(rb"\)\.sleep\s*\(", view.code[call.end_byte - 1 : statement.end_byte]) is not None
     variable = view.text(call.parent.child_by_field_name("left")) if call.parent.type == "assignment" else ""
@@ -39,6 +41,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "took; expected it before the loop",
             severity=severity,
         )
+
+
+def _depends(call: Node, loop: Node, view: FileView) -> bool:
+    """Return whether a rate is made of what the loop goes through: it is another one in each round."""
+    left = loop.child_by_field_name("left")
+    names = {view.text(left), *(view.text(one) for one in below(left, "identifier"))} if left is not None else set()
+    return any(re.search(rf"\b{re.escape(name)}\b", view.text(one)) for name in names for one in arguments(call))
 
 
 RULE = FileRule(

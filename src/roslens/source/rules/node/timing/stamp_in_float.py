@@ -15,12 +15,20 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _TIMES = re.compile(r"(\bnow\(\)|\bstamp|\bTime\(.*\))\)?$")
 
+_DIFFERENCE = re.compile(r"-(?!>)")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a time that is made seconds and kept in a ``float``."""
     call = call_at(node)
     of = receiver(call) if call is not None else None
-    if call is None or call.parent is None or of is None or not _TIMES.search(view.text(of)) or " - " in view.text(of):
+    if (
+        call is None
+        or call.parent is None
+        or of is None
+        or not _TIMES.search(view.text(of))
+        or _DIFFERENCE.search(view.text(of))
+    ):
         return
     statement = statement_around(call)
     declared = statement.type == "declaration" and view.text(statement.child_by_field_name("type")) == "float"

@@ -7,15 +7,13 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import statement_around, whole_name
+from roslens.source.rules.calls import function_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _COMPARED = frozenset(("<", ">", "<=", ">="))
 """With a limit of many seconds the fraction does not matter."""
-
-_TIME = re.compile(r"(stamp|time|now\(\))\.sec$")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -31,8 +29,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if around.parent is not None and view.text(around.parent.child_by_field_name("operator")) in _COMPARED:
         return
-    statement = view.code[statement_around(name).start_byte : statement_around(name).end_byte]
-    if b"nsec" not in statement and b"nanosec" not in statement:
+    function = function_around(name) or statement_around(name)
+    if b"nsec" not in (code := view.code[function.start_byte : function.end_byte]) and b"nanosec" not in code:
         yield view.hit(
             "node.whole_seconds",
             around,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -12,14 +13,15 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
-_RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate", "Rate", "WallRate"))
+_RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate"))
+_OF_ROS = re.compile(rb"\busing\s+(?:namespace\s+)?(?:ros|rclcpp)(?:::(?:Wall)?Rate)?\s*;")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a rate whose argument is 0, or a quotient of whole numbers that is."""
     name = view.text(whole_name(node))
     given = constructed(node)
-    if name not in _RATES or not given:
+    if not given or not (name in _RATES or (name in ("Rate", "WallRate") and _OF_ROS.search(view.code))):
         return
     if number_of(given[0], view) == 0 or whole_quotient(given[0], view) == (0, True):
         yield view.hit(

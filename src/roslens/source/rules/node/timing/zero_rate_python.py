@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -12,15 +13,27 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
+_IMPORTED = re.compile(rb"from\s+rospy(?:\.\w+)?\s+import\s+(?:\*|[^\n]*\bRate\b)")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a rate whose argument is 0."""
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if given and number_of(given[0], view) == 0:
+    if (
+        call is not None
+        and given
+        and number_of(given[0], view) == 0
+        and _is_of_ros(view.text(call.child_by_field_name("function")), view)
+    ):
         yield view.hit(
             "node.zero_rate_python", given[0], f"`{view.text(call)}`: the period is 1/0; expected more than 0"
         )
+
+
+def _is_of_ros(called: str, view: FileView) -> bool:
+    """Return whether a function of a name makes a rate of rospy or rclpy, and none of the project's own."""
+    return called.startswith("rospy.") or called.endswith("create_rate") or _IMPORTED.search(view.code) is not None
 
 
 RULE = FileRule(

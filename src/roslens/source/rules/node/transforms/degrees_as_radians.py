@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from math import tau
 
@@ -16,6 +17,9 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a literal angle beyond a full turn."""
     call = call_at(node)
+    if re.search(rb"\b(?:void|Quaternion|auto)\s+(?:\w+::)*" + view.text(node).encode() + rb"\s*\(", view.code):
+        # A function of the file's own may take degrees.
+        return
     for one in arguments(call) if call is not None else ():
         value = number_of(one, view)
         if value is not None and abs(value) > tau + 0.01:

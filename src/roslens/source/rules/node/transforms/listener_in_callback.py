@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -9,7 +10,7 @@ from tree_sitter import Node
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, function_name, spoken
 from roslens.source.rules.calls import function_around, whole_name
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
@@ -28,7 +29,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     kind = view.text(node).rpartition("::")[2]
     does = "it hears nothing before it is asked" if kind.endswith("Listener") else "what it sends at once is lost"
     callback = callback_around(declaration, view)
-    if callback is None:
+    if callback is None or _is_asked_once(declaration, function, kind, view):
         return
     if function.type == "function_definition":
         scope, _, last = function_name(function, view).rpartition("::")
@@ -48,6 +49,26 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         f"`{view.text(declaration)}` in {spoken(callback)} is made anew each time: {does}; expected a member",
         callback=callback,
     )
+
+
+def _is_asked_once(declaration: Node, function: Node, kind: str, view: FileView) -> bool:
+    """Return whether a listener is waited for where it is made, in a constructor or a branch: it is needed no more."""
+    after = view.code[declaration.end_byte : function.end_byte]
+    if not kind.endswith("Listener") or (b"waitForTransform" not in after and b"canTransform" not in after):
+        return False
+    scope, _, last = function_name(function, view).rpartition("::")
+    return (bool(scope) and scope == last) or _is_done_once(declaration, view)
+
+
+def _is_done_once(declaration: Node, view: FileView) -> bool:
+    """Return whether a branch that a node stands in sets what it asks for: ``if (first_) first_ = false;``."""
+    branch = above(declaration, "if_statement")
+    condition = branch.child_by_field_name("condition") if branch is not None else None
+    if branch is None or condition is None:
+        return False
+    asked = set(re.findall(rb"[A-Za-z_]\w*", view.code[condition.start_byte : condition.end_byte]))
+    code = view.code[condition.end_byte : branch.end_byte]
+    return any(re.search(rb"\b" + name + rb"\s*=(?!=)", code) for name in asked)
 
 
 RULE = FileRule(

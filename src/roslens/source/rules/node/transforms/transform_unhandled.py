@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.callbacks import callback_around
-from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled
+from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -25,6 +25,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if (
         call is None
         or body is None
+        or receiver(call) is None
         or len(arguments(call)) < _FEWEST
         or is_handled(call)
         or _is_asked(call, body, view)

@@ -3,8 +3,10 @@
 import pytest
 
 from roslens.model.finding import Severity
+from roslens.model.source import OUTSIDE_PACKAGES, Location, Package
+from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.python2_package import as_notes_without_python3
+from roslens.source.rules.package_view import PackageView
 
 ROS1 = "<package format='{}'><name>p</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
 ROS2 = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
@@ -28,3 +30,11 @@ def test_a_package_that_nothing_says_to_be_for_python_3_has_notes(manifest, firs
     ((first, second),) = as_notes_without_python3(placed, package_view(tmp_path)).values()
     assert (first.severity is Severity.NOTE) is is_note
     assert second.severity is None
+
+
+def test_what_lies_outside_of_packages_has_notes(tmp_path):
+    (tmp_path / "a.py").write_text("print 1\n")
+    package = Package(OUTSIDE_PACKAGES, OUTSIDE_PACKAGES, ".", Location(""))
+    placed = {"a.py": [Hit("python.python2_syntax", "m", 1)]}
+    ((only,),) = as_notes_without_python3(placed, PackageView(package, str(tmp_path), (), {}, others=())).values()
+    assert only.severity is Severity.NOTE

@@ -1,7 +1,7 @@
 """Packages of which nothing says that they are for Python 3: their distributions have Python 2, and nothing else.
 
 What one file that was left behind in a package for Python 3 cannot do is a mistake; that nobody has brought a package
-to Python 3 is how old it is.
+to Python 3 is how old it is. Of what lies outside of packages, nothing says it either.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import msgspec
 
 from roslens.model.finding import Severity
-from roslens.model.source import Language, Role
+from roslens.model.source import OUTSIDE_PACKAGES, Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -35,6 +35,8 @@ def as_notes_without_python3(placed: Mapping[str, Sequence[Hit]], view: PackageV
 
 def _is_for_python3(view: PackageView) -> bool:
     package = view.package
+    if package.id == OUTSIDE_PACKAGES:
+        return False
     if 1 not in view.ros or 2 in view.ros or package.format >= _SINCE_NOETIC:
         return True
     if any(one.name.startswith(_NAMED) for one in package.dependencies):

@@ -12,7 +12,7 @@ TOOL = "graph"
 _SURE = Doubt()
 
 
-def told(
+def occurrence(
     rule: RuleInfo,
     message: str,
     proof: Proof,

@@ -1,0 +1,59 @@
+"""Packages that pin a standard of C++ from before C++17: what that one removed is still there for them.
+
+It is a mistake where nothing pins a standard, as compilers take C++17 and later by themselves, and where C++17 is
+what a package says. Elsewhere it is what stands in the way of a newer one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+import msgspec
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+
+_RULES = frozenset({"cpp.removed_library", "cpp.exception_specification"})
+_FLAG = re.compile(r"-std=(?:c|gnu)\+\+(\w+)")
+_DRAFTS = {"98": 1998, "03": 2003, "0x": 2011, "1y": 2014, "1z": 2017, "2a": 2020, "2b": 2023}
+_REMOVED_IN = 2017
+
+
+def as_notes_with_older_standard(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
+    """Return hits by path; what C++17 has not is a note in packages that pin an older standard.
+
+    Args:
+        placed: hits of rules in the files of a package.
+        view: the package.
+    """
+    if any(hit.rule in _RULES for hits in placed.values() for hit in hits) and _pins_an_older_one(view):
+        return {path: [_as_note(hit) for hit in hits] for path, hits in placed.items()}
+    return {path: list(hits) for path, hits in placed.items()}
+
+
+def _pins_an_older_one(view: PackageView) -> bool:
+    years = list(_pinned(view))
+    return bool(years) and max(years) < _REMOVED_IN
+
+
+def _pinned(view: PackageView) -> Iterator[int]:
+    """Yield the years of the standards that a package pins; what it asks for at least is none."""
+    for one in view.cmake.commands:
+        if one.name == "set" and one.words[:1] == ("CMAKE_CXX_STANDARD",):
+            yield from map(_year, one.words[1:2])
+        if one.name in ("set", "add_definitions", "add_compile_options", "target_compile_options", "string"):
+            written = " ".join(argument.written for argument in one.command.arguments)
+            yield from (_year(match[1]) for match in _FLAG.finditer(written))
+
+
+def _year(written: str) -> int:
+    """Return the year of a standard; what is no known one may be the newest."""
+    if written in _DRAFTS:
+        return _DRAFTS[written]
+    return 2000 + int(written) if written.isdigit() else 9999
+
+
+def _as_note(hit: Hit) -> Hit:
+    return msgspec.structs.replace(hit, severity=Severity.NOTE) if hit.rule in _RULES else hit

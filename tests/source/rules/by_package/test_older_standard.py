@@ -1,0 +1,41 @@
+"""What C++17 removed is a mistake in packages that pin no older standard."""
+
+import pytest
+
+from roslens.model.finding import Severity
+from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
+from roslens.source.rules.hit import Hit
+
+MANIFEST = "<package format='2'><name>p</name><buildtool_depend>catkin</buildtool_depend></package>"
+
+
+@pytest.mark.parametrize(
+    ("line", "is_note"),
+    [
+        ("set(CMAKE_CXX_STANDARD 14)", True),
+        ("add_compile_options(-std=c++11)", True),
+        ('set(CMAKE_CXX_FLAGS "-std=c++0x ${CMAKE_CXX_FLAGS}")', True),
+        ("if(NOT CMAKE_CXX_STANDARD)\n  set(CMAKE_CXX_STANDARD 14)\nendif()", True),
+        ("", False),
+        ("target_compile_features(a PUBLIC cxx_std_14)", False),
+        ("set(CMAKE_CXX_STANDARD 17)\nadd_definitions(-std=c++11)", False),
+        ("add_compile_options(-std=gnu++1z)", False),
+        ("set(CMAKE_CXX_STANDARD ${STANDARD})", False),
+    ],
+)
+def test_a_package_that_pins_an_older_standard_has_notes(line, is_note, package_view, tmp_path):
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    (tmp_path / "CMakeLists.txt").write_text(f"project(p)\n{line}\nadd_library(a a.cpp)\n")
+    (tmp_path / "a.cpp").write_text("std::auto_ptr<int> p;\n")
+    placed = {"a.cpp": [Hit("cpp.removed_library", "m", 1), Hit("cpp.guard", "m", 2)]}
+    ((first, second),) = as_notes_with_older_standard(placed, package_view(tmp_path)).values()
+    assert (first.severity is Severity.NOTE) is is_note
+    assert second.severity is None
+
+
+def test_what_was_removed_is_told_whatever_the_file(package_view, tmp_path):
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    (tmp_path / "CMakeLists.txt").write_text("project(p)\nset(CMAKE_CXX_STANDARD 11)\n")
+    (tmp_path / "a.hpp").write_text("void f() throw(int);\n")
+    placed = {"a.hpp": [Hit("cpp.exception_specification", "m", 1)]}
+    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.hpp"][0].severity is Severity.NOTE

@@ -284,4 +284,4 @@ def test_vendored_code_comes_last_and_in_one_line(told):
     answer, text = told(files, "add_library(eye src/eye.cpp third_party/other/other.cpp)")
     assert {unit for _, unit, _ in loose(answer)} == {"Eye", "Other"}
     assert "Other" not in text
-    assert "and 2 endpoints of vendored, generated or test code, told by --format json" in text
+    assert "and 2 endpoints of vendored, generated or test code, listed by --format json" in text

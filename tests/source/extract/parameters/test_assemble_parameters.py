@@ -92,7 +92,7 @@ def test_outside_of_nodes_the_last_setting_holds():
 
 
 def test_a_list_stands_for_each_of_its_elements():
-    each = Text.of(Hole(EachOf("nodes"), "nodes", "[x]"), "/state")
+    each = Text.of(Hole(EachOf(OfParameter("nodes")), "nodes", "[x]"), "/state")
     values = Values(ROS2, (setting("nodes", "[a, 'b']"),))
     assert [one.known for one in values.each(each)] == ["a/state", "b/state"]
     (default,) = Values(ROS2, ()).each(each)

@@ -11,51 +11,67 @@ from roslens.source.extract.builds.cmake_syntax import Block, Body
 from roslens.source.extract.builds.cmake_value import hole, is_unknown, items_of, reason_of
 
 
+class _Branches:
+    """The branches of an ``if()`` that may be taken: what each one changes, and which of them usually is."""
+
+    def __init__(self, run: Evaluation) -> None:
+        self.denied: list[str] = []
+        self._run = run
+        self._changes: list[dict[str, str | None]] = []
+        self._left: list[tuple[str, str]] = []
+        self._first = ""
+        self._usual: int | None = None
+        self._undecided = False
+
+    def take(self, found: Answer, written: str, body: Body) -> None:
+        """Run a branch as one that may be taken: its condition is unknown, or it is the last one that is left."""
+        if self._usual is None and not self._undecided and found.likely is not False:
+            self._usual = len(self._changes) if found.likely else None
+            self._undecided = found.likely is None
+        unknown = [written] if found.value is None else []
+        changes = self._run.perhaps(body, [*self.denied, *unknown])
+        if found.likely is not False:
+            self._left.append((self._run.branch_left, " AND ".join([*self.denied, written])))
+        if changes is not None:
+            self._changes.append(changes)
+        elif self._usual == len(self._changes):
+            self._usual, self._undecided = None, True
+        if unknown:
+            self._first = self._first or written
+            self.denied.append(f"NOT ({written})")
+
+    def take_none(self) -> None:
+        """Note that perhaps no branch is taken, which is usual where no other one is."""
+        if self._usual is None and not self._undecided:
+            self._usual = len(self._changes)
+        self._changes.append({})
+
+    def join(self) -> None:
+        """Go on with what the branches have changed, and leave where one of them leaves."""
+        variables = self._run.variables
+        usual = self._usual if len(self._changes) > 1 else 0
+        variables.scope.merge(self._changes, usual, variables.either(self._first))
+        for way, reason in self._left:
+            if way:
+                self._run.leave(reason, way)
+
+
 def _if(run: Evaluation, block: Block) -> None:
-    branches: list[dict[str, str | None]] = []
-    denied: list[str] = []
-    left: list[tuple[str, str]] = []
-    first = ""
-    usual: int | None = None
-    undecided = False
-    complete = False
+    branches = _Branches(run)
     for opened, body in block.branches:
         found = Answer(True) if opened.name == "else" else answer(opened.arguments, run)
         if found.value is False:
             continue
-        if found.value and not denied:
+        if found.value and not branches.denied:
             run.run(body)
             return
-        if not undecided and usual is None and found.likely is not False:
-            usual = len(branches) if found.likely else None
-            undecided = found.likely is None
-        written = " ".join(argument.written for argument in opened.arguments)
-        changes = run.perhaps(body, [*denied, *([written] if found.value is None else [])])
-        if found.likely is not False:
-            left.append((run.branch_left, " AND ".join([*denied, written])))
-        if changes is not None:
-            branches.append(changes)
-        elif usual == len(branches):
-            usual, undecided = None, True
+        branches.take(found, " ".join(argument.written for argument in opened.arguments), body)
         if found.value:
-            complete = True
-            break
-        first = first or written
-        denied.append(f"NOT ({written})")
-    if not denied:
-        return
-    if not complete:
-        if usual is None and not undecided:
-            usual = len(branches)
-        branches.append({})
-    run.variables.scope.merge(branches, usual if len(branches) > 1 else 0, run.variables.either(first))
-    _leave(run, left)
-
-
-def _leave(run: Evaluation, left: list[tuple[str, str]]) -> None:
-    for way, reason in left:
-        if way:
-            run.leave(reason, way)
+            branches.join()
+            return
+    if branches.denied:
+        branches.take_none()
+        branches.join()
 
 
 def _foreach(run: Evaluation, block: Block) -> None:

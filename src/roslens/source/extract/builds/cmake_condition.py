@@ -224,14 +224,8 @@ class _Reading:
     def _compared(self, one: Word, compare: Callable[[str, str], bool | None], other: Word) -> Answer:
         left, open_left = self._valued(one)
         if compare is _matches:
-            if is_unknown(left) or is_unknown(other.text):
-                return UNKNOWN
-            pattern = expression_of(other.text)
-            if pattern is None or not searchable(pattern, left):
-                return UNKNOWN
-            match = pattern.search(left)
-            self._around.matched([match[0], *(group or "" for group in match.groups())] if match else ())
-            return Answer(None, bool(match)) if open_left else Answer(bool(match))
+            found = self._matched(left, other.text)
+            return Answer(None, found) if open_left else Answer(found)
         if compare is _in_list:
             value, open_right = self._around.variable(other.text)
             right = value or ""
@@ -241,6 +235,17 @@ class _Reading:
             return UNKNOWN
         found = compare(left, right)
         return Answer(None, found) if open_left or open_right else Answer(found)
+
+    def _matched(self, value: str, expression: str) -> bool | None:
+        """Return whether a regular expression is found in a value; None where that is unknown."""
+        if is_unknown(value) or is_unknown(expression):
+            return None
+        pattern = expression_of(expression)
+        if pattern is None or not searchable(pattern, value):
+            return None
+        match = pattern.search(value)
+        self._around.matched([match[0], *(group or "" for group in match.groups())] if match else ())
+        return bool(match)
 
 
 def _matches(_left: str, _right: str) -> bool:

@@ -51,7 +51,7 @@ class Linking:
         return merged(found)
 
     def file(self, item: Item, what: str) -> str | None:
-        """Return the path of a file that is given; None, told as unresolved, where it is none of the workspace."""
+        """Return the path of a file that is given; None, reported as unresolved, where it is none of the workspace."""
         text, run = item.text, self._run
         if is_unknown(text):
             run.fail(text, item.evidence, f"{what} is unknown: {reason_of(text)}")

@@ -7,7 +7,7 @@ WAYS_OUT = ("", "continue", "break", "return")
 
 
 class ReturnedError(Exception):
-    """``return()``, ``break()`` or ``continue()``, told by ``what``; or ``stop``: configuration would fail here."""
+    """``return()``, ``break()`` or ``continue()``, by ``what``; or ``stop``: configuration would fail here."""
 
     def __init__(self, what: str) -> None:
         super().__init__(what)

@@ -88,6 +88,7 @@ _PIECE = re.compile(r"[^$\\}]+|\$(?:ENV|CACHE)?\{|\$|\\.|\\|\}", re.DOTALL)
 _OPENS = {"if": "endif", "foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro",
           "block": "endblock"}  # fmt: skip
 _ENDS = frozenset(_OPENS.values())
+_PARTS = frozenset({"elseif", "else"})
 
 
 @lru_cache(maxsize=256)
@@ -95,8 +96,10 @@ def parse_cmake(content: bytes) -> Script:
     """Return the blocks and commands of a file; never raises."""
     reader = _Reader(content.decode("utf-8-sig", "replace"))
     commands = reader.commands()
-    body = _blocks(commands, reader.faults)
-    return Script(body, tuple(reader.faults[:MOST_FAULTS]))
+    blocks = _Blocks(reader.faults)
+    for command in commands:
+        blocks.take(command)
+    return Script(blocks.body(), tuple(reader.faults[:MOST_FAULTS]))
 
 
 class _Reader:
@@ -260,38 +263,56 @@ class _Open:
         self.body = []
 
 
-def _blocks(commands: list[Command], faults: list[Fault]) -> Body:
-    stack = [_Open(None)]
-    ends: list[str] = []
-    too_deep = 0
-    for command in commands:
+class _Blocks:
+    """Commands as blocks, as far as they have come."""
+
+    def __init__(self, faults: list[Fault]) -> None:
+        self._faults = faults
+        self._stack = [_Open(None)]
+        self._ends: list[str] = []
+        self._too_deep = 0
+
+    def take(self, command: Command) -> None:
+        """Put a command where it belongs: it opens, parts or ends a block, or stands in one."""
         name = command.name
-        if too_deep or (name in _OPENS and len(stack) > MOST_NESTING):
-            too_deep += (name in _OPENS) - (name in _ENDS)
-            if name in _OPENS and too_deep == 1:
-                faults.append(Fault(command.line, command.column, f"more than {MOST_NESTING} blocks are nested"))
+        if self._too_deep or (name in _OPENS and len(self._stack) > MOST_NESTING):
+            self._leave_out(command)
         elif name in _OPENS:
-            stack.append(_Open(command))
-            ends.append(_OPENS[name])
-        elif name in ("elseif", "else") and ends and ends[-1] == "endif":
-            stack[-1].branch(command)
-        elif name in _ENDS and name in ends:
-            while ends[-1] != name:
-                _close(stack, ends, faults)
-            _close(stack, ends, faults=None)
-        elif name in _ENDS or name in ("elseif", "else"):
-            faults.append(Fault(command.line, command.column, f'"{name}" has no beginning'))
+            self._stack.append(_Open(command))
+            self._ends.append(_OPENS[name])
+        elif name in _PARTS and self._ends[-1:] == ["endif"]:
+            self._stack[-1].branch(command)
+        elif name in self._ends:
+            while self._ends[-1] != name:
+                self._miss_end()
+            self._close()
+        elif name in _ENDS or name in _PARTS:
+            self._faults.append(Fault(command.line, command.column, f'"{name}" has no beginning'))
         else:
-            stack[-1].body.append(command)
-    while ends:
-        _close(stack, ends, faults)
-    return tuple(stack[0].body)
+            self._stack[-1].body.append(command)
 
+    def body(self) -> Body:
+        """Return all of it, with the blocks ended that have no end."""
+        while self._ends:
+            self._miss_end()
+        return tuple(self._stack[0].body)
 
-def _close(stack: list[_Open], ends: list[str], faults: list[Fault] | None) -> None:
-    ended, end = stack.pop(), ends.pop()
-    if faults is not None and ended.command is not None:
-        first = ended.branches[0][0] if ended.branches else ended.command
-        faults.append(Fault(first.line, first.column, f'"{first.name}" has no "{end}"'))
-    ended.branch(None)
-    stack[-1].body.append(Block(tuple(ended.branches)))
+    def _leave_out(self, command: Command) -> None:
+        self._too_deep += (command.name in _OPENS) - (command.name in _ENDS)
+        if command.name in _OPENS and self._too_deep == 1:
+            what = f"more than {MOST_NESTING} blocks are nested"
+            self._faults.append(Fault(command.line, command.column, what))
+
+    def _miss_end(self) -> None:
+        """End the innermost block, although its end is missing."""
+        open_, end = self._stack[-1], self._ends[-1]
+        first = open_.branches[0][0] if open_.branches else open_.command
+        if first is not None:
+            self._faults.append(Fault(first.line, first.column, f'"{first.name}" has no "{end}"'))
+        self._close()
+
+    def _close(self) -> None:
+        ended = self._stack.pop()
+        self._ends.pop()
+        ended.branch(None)
+        self._stack[-1].body.append(Block(tuple(ended.branches)))

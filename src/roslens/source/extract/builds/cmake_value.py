@@ -25,6 +25,14 @@ _NUMBER = re.compile(
 """What ``strtod`` of C takes for a number."""
 _MOST_WORK = 10_000_000
 _NESTED = re.compile(r"[*+?]\)[*+?]|\)[*+][*+]")
+_LIST_SIGN = re.compile(r"\\;|[;\[\]]")
+_DEPTH = {"[": 1, "]": -1}
+_PIECE = re.compile(
+    r"\[(?P<negated>\^?)(?P<bracket>\]?)(?P<signs>[^\]]*)(?P<end>\]?)|\\(?P<escaped>.)|\(\?|(?P<sign>.)", re.DOTALL
+)
+"""A set within brackets, an escaped sign, the beginning of a group that CMake does not know, or another sign."""
+_SIGNS = {"{": r"\{", "}": r"\}", "$": r"\Z"}
+_PLAIN_IN_SET = re.compile(r"[\\\[&~|]")
 
 
 def hole(reason: str) -> str:
@@ -72,20 +80,12 @@ def items_of(value: str, *, empty: bool = False) -> list[str]:
         return [item for item in value.split(";") if item or empty]
     found: list[str] = []
     start = depth = 0
-    escaped = False
-    for at, sign in enumerate(value):
-        if escaped:
-            escaped = False
-        elif sign == "\\" and value.startswith(";", at + 1):
-            escaped = True
-        elif sign == "[":
-            depth += 1
-        elif sign == "]":
-            # A bracket that nothing opens keeps together what follows, too.
-            depth -= 1
-        elif sign == ";" and depth == 0:
-            found.append(value[start:at])
-            start = at + 1
+    for match in _LIST_SIGN.finditer(value):
+        # A bracket that nothing opens keeps together what follows, too.
+        depth += _DEPTH.get(match[0], 0)
+        if match[0] == ";" and depth == 0:
+            found.append(value[start : match.start()])
+            start = match.end()
     found.append(value[start:])
     return [item.replace("\\;", ";") for item in found if item or empty]
 
@@ -148,44 +148,27 @@ def expression_of(pattern: str) -> re.Pattern[str] | None:
     """Return a regular expression of CMake; None where it is wrong or could take for ever."""
     if len(pattern) > 500 or OPEN in pattern or _NESTED.search(pattern):
         return None
-    translated: list[str] = []
-    within = False
-    at = 0
-    while at < len(pattern):
-        sign = pattern[at]
-        if within:
-            # A backslash is a character like any other within brackets.
-            translated.append(f"\\{sign}" if sign in "\\[&~|" else sign)
-            within = sign != "]"
-        elif sign == "[":
-            within = True
-            head = "[^" if pattern.startswith("[^", at) else "["
-            at += len(head) - 1
-            translated.append(head)
-            if pattern.startswith("]", at + 1):
-                translated.append("\\]")
-                at += 1
-        elif sign == "\\" and at + 1 < len(pattern):
-            at += 1
-            translated.append(re.escape(pattern[at]))
-        elif sign in "{}":
-            translated.append(f"\\{sign}")
-        elif sign == "$":
-            translated.append(r"\Z")
-        elif sign == "(":
-            if pattern.startswith("(?", at):
-                return None
-            translated.append(sign)
-        else:
-            translated.append(sign)
-        at += 1
+    pieces = list(_PIECE.finditer(pattern))
+    if any(piece[0] == "(?" for piece in pieces):
+        return None
     try:
         with warnings.catch_warnings():
             # Python warns of what CMake has another meaning for: two hyphens within brackets.
             warnings.simplefilter("ignore", FutureWarning)
-            return re.compile("".join(translated), re.DOTALL)
+            return re.compile("".join(map(_translated, pieces)), re.DOTALL)
     except (re.error, RecursionError, OverflowError):
         return None
+
+
+def _translated(piece: re.Match[str]) -> str:
+    """Return what means in Python what a piece of a regular expression means in CMake."""
+    if sign := piece["sign"]:
+        return _SIGNS.get(sign, sign)
+    if escaped := piece["escaped"]:
+        return re.escape(escaped)
+    # A backslash is a character like any other within brackets.
+    signs = _PLAIN_IN_SET.sub(r"\\\g<0>", piece["signs"])
+    return f"[{piece['negated']}{re.escape(piece['bracket'])}{signs}{piece['end']}"
 
 
 def searchable(pattern: re.Pattern[str], value: str) -> bool:

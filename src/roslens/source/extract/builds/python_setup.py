@@ -21,7 +21,7 @@ from roslens.source.extract.lowering.python.located_program import Written
 from roslens.source.extract.symbolic.text import Text
 
 _MOST_SHOWN = 200
-"""So many characters of what could not be read are told."""
+"""So many characters of what could not be read are reported."""
 
 
 class EntryPoint(msgspec.Struct, frozen=True):
@@ -168,7 +168,22 @@ def read_setup_config(content: bytes, path: str) -> Setup:
     """Return what a setup.cfg installs; ``path`` is that of the file."""
     programs: list[EntryPoint] = []
     scripts: list[tuple[str, Evidence]] = []
-    section = key = folder = ""
+    folder = ""
+    for number, section, key, value in _options(content):
+        match section, key:
+            case "install", "install_scripts":
+                folder = value or folder
+            case "options.entry_points", "console_scripts":
+                if program := _program(value, Evidence(path, number)):
+                    programs.append(program)
+            case "options", "scripts":
+                scripts.extend((one, Evidence(path, number)) for one in value.replace(",", " ").split())
+    return Setup(tuple(programs), tuple(scripts), script_folder=folder)
+
+
+def _options(content: bytes) -> Iterator[tuple[int, str, str, str]]:
+    """Yield each line of a setup.cfg that is part of a value: its number, section and key, and what it has of it."""
+    section = key = ""
     for number, line in enumerate(content.decode("utf-8-sig", "replace").splitlines(), 1):
         if heading := _SECTION.match(line.strip()):
             section, key = heading[1].strip(), ""
@@ -179,14 +194,7 @@ def read_setup_config(content: bytes, path: str) -> Setup:
         if not line[0].isspace():
             name, _, value = line.partition("=")
             key, value = name.strip().replace("-", "_"), value.strip()
-        if section == "install" and key == "install_scripts" and value:
-            folder = value
-        elif section == "options.entry_points" and key == "console_scripts":
-            if program := _program(value, Evidence(path, number)):
-                programs.append(program)
-        elif section == "options" and key == "scripts" and value:
-            scripts.extend((one, Evidence(path, number)) for one in value.replace(",", " ").split())
-    return Setup(tuple(programs), tuple(scripts), script_folder=folder)
+        yield number, section, key, value
 
 
 def read_pyproject(content: bytes, path: str) -> Setup:

@@ -55,13 +55,8 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
     Raises:
         UsageError: the line tells no endpoint.
     """
-    told, _, condition = line.partition(" if ")
-    name, kind, quality, *more = [*told.split(), "", "", ""]
-    if not _TYPE.fullmatch(kind) or any(more):
-        raise UsageError(f'"{line}"', expected=_EXPECTED)
+    name, kind, quality, condition = _parted(line)
     number = quality.isdecimal()
-    if quality and not number and quality not in _QUALITIES:
-        raise UsageError(f'"{quality}" in "{line}"', expected=f"a depth or one of {', '.join(sorted(_QUALITIES))}")
     topic = role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     qos = None
     if generation == "ros2" and topic:
@@ -69,14 +64,29 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
     return EndpointFact(
         role,
         text_of(name, words),
-        unknown("its type is that of what it is told") if kind == "*" else Text.of(kind),
+        unknown("its type is that of what it is given") if kind == "*" else Text.of(kind),
         evidence,
         qos=qos,
-        qos_unknown="" if qos is None or qos.reliability else "it is not told",
+        qos_unknown="" if qos is None or qos.reliability else "it is not stated",
         queue=int(quality) if generation == "ros1" and number else -1,
         latched=generation == "ros1" and quality == "latched",
-        conditions=(_condition(condition.strip()),) if condition.strip() else (),
+        conditions=(_condition(condition),) if condition else (),
     )
+
+
+def _parted(line: str) -> tuple[str, str, str, str]:
+    """Return the name, type, quality and condition of a line; the last two are empty where they are missing.
+
+    Raises:
+        UsageError: the line tells no endpoint.
+    """
+    stated, _, condition = line.partition(" if ")
+    name, kind, quality, *more = [*stated.split(), "", "", ""]
+    if not _TYPE.fullmatch(kind) or any(more):
+        raise UsageError(f'"{line}"', expected=_EXPECTED)
+    if quality and not quality.isdecimal() and quality not in _QUALITIES:
+        raise UsageError(f'"{quality}" in "{line}"', expected=f"a depth or one of {', '.join(sorted(_QUALITIES))}")
+    return name, kind, quality, condition.strip()
 
 
 def _condition(written: str) -> Condition:

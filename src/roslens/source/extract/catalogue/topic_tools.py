@@ -21,7 +21,7 @@ _ROS1, _ROS2 = "ros/ros_comm: tools/topic_tools", "ros-tooling/topic_tools: topi
 _ROSTOPIC = "ros/ros_comm: tools/rostopic"
 _CLI = "ros2/ros2cli: {}"
 _HOW = "known of this tool; releases differ"
-_ANY = unknown("its type is that of what it is told")
+_ANY = unknown("its type is that of what it is given")
 _COMES = "a message of {} has come"
 _COMMANDS = ("select", "add", "list", "delete")
 _WITH_VALUE = frozenset(
@@ -59,14 +59,14 @@ def made_by_tool(package: str, tool: str, generation: str, words: Words, values:
 def _end(
     role: Role, name: Text, kind: Text | str, source: str, *conditions: str, queue: int = -1, latched: bool = False
 ) -> EndpointFact:
-    told = Text.of(kind) if isinstance(kind, str) else kind
+    type_ = Text.of(kind) if isinstance(kind, str) else kind
     topic = role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     qos = Qos() if topic and not source.startswith("ros/") else None
-    why = "it is that of what it is told" if qos is not None else ""
+    why = "it is that of what it is given" if qos is not None else ""
     evidence = Evidence(source, 0, 0, _HOW, Sure.LIKELY)
     return EndpointFact(
-        role, name, told, evidence, conditions=tuple(map(Written, conditions)), qos=qos, qos_unknown=why, queue=queue,
-        latched=latched,
+        role, name, type_, evidence, conditions=tuple(map(Written, conditions)), qos=qos, qos_unknown=why,
+        queue=queue, latched=latched,
     )  # fmt: skip
 
 
@@ -118,9 +118,10 @@ def _converted(source: str) -> Callable[[Words], Iterator[EndpointFact]]:
     def made(words: Words) -> Iterator[EndpointFact]:
         plain = _positional(words)
         given, target, kind = (_word(plain, place) for place in range(3))
-        told = given.known
+        topic = given.known
         # What stands behind the topic may be a field of its messages: it ends where a topic does that is there.
-        reason = f"{told}, or the topic of which it is a field" if told else "the topic that is asked, or a field of it"
+        asked = "the topic that is asked, or a field of it"
+        reason = f"{topic}, or the topic of which it is a field" if topic else asked
         starts = "its input is there when it starts"
         named = kind if source != _ROS2 else _of_ros2(kind)
         yield _end(Role.SUBSCRIPTION, unknown(reason), _ANY, source, starts)

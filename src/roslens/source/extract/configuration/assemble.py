@@ -150,19 +150,16 @@ class _Whole:
                 self.unresolved.append(Unresolved(f"controller {name}", launch_proof(one.evidence), one.why))
 
     def start(self, launched: Launched) -> None:
+        """Add the nodes that something makes, and those that they load."""
         generation = self.launch.generation
         if launched.kind == "process":
             launched = as_node(launched) or launched
-        line = command_line(launched.arguments, generation, launched.evidence)
         if launched.kind == "process":
             words = " ".join(str(word) for word in (launched.executable, *launched.arguments) if word.parts)
-            self._miss(
-                words or "a process",
-                launched,
-                "a program is started that is no node: what it makes is unknown",
-                opens=True,
-            )
+            reason = "a program is started that is no node: what it makes is unknown"
+            self._miss(words or "a process", launched, reason, opens=True)
             return
+        line = command_line(launched.arguments, generation, launched.evidence)
         meant = self._meant(launched, line)
         given = Given(
             launched,
@@ -176,25 +173,24 @@ class _Whole:
         )
         if any(one.plugins or one.asks for one in meant.facts):
             meant = self._with_plugins(given, meant)
-        if has_bond(launched):
-            name = place_of(given, meant.facts[0] if meant.facts else _nothing(launched, generation)).node.pattern
-            self.bonds.append(Bond(name, given.container, launched.conditions))
         first = meant.facts[0] if meant.facts else _nothing(launched, generation)
+        if has_bond(launched):
+            name = place_of(given, first).node.pattern
+            self.bonds.append(Bond(name, given.container, launched.conditions))
         known = {place for one in meant.facts for place in places_of(one)}
         parts = parts_of(given, first, self.units, known, self.hints)
         given = msgspec.structs.replace(given, parts=(*parts, *self._of_controllers(given, first)))
-        if not meant.facts:
-            if not self.by_launch:
-                # A program that makes no node is no node; nobody said that it is one.
-                return
-            node, missing = assembled(given, _nothing(launched, generation), meant)
-            self.nodes.append(msgspec.structs.replace(node, defined=None))
-            self.unresolved += [one for one in missing if one.reason]
-            self._miss(_shown(launched), launched, f"{meant.reason}; what it publishes and subscribes is unknown")
-            return
+        if meant.facts:
+            self._add(given, meant)
+        elif self.by_launch:
+            # A program of a build that makes no node is no node; of one in a launch file, the file says that it is one.
+            self._add_unknown(given, first, meant)
+
+    def _add(self, given: Given, meant: Meant) -> None:
+        """Add the nodes whose code is known, each with those that it loads."""
         for number, facts in enumerate(meant.facts):
             held = given
-            if number and generation == "ros2":
+            if number and given.generation == "ros2":
                 facts = values_of(given, meant.facts[0]).filled_by_maker(facts)
                 held = self._further(given, facts)
             elif number:
@@ -203,10 +199,18 @@ class _Whole:
             place = len(self.nodes)
             self.nodes.append(with_checksums(node, self.units))
             self.unresolved += missing
-            if facts.loads and launched.kind != "nodelet":
+            if facts.loads and given.launched.kind != "nodelet":
                 for loaded in loaded_by(held, facts):
                     self.start(loaded)
                 self.nodes[place] = with_used(self.nodes[place], self.nodes[place + 1 :])
+
+    def _add_unknown(self, given: Given, facts: NodeFacts, meant: Meant) -> None:
+        """Add a node whose code is unknown: its launch file says what it has."""
+        node, missing = assembled(given, facts, meant)
+        self.nodes.append(msgspec.structs.replace(node, defined=None))
+        self.unresolved += [one for one in missing if one.reason]
+        reason = f"{meant.reason}; what it publishes and subscribes is unknown"
+        self._miss(_shown(given.launched), given.launched, reason)
 
     def _of_controllers(self, given: Given, facts: NodeFacts) -> list[EndpointFact]:
         found: list[EndpointFact] = []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import msgspec
 
@@ -15,7 +15,9 @@ from roslens.source.extract.symbolic.text import Text
 
 _REMAP = frozenset({"-r", "--remap"})
 _PARAMETER = frozenset({"-p", "--param"})
-_WITH_VALUE = frozenset({"--params-file", "--log-level", "--log-config-file", "-e", "--enclave"})
+_FILE = "--params-file"
+_FLAGS = _REMAP | _PARAMETER | {_FILE, "--log-level", "--log-config-file", "-e", "--enclave"}
+"""All that have a value after them."""
 
 
 class CommandLine(msgspec.Struct, frozen=True):
@@ -63,6 +65,21 @@ def _ros2(words: Sequence[Text], evidence: Evidence) -> CommandLine:
     settings: list[Setting] = []
     files: list[Text] = []
     rest: list[Text] = []
+    for flag, word in _flagged(words):
+        pair = split_once(word, ":=")
+        if not flag:
+            rest.append(word)
+        elif flag == _FILE:
+            files.append(word)
+        elif pair and flag in _REMAP:
+            rules.append(rule(*pair, evidence))
+        elif pair and flag in _PARAMETER:
+            settings.append(_typed(_of_node(*pair, evidence)))
+    return CommandLine(tuple(rules), tuple(settings), tuple(files), tuple(rest))
+
+
+def _flagged(words: Sequence[Text]) -> Iterator[tuple[str, Text]]:
+    """Yield words with the flag of ROS that each belongs to; it is empty for those of the program itself."""
     of_ros, flag = False, ""
     for word in words:
         known = word.known
@@ -70,21 +87,11 @@ def _ros2(words: Sequence[Text], evidence: Evidence) -> CommandLine:
             of_ros, flag = True, ""
         elif of_ros and known == "--":
             of_ros, flag = False, ""
-        elif of_ros and not flag and known is not None and (known in _REMAP | _PARAMETER | _WITH_VALUE):
+        elif of_ros and not flag and known in _FLAGS:
             flag = known
-        elif flag in _REMAP or flag in _PARAMETER:
-            pair = split_once(word, ":=")
-            if pair and flag in _REMAP:
-                rules.append(rule(*pair, evidence))
-            elif pair:
-                settings.append(_typed(_of_node(*pair, evidence)))
+        elif flag or not of_ros:
+            yield flag, word
             flag = ""
-        elif flag:
-            files += [word] if flag == "--params-file" else []
-            flag = ""
-        elif not of_ros:
-            rest.append(word)
-    return CommandLine(tuple(rules), tuple(settings), tuple(files), tuple(rest))
 
 
 def _of_node(name: Text, value: Text, evidence: Evidence) -> Setting:

@@ -14,7 +14,7 @@ def doubted(nodes: Iterable[ConfiguredNode], unresolved: Iterable[Unresolved]) -
 
     Args:
         nodes: of a configuration.
-        unresolved: what of it could not be evaluated: a file of parameters whose name is unknown is told where the
+        unresolved: what of it could not be evaluated: a file of parameters whose name is unknown is reported where the
             node is started.
     """
     unknown = {(one.proof.path, one.proof.line) for one in unresolved}

@@ -43,6 +43,7 @@ from roslens.source.extract.facts.resolve_name import (
 from roslens.source.extract.launch.ros1_nodelet import is_process
 from roslens.source.extract.parameters.assemble_choices import (
     Alternative,
+    Filled,
     IsGiven,
     alternatives,
     as_decided,
@@ -131,8 +132,8 @@ def values_of(given: Given, facts: NodeFacts) -> Values:
     place = Evidence(facts.path, facts.line)
     own = [Setting(name, value, place, kind_of_value(value)) for name, value in facts.settings]
     # Parameters of a launch file come after the arguments; those that ROS 1 is given as arguments the node sets itself.
-    told = (given.launched.settings, given.line.settings)
-    first, second = told if given.generation == "ros1" else reversed(told)
+    both = (given.launched.settings, given.line.settings)
+    first, second = both if given.generation == "ros1" else reversed(both)
     settings = (*given.outside, *first, *second, *own_line(facts).settings, *own)  # fmt: skip
     return Values(place_of(given, facts), settings, rules_of(given, facts))
 
@@ -180,7 +181,7 @@ class _Node:
         facts, launched = self.facts, self.given.launched
         named = self.hint.names if self.hint else {}
         endpoints = [
-            self._endpoint(chosen_of(one, chosen, name), told=chosen, looped=len(names) > 1)
+            self._endpoint(chosen_of(one, chosen, name), chosen=chosen, looped=len(names) > 1)
             for one in (as_hinted(fact, named) for fact in self._there((*facts.endpoints, *self._plugged())))
             for chosen in alternatives(one.name, self.values)
             for names in (self.values.each(chosen.text),)
@@ -188,8 +189,8 @@ class _Node:
         ]
         endpoints += [self._endpoint(one, Origin.CODE) for one in self.given.parts]
         if self.hint:
-            told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
-            endpoints += [self._endpoint(one, Origin.HINT) for one in told]
+            reported = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
+            endpoints += [self._endpoint(one, Origin.HINT) for one in reported]
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
         parameters = parameters_of((*facts.parameters, *self.overriding.declared), self.values)
@@ -267,29 +268,23 @@ class _Node:
         self,
         fact: EndpointFact,
         origin: Origin | None = None,
-        told: Alternative = _ITSELF,
+        chosen: Alternative = _ITSELF,
         *,
         looped: bool = False,
     ) -> ConfiguredEndpoint:
-        filled = self.values.fill(fact.name)
-        if not filled.text.parts and fact.name.holes:
-            # No name at all is none of ROS: code that takes it has a condition, or would fail.
-            filled = msgspec.structs.replace(filled, text=fact.name, how=(*filled.how, "which is empty"))
-        text, of_name = supposed(filled.text)
-        if of_name and not text.holes:
-            filled = msgspec.structs.replace(filled, text=text, sure=Sure.LIKELY)
+        filled, of_name = self._named(fact.name)
         resolved, by = resolve(filled.text, self.place, self.rules)
         self._note(filled.text, by)
         kind = self.values.fill(fact.type)
         # Doubt about a name is that of its holes; with what launch files set they may be none.
         stated = Sure.CERTAIN if fact.name.holes else fact.evidence.sure
-        sure = doubt(stated, told.sure, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
+        sure = doubt(stated, chosen.sure, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
         if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
             sure = Sure.POSSIBLE
         proof = proof_of(fact.evidence, origin or self.origin)
         doubted = (*of_name, *self._doubts(self.supposed), *(self.supposed_targets.get(by, ()) if by else ()))
         sure = doubt(sure, Sure.LIKELY) if doubted else sure
-        why = (*told.how, *filled.how, *doubted)
+        why = (*chosen.how, *filled.how, *doubted)
         how = "; ".join(dict.fromkeys(map(str, why))) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
@@ -308,6 +303,15 @@ class _Node:
             any(isinstance(one, IsGiven) for one in why),
             clauses_of(fact.conditions),
         )  # fmt: skip
+
+    def _named(self, name: Text) -> tuple[Filled, tuple[str, ...]]:
+        filled = self.values.fill(name)
+        if not filled.text.parts and name.holes:
+            # No name at all is none of ROS: code that takes it has a condition, or would fail.
+            filled = msgspec.structs.replace(filled, text=name, how=(*filled.how, "which is empty"))
+        text, doubts = supposed(filled.text)
+        sure = doubts and not text.holes
+        return msgspec.structs.replace(filled, text=text, sure=Sure.LIKELY) if sure else filled, doubts
 
     def _note(self, name: Text, by: Rule | None) -> None:
         for number, one in enumerate(self.rules):

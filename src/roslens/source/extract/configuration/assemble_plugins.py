@@ -38,8 +38,8 @@ def with_plugins(meant: Meant, again: Again, values: Callable[[NodeFacts, int], 
             return first
         meant = turned
     if meant is first:
-        return _told(meant)
-    return _told(msgspec.structs.replace(meant, facts=tuple(_doubted(first.facts, meant.facts))))
+        return _reported(meant)
+    return _reported(msgspec.structs.replace(meant, facts=tuple(_doubted(first.facts, meant.facts))))
 
 
 def _wanted(
@@ -115,7 +115,7 @@ def _likely(fact: EndpointFact, how: str) -> EndpointFact:
     return msgspec.structs.replace(fact, evidence=msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how=how))
 
 
-def _told(meant: Meant) -> Meant:
+def _reported(meant: Meant) -> Meant:
     """Return what is started with what of its plug-ins is not known."""
     if not any(one.plugins for one in meant.facts):
         return meant

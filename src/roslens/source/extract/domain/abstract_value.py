@@ -36,7 +36,7 @@ from roslens.source.extract.symbolic.reason import (
     for_node,
     node_of_reason,
 )
-from roslens.source.extract.symbolic.text import Condition, Conditions, Hole, IsTrue, Text
+from roslens.source.extract.symbolic.text import Condition, Conditions, Hole, IsTrue, Text, unknown
 from roslens.source.extract.symbols.symbol_table import Defined
 
 _Kind = TypeVar("_Kind")
@@ -256,15 +256,12 @@ def as_text(value: Value) -> Text:
     match value:
         case Text():
             return value
+        case Unknown():
+            return unknown(value.reason)
         case bool():
             return Text.of("true" if value else "false")
         case int() | float():
             return Text.of(str(value))
-    from roslens.source.extract.symbolic.text import unknown
-
-    match value:
-        case Unknown():
-            return unknown(value.reason)
         case Named():
             return unknown(f"the value of {value.name}")
         case Obj():

@@ -20,7 +20,7 @@ class Callbacks:
     __slots__ = ("_summaries", "reached", "running", "waiting")
 
     def __init__(self, summaries: Summaries) -> None:
-        """Begin with none; ``summaries`` is told of each."""
+        """Begin with none; ``summaries`` is notified of each."""
         self._summaries = summaries
         self.waiting: list[tuple[Callable, Condition | None]] = []
         self.reached = Reached()

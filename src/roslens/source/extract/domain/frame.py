@@ -11,7 +11,7 @@ import msgspec
 from roslens.source.extract.domain.abstract_value import Class, Made, Named, Names, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.disjuncts import one_object
 from roslens.source.extract.domain.guarded import guarded
-from roslens.source.extract.domain.kinds import all_of_kind, has_kind, object_of, reason_of
+from roslens.source.extract.domain.kinds import all_of_kind, has_kind, items_of, object_of, reason_of
 from roslens.source.extract.domain.quality import one_of as one_quality
 from roslens.source.extract.domain.text_choice import either
 from roslens.source.extract.ir.program import Expression, Function
@@ -28,6 +28,7 @@ Held = tuple[Names, Names]
 """What names and members of the object hold."""
 
 
+_PLAIN = frozenset({Unknown, Text, bool, int, float})
 _NONE: dict[str, tuple[object, ...]] = {}
 """Kept variables of most functions; it is never changed."""
 
@@ -80,7 +81,7 @@ class Frame:
         result: what it returned.
         depth: conditions around the call, of which a return in it does not depend.
         passed: how many of the conditions hold because the function was not left before.
-        plainly: whether the last return told no failure.
+        plainly: whether the last return reported no failure.
         tests: what decides the conditions of branches, where that is known.
         kept: variables that live on between calls, and their places.
         left: what ways that left the function changed in members of the object, and their conditions.
@@ -224,18 +225,18 @@ def join(names: Names, other: Names, condition: Condition, test: Condition | Non
 
 def _joined(value: Value, before: Value, condition: Condition, test: Condition | None) -> Value:
     """Return what a name holds that held something before, and holds ``value`` where a condition is true."""
-    match value, before:
-        case None, (Unknown() | Text() | bool() | int() | float()):
-            return one_or_none(value, before, condition, test)
+    plain = type(before) in _PLAIN
+    if value is None and plain:
+        return one_or_none(value, before, condition, test)
     both = one_of(value, before, condition, test)
     if both is not None:
         return both
-    match value, before:
-        case (Unknown() | Text() | bool() | int() | float(), Unknown() | Text() | bool() | int() | float()):
-            return _one_of(value, before, condition, test)
-        case _, Unknown():
+    if plain and type(value) in _PLAIN:
+        return _one_of(value, before, condition, test)
+    match before:
+        case Unknown():
             return value
-        case _, Text():
+        case Text():
             return _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
     return before
 
@@ -270,16 +271,27 @@ def one_of(value: Value, other: Value, condition: Condition, test: Condition | N
     quality = one_quality(value, other, condition)
     if quality is not None:
         return quality
-    match value, other:
-        case list(one), list(two):
-            return _one_list(one, two, condition, test)
-        case Obj() as thing, Obj() as second:
-            return one_object(thing, second, condition)
-        case (Named() | Class() as kind, Named() | Class() as instead) if kind != instead:
-            same = kind.name == instead.name
-            return None if same else Unknown(f"one of {kind.name} and {instead.name}, by {condition}"[:200])
-        case (Unknown() as reason, list(items)) | (list(items), Unknown() as reason) if has_kind(items, Text):
-            return reason
+    match value:
+        case list():
+            return _one_of_list(value, other, condition, test)
+        case Unknown():
+            return value if has_kind(items_of(other), Text) else None
+        case Obj():
+            second = object_of(other)
+            return None if second is None else one_object(value, second, condition)
+        case Named() | Class():
+            match other:
+                case Named() | Class() if value.name != other.name:
+                    return Unknown(f"one of {value.name} and {other.name}, by {condition}"[:200])
+    return None
+
+
+def _one_of_list(value: list[Value], other: Value, condition: Condition, test: Condition | None) -> Value:
+    match other:
+        case list():
+            return _one_list(value, other, condition, test)
+        case Unknown():
+            return other if has_kind(value, Text) else None
     return None
 
 

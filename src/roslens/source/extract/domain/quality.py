@@ -53,6 +53,8 @@ _OF_RCLPY = {
 """Of rclpy.qos.QoSPresetProfiles."""
 DEFAULT_QUALITY = QosValue(PRESETS["rmw_qos_profile_default"])
 INITIALISATION = "rclcpp.QoSInitialization"
+QUALITY_TYPES = frozenset({"rclcpp.QoS", "QoS", "rmw_qos_profile_t"})
+"""Names of types of C++ whose values are qualities of service, whatever else is known of them."""
 DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
 _ENDLESS = frozenset({"rclpy.duration.Infinite", "rclpy.qos.Infinite", "RMW_DURATION_INFINITE"})
 _WORDS = {

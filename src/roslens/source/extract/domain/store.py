@@ -104,6 +104,12 @@ class Store:
         self._done[since:] = [one for one in self._done[since:] if one[0] is not held]
         self.count = len(self._done)
 
+    def close(self) -> None:
+        """Note that an open condition or loop is behind; after the outermost one nothing is taken back any more."""
+        self.open -= 1
+        if not self.open and self.count:
+            self.ended()
+
     def ended(self) -> None:
         """Note that all open conditions and loops are behind."""
         self._done.clear()

@@ -96,7 +96,7 @@ Lookup = Callable[[str], Interface | None]
 
 
 class Checksum(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What identifies a type on the wire; ``unknown`` is the reason where it could not be told."""
+    """What identifies a type on the wire; ``unknown`` is the reason where it could not be determined."""
 
     text: str = ""
     unknown: str = ""

@@ -110,24 +110,25 @@ class _Reader:
                 continue
             comments[number] = [*above, _uncommented(comment)] if mark else above
             above, last = [], number
-            try:
-                found = self._declaration(line, code, number)
-            except MisreadError as error:
-                self._fail(
-                    number, len(line[: len(line) - len(line.lstrip())].encode()) + 1, error.found, error.expected
-                )
-                continue
-            match found:
-                case InterfaceConstant():
-                    constants.append(found)
-                case _:
-                    fields.append(found)
+            match self._declared(line, code, number):
+                case InterfaceConstant() as constant:
+                    constants.append(constant)
+                case InterfaceField() as field:
+                    fields.append(field)
         self._check_names([*fields, *constants] if self._generation == 2 else fields)
         return Message(
             tuple(_commented(field, comments) for field in fields),
             tuple(_commented(constant, comments) for constant in constants),
             _joined([_uncommented(line.partition("#")[2]) for line in head]),
         )
+
+    def _declared(self, line: str, code: str, number: int) -> InterfaceField | InterfaceConstant | None:
+        """Return what a line declares; None, and a failure is kept, where it is not understood."""
+        try:
+            return self._declaration(line, code, number)
+        except MisreadError as error:
+            self._fail(number, _column(line, len(line) - len(line.lstrip())), error.found, error.expected)
+            return None
 
     def _declaration(self, line: str, code: str, number: int) -> InterfaceField | InterfaceConstant:
         return self._ros1(line, code, number) if self._generation == 1 else self._ros2(code.rstrip(), number)

@@ -68,10 +68,7 @@ def _ros2_type(written: str, package: str) -> FieldType:
         raise MisreadError(f"type {written!r}", expected)
     if match["size"] and not int(match["size"]):
         raise MisreadError(f"type {written!r}", "an array of at least one item")
-    array = ""
-    if match["array"]:
-        array = "bounded" if match["most"] else "fixed" if match["size"] else "unbounded"
-    size = int(match["size"] or 0)
+    array, size = _ros2_array(match)
     of = match["of"]
     if of in _PRIMITIVES[2]:
         return FieldType(of, "", array, size, 0, written)
@@ -87,6 +84,16 @@ def _ros2_type(written: str, package: str) -> FieldType:
     if not (_ROS2_MESSAGE.fullmatch(name) and _ROS2_PACKAGE.fullmatch(owner)):
         raise MisreadError(f"type {written!r}", expected)
     return FieldType(name, owner, array, size, 0, written)
+
+
+def _ros2_array(match: re.Match[str]) -> tuple[str, int]:
+    """Return the kind of an array, empty where there is none, and its size."""
+    size = int(match["size"] or 0)
+    if not match["array"]:
+        return "", size
+    if match["most"]:
+        return "bounded", size
+    return "fixed" if match["size"] else "unbounded", size
 
 
 def check_field_name(name: str, generation: int) -> None:

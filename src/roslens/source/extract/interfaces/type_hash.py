@@ -81,7 +81,7 @@ class _Known:
         return Checksum(f"RIHS01_{sha256(text.encode()).hexdigest()}")
 
     def _below(self, name: str, above: tuple[str, ...]) -> frozenset[str] | str:
-        """Return all types that ``name`` refers to, or why they cannot be told."""
+        """Return all types that ``name`` refers to, or why they cannot be determined."""
         if name in above:
             return f"{name} contains itself"
         if len(above) > _DEEPEST:

@@ -32,7 +32,6 @@ from roslens.source.extract.ir.program import (
 )
 from roslens.source.extract.symbolic.text import Text, said, unknown
 from roslens.source.extract.symbols.declared_field import declared_field
-from roslens.source.extract.symbols.symbol_table import Defined
 from roslens.source.extract.transfer.aliases import assign_referred, refer
 from roslens.source.extract.transfer.changed_values import is_open, put_item
 from roslens.source.extract.transfer.class_attributes import set_attribute
@@ -47,12 +46,13 @@ if TYPE_CHECKING:
 
 def assigned(ctx: Context, statement: Assign) -> None:
     """Follow an assignment or a declaration."""
-    match statement:
-        case Assign(target=Name(name=name), operator="static"):
+    operator = statement.operator
+    match statement.target:
+        case Name(name=name) if operator == "static":
             ctx.state.frame.names[name] = once(ctx, statement)
             return
-        case Assign(operator="&" | "*") if refer(ctx, statement):
-            return
+    if (operator == "&" or operator == "*") and refer(ctx, statement):
+        return
     if statement.value is None:
         ctx.state.written_at(statement.line)
         match statement.target:
@@ -64,7 +64,7 @@ def assigned(ctx: Context, statement: Assign) -> None:
     value = ctx.value(statement.value)
     if statement.declared:
         value = ctx.objects.converted(statement.declared, value)
-    if statement.operator == "+=":
+    if operator == "+=":
         value = ctx.expressions.sum(ctx.value(statement.target), value)
     match statement.target:
         case Name(name=name) if statement.declared:
@@ -113,16 +113,14 @@ def _assign_member(ctx: Context, target: Member, value: Value) -> None:
     match of:
         case Obj():
             ctx.state.store.put(of.fields, target.name, value)
+            if of.defined is not None:
+                return
         case Class():
             set_attribute(ctx, of, target.name, value)
         case QosValue() | Named() if (quality := quality_of(of)) is not None:
             refine(ctx, target.of, of, changed(quality, target.name, value))
-    match of:
-        case Obj(defined=Defined()):
-            pass
-        case _:
-            # A member of what is not in the workspace: options that hold callbacks.
-            ctx.callbacks.give(value)
+    # A member of what is not in the workspace: options that hold callbacks.
+    ctx.callbacks.give(value)
 
 
 def _assign_item(ctx: Context, target: Item, value: Value) -> None:

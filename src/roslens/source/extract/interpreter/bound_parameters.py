@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Handle, Names, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Handle, Names, QosValue, Unknown, Value
 from roslens.source.extract.domain.frame import Frame, bind_rest
 from roslens.source.extract.domain.outside_options import options_from_outside
+from roslens.source.extract.domain.quality import QUALITY_TYPES
 from roslens.source.extract.ir.controller_handles import is_of_controller
 from roslens.source.extract.ir.program import Expression, Function, Parameter
 from roslens.source.extract.symbolic.reason import OfController
@@ -69,6 +70,8 @@ def _not_given(ctx: Context, what: Function, parameter: Parameter) -> Value:
         return unknown(reason)
     if name.endswith("NodeOptions"):
         return options_from_outside()
+    if name in QUALITY_TYPES:
+        return QosValue(unknown=reason)
     if is_of_controller(what, parameter):
         return Handle(ctx.emitter.node, unknown(OfController()))
     return Handle(ctx.emitter.node) if name and _is_node(ctx, name) else Unknown(reason)

@@ -92,18 +92,29 @@ class Calls:
     ) -> Value:
         ctx = self.ctx
         thing = ctx.state.frame.object
-        if thing is not None and "." not in name:
-            method = ctx.named.methods(thing, name, len(arguments), arguments)
-            if method is not None:
-                return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
-            if name in thing.fields:
-                return self._apply(thing.fields[name], expression, arguments, keywords, templates)
-            called = self._call_of(expression, name, arguments, keywords, templates) if is_method(name) else None
-            known = None if called is None else find_method(ctx, thing, called)
-            if called is not None and known is not None:
-                return known(ctx, thing, called)
-            alone = called is not None and not ctx.index.functions_of(*self._place(name))
-            guessed = self._guessed(thing, called) if called is not None and alone else None
+        if thing is None or "." in name:
+            return self._called_elsewhere(name, expression, arguments, keywords, templates)
+        method = ctx.named.methods(thing, name, len(arguments), arguments)
+        if method is not None:
+            return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
+        if name in thing.fields:
+            return self._apply(thing.fields[name], expression, arguments, keywords, templates)
+        if is_method(name):
+            return self._called_inherited(thing, name, expression, arguments, keywords, templates)
+        return self._called_elsewhere(name, expression, arguments, keywords, templates)
+
+    def _called_inherited(
+        self, thing: Obj, name: str, expression: Call, arguments: list[Value], keywords: Names,
+        templates: tuple[str, ...],
+    ) -> Value:  # fmt: skip
+        """Call what has the name of a method of a library: that of a base, unless a function elsewhere is meant."""
+        ctx = self.ctx
+        called = self._call_of(expression, name, arguments, keywords, templates)
+        known = find_method(ctx, thing, called)
+        if known is not None:
+            return known(ctx, thing, called)
+        if not ctx.index.functions_of(*self._place(name)):
+            guessed = self._guessed(thing, called)
             if guessed is not None:
                 return guessed
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
@@ -119,15 +130,10 @@ class Calls:
         meant = memo.outside.get(key)
         if meant is None:
             found = ctx.named.function(name, key[-1], arguments) or ctx.expressions.defined(name)
-            place = (name, frame.path, frame.scope)
             match found:
-                case Callable():
-                    chosen = self._overload(found, name, arguments) if "." in name else found
-                    return self._apply(chosen, expression, arguments, keywords, templates)
-                case Class() if ctx.index.alias(*place).endswith("*"):
-                    return arguments[0] if arguments else None
-                case Class():
-                    return self._apply(found, expression, arguments, keywords, templates)
+                case Callable() | Class():
+                    return self._called_defined(found, name, expression, arguments, keywords, templates)
+            place = (name, frame.path, frame.scope)
             meant = ctx.index.meaning(*place), ctx.index.alias(*place)
             if found is None and not ctx.index.functions_of(*place):
                 memo.outside[key] = meant
@@ -137,6 +143,18 @@ class Calls:
             if defined is not None:
                 return ctx.objects.construct(defined, arguments, keywords, templates)
         return self.outer(meaning, expression, arguments, keywords, templates)
+
+    def _called_defined(
+        self, found: Callable | Class, name: str, expression: Call, arguments: list[Value], keywords: Names,
+        templates: tuple[str, ...],
+    ) -> Value:  # fmt: skip
+        """Call a function or class of the workspace that a name means; that of a type of pointers is a cast."""
+        match found:
+            case Callable() if "." in name:
+                found = self._overload(found, name, arguments)
+            case Class() if self.ctx.index.alias(*self._place(name)).endswith("*"):
+                return arguments[0] if arguments else None
+        return self._apply(found, expression, arguments, keywords, templates)
 
     def _of_template(self, name: str, alias: str) -> tuple[Defined | None, tuple[str, ...]]:
         """Return the class that a name is an alias of with template arguments, and these."""
@@ -200,13 +218,13 @@ class Calls:
                 return self._of_module(of, expression, function, arguments, keywords, templates)
             case Class():
                 return self._of_class(of, expression, name, arguments, keywords)
-            case Obj() if name in FROM_THIS:
-                return of
-            case Obj() if of_super:
-                return self._of_base(of, name, arguments, keywords)
-            case Obj() if of.ways:
-                return self._of_ways(of, expression, name, arguments, keywords, templates)
             case Obj():
+                if name in FROM_THIS:
+                    return of
+                if of_super:
+                    return self._of_base(of, name, arguments, keywords)
+                if of.ways:
+                    return self._of_ways(of, expression, name, arguments, keywords, templates)
                 method = ctx.named.methods(of, name, len(arguments) + len(keywords), arguments)
                 if method is not None:
                     return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))

@@ -281,9 +281,9 @@ class Expressions:
 
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
+        if type(one) is Text or type(other) is Text:
+            return Text.of(as_text(one), as_text(other))
         match one, other:
-            case (Text(), _) | (_, Text()):
-                return Text.of(as_text(one), as_text(other))
             case list(), list():
                 return [*one, *other]
             case int() | float(), int() | float():

@@ -55,9 +55,7 @@ class Functions:
         state, key = ctx.state, (function.path, what.line)
         stack = ctx.stack.keys
         if key in stack or len(stack) >= ctx.budget.depth:
-            if key in stack:
-                ctx.summaries.cuts.add(key)
-            return Unknown(f"result of {what.name}()")
+            return self._cut(what, key)
         ctx.callbacks.reached.add(key)
         if not what.body and not what.initialisers and ctx.index.programs[function.path].dialect.declared_apart:
             havoc_unseen(ctx, function, call.written)
@@ -83,6 +81,12 @@ class Functions:
         if state.store.refined:
             changed_by_call(ctx)
         return result
+
+    def _cut(self, what: Function, key: tuple[str, int]) -> Value:
+        """Return what stands for a call that is not followed: it is inside of itself, or too deep."""
+        if key in self.ctx.stack.keys:
+            self.ctx.summaries.cuts.add(key)
+        return Unknown(f"result of {what.name}()")
 
     def _done_again(self, members: Names, after: Names) -> None:
         """Let members of an object be what a call made them before, which would do the same again."""

@@ -187,9 +187,7 @@ def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> 
         way = changes.roll_back(since, frame.members)
         why = (_written(ctx, statement), ALWAYS)
         changes.merge(way, changes.count, frame.members, (False, False), why, None)
-    changes.open -= 1
-    if not changes.open and changes.count:
-        changes.ended()
+    changes.close()
 
 
 def _perhaps_turned(ctx: Context, statement: Loop, over: Value) -> None:

@@ -5,10 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roslens.source.extract.domain.abstract_value import Callable, Invocation, Named, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Invocation,
+    Named,
+    Names,
+    Obj,
+    QosValue,
+    Unknown,
+    Value,
+)
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.kinds import text_of
 from roslens.source.extract.domain.made_texts import text_made
+from roslens.source.extract.domain.quality import QUALITY_TYPES
 from roslens.source.extract.domain.typed_list import TypedList
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.facts.node_facts import Evidence
@@ -183,9 +193,15 @@ class Objects:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         ctx = self.ctx
         match value:
-            case list() | int() if not ctx.dialect.types_convert:
-                # Annotations make nothing.
+            case list() | int():
+                if not ctx.dialect.types_convert:
+                    # Annotations make nothing.
+                    return value
+            case Unknown(reason=why) if ctx.dialect.types_convert and type_name(declared)[0] in QUALITY_TYPES:
+                return QosValue(unknown=str(why))
+            case _:
                 return value
+        match value:
             case Words() | TypedList():
                 return value
             case list():
@@ -196,7 +212,7 @@ class Objects:
                 name = type_name(declared)[0]
                 if name == "double" or name == "float":
                     return float(value)
-                if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
+                if name in QUALITY_TYPES:
                     return self.of_type(name, [value], {})
         return value
 

@@ -68,8 +68,7 @@ def decided(ctx: Context, expression: Operation) -> Value:
     open_: list[tuple[Value, Expression]] = []
     value: Value = not stops
     for number, one in enumerate(operands):
-        ways = open_ and does_something(ctx, one)
-        value = after_others(ctx, one, open_, operator) if ways else ctx.value(one)
+        value = after_others(ctx, one, open_, operator)
         holds = ctx.truth(value)
         if holds is stops:
             break
@@ -111,24 +110,38 @@ def _or_else(ctx: Context, value: Text, operands: tuple[Expression, ...]) -> Val
 
 def computed(ctx: Context, operator: str, values: list[Value], expression: Operation) -> Value:
     """Return what an operator makes of values."""
-    match operator, values:
-        case (("==" | "!="), [first, second]):
-            compared = _comparable(first), _comparable(second)
-            match compared:
-                case ((str() | int() | float() as one), (str() | int() | float() as other)):
-                    return (one == other) is (operator == "==")
-            return opened(ctx, expression, _compared(operator, values))
-        case _, [AtLeast() as least, other]:
-            found = least.compared(operator, other)
-            return opened(ctx, expression) if found is None else found
-        case "%", [Text() as pattern, list(given)]:
-            return formatted(pattern, given)
-        case "%", [Text() as pattern, one]:
-            return formatted(pattern, [one])
-        case _, [int() | float() as one, int() | float() as other]:
-            return _calculated(ctx, operator, one, other, expression)
-        case "-", [int() | float() as number]:
+    match values:
+        case [one, other]:
+            of_two = _equal if operator == "==" or operator == "!=" else _of_two
+            return of_two(ctx, operator, one, other, expression)
+        case [int() | float() as number] if operator == "-":
             return -number
+    return opened(ctx, expression)
+
+
+def _equal(ctx: Context, operator: str, one: Value, other: Value, expression: Operation) -> Value:
+    """Return whether two values are equal, or are not."""
+    match _comparable(one), _comparable(other):
+        case ((str() | int() | float() as first), (str() | int() | float() as second)):
+            return (first == second) is (operator == "==")
+    return opened(ctx, expression, _compared(operator, [one, other]))
+
+
+def _of_two(ctx: Context, operator: str, one: Value, other: Value, expression: Operation) -> Value:
+    """Return what an operator makes of two values that it does not compare for being equal."""
+    match one:
+        case int() | float() as number:
+            match other:
+                case int() | float():
+                    return _calculated(ctx, operator, number, other, expression)
+        case AtLeast():
+            found = one.compared(operator, other)
+            return opened(ctx, expression) if found is None else found
+        case Text() if operator == "%":
+            match other:
+                case list():
+                    return formatted(one, other)
+            return formatted(one, [other])
     return opened(ctx, expression)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from roslens.source.extract.domain.abstract_value import (
     Names,
     Obj,
@@ -45,6 +47,22 @@ from roslens.source.extract.transfer.static_storage import returned
 if TYPE_CHECKING:
     from roslens.source.extract.domain.frame import Held
     from roslens.source.extract.transfer.context import Context
+
+
+class _Ended(msgspec.Struct, frozen=True):
+    """How one way of an open condition ended.
+
+    Attributes:
+        condition: under which it is taken.
+        returned: whether it returned for sure.
+        gone: whether it returned, or left the turn of the loop around, for sure.
+        plainly: whether its return reported no failure.
+    """
+
+    condition: Condition
+    returned: bool
+    gone: bool
+    plainly: bool
 
 
 def initialise(ctx: Context, statement: Statement) -> None:
@@ -165,46 +183,82 @@ def _holds(ctx: Context, statement: Branch, decides: Value) -> bool | None:
 def _branched(ctx: Context, statement: Branch) -> None:
     decides = ctx.value(statement.condition)
     holds = _holds(ctx, statement, decides)
-    if holds is not None:
-        follow = block if ctx.state.frame.ways is None else block_of_loop
-        follow(ctx, statement.then if holds else statement.otherwise)
+    if holds is None:
+        _both_ways(ctx, statement, decides)
         return
-    written, frame = ctx.index.memo.condition(statement.condition), ctx.state.frame
-    before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
-    otherwise, changes = negated(written), ctx.state.store
+    follow = block if ctx.state.frame.ways is None else block_of_loop
+    follow(ctx, statement.then if holds else statement.otherwise)
+
+
+def _both_ways(ctx: Context, statement: Branch, decides: Value) -> None:
+    """Follow both ways of a condition that is open, each from the same start, and join what they came to."""
+    frame, changes = ctx.state.frame, ctx.state.store
+    written = ctx.index.memo.condition(statement.condition)
+    otherwise = negated(written)
+    before, exits = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
     since = changes.count
     changes.open += 1
     frame.know(written, otherwise, test_of(decides))
     _tried_or_noted(ctx, written, statement.then)
-    returned, gone, plainly = frame.returned, frame.returned or frame.stopped, frame.plainly
+    first = _ended(frame, written)
     after = before if frame.is_as(before) else frame.snapshot()
     frame.restore(before)
-    second = changes.count
-    way = changes.roll_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
-    if statement.otherwise and type(written) is NoException and after is not before:
-        _handled(ctx, statement, (before, after), (written, otherwise))
-    elif statement.otherwise:
-        _noted(ctx, otherwise, statement.otherwise)
-    other_returned, other_gone = frame.returned, frame.returned or frame.stopped
-    if way or changes.count > second:
+    second_begins = changes.count
+    taken_back = changes.roll_back(since, frame.members) if second_begins > since else {}
+    _follow_second(ctx, statement, (before, after), (written, otherwise))
+    second = _ended(frame, otherwise)
+    gone = (first.gone, second.gone)
+    if taken_back or changes.count > second_begins:
         test = frame.tests.get(written)
-        changes.merge(way, second, frame.members, (gone, other_gone), (written, otherwise), test)
-    changes.open -= 1
-    if not changes.open and changes.count:
-        changes.ended()
-    if returned is not other_returned and (after is not before or other_returned):
-        frame.leave(after[1] if returned else dict(frame.members or {}), before[1], written if returned else otherwise)
-    _hold_after(frame, after, written, (gone, other_gone), changed=after is not before or bool(statement.otherwise))
-    frame.returned = returned and other_returned
-    frame.stopped = gone and other_gone and not frame.returned
-    if gone is not other_gone and ctx.emitter.node.generation == "ros1":
-        forget_defaults(frame, frame.tests.get(otherwise if gone else written))
-    if returned and not other_gone and plainly and _asks_parameter(ctx, statement.condition):
+        changes.merge(taken_back, second_begins, frame.members, gone, (written, otherwise), test)
+    changes.close()
+    if first.returned is not second.returned:
+        _leave_by_one(frame, (first, second), before, after)
+    _hold_after(frame, after, written, gone, changed=after is not before or bool(statement.otherwise))
+    frame.returned = first.returned and second.returned
+    frame.stopped = first.gone and second.gone and not frame.returned
+    _note_passed(ctx, statement, first, second)
+    without_ways_out(ctx, exits)
+
+
+def _ended(frame: Frame, condition: Condition) -> _Ended:
+    return _Ended(condition, frame.returned, frame.returned or frame.stopped, frame.plainly)
+
+
+def _follow_second(
+    ctx: Context, statement: Branch, held: tuple[Held, Held], notes: tuple[Condition, Condition]
+) -> None:
+    """Follow what is done where a condition does not hold; ``held`` is what names held before and after the other."""
+    if not statement.otherwise:
+        return
+    if type(notes[0]) is NoException and held[1] is not held[0]:
+        _handled(ctx, statement, held, notes)
+    else:
+        _noted(ctx, notes[1], statement.otherwise)
+
+
+def _leave_by_one(frame: Frame, ways: tuple[_Ended, _Ended], before: Held, after: Held) -> None:
+    """Remember what members of the object hold where only one of two ways leaves the function."""
+    first, second = ways
+    if second.returned:
+        frame.leave(dict(frame.members or {}), before[1], second.condition)
+    elif after is not before:
+        frame.leave(after[1], before[1], first.condition)
+
+
+def _note_passed(ctx: Context, statement: Branch, first: _Ended, second: _Ended) -> None:
+    """Let what follows know by which way it is reached, where it is by one alone."""
+    frame = ctx.state.frame
+    if first.gone is second.gone:
+        return
+    passed = second.condition if first.gone else first.condition
+    if ctx.emitter.node.generation == "ros1":
+        forget_defaults(frame, frame.tests.get(passed))
+    if first.returned and first.plainly and _asks_parameter(ctx, statement.condition):
         # What follows is reached only where the function was not left.
-        ctx.state.under(otherwise, frame.tests.get(otherwise))
+        ctx.state.under(passed, frame.tests.get(passed))
         frame.passed += 1
-    without_ways_out(ctx, ways)
 
 
 def _tried_or_noted(ctx: Context, written: Condition, body: tuple[Statement, ...]) -> None:

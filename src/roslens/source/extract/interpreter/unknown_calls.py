@@ -13,6 +13,7 @@ from roslens.source.extract.transfer.changed_values import CHANGING, changed_by
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
+_PLACES = frozenset({Name, Member})
 _ADDING = frozenset({"append", "push_back", "emplace_back", "add"})
 
 
@@ -49,9 +50,7 @@ def _given_away(ctx: Context, expression: Call, name: str, of: Value, arguments:
 
 def may_set(ctx: Context, expression: Call, arguments: list[Value], name: str) -> None:
     """Let texts be unknown that are empty when they are given to what is not known: they may be what it sets."""
-    if not ctx.dialect.calls_set_arguments:
-        return
     for written, value in zip(expression.arguments, arguments, strict=False):
-        match written, value:
-            case Name() | Member(), Text(parts=()):
+        match value:
+            case Text(parts=()) if type(written) in _PLACES and ctx.dialect.calls_set_arguments:
                 ctx.assign(written, unknown(f"a text that {name}() may set"))

@@ -70,13 +70,19 @@ class CallSite(msgspec.Struct, frozen=True):
         return value if isinstance(value, kind) else None
 
 
-def written_as(ctx: Context, called: CallSite, place: int) -> str:
-    """Return an argument by position as source has it; empty where that is not known.
+def expression_of(ctx: Context, called: CallSite, place: int) -> Expression | None:
+    """Return an argument by position as an expression; None where that is not known.
 
     Where an object is made, its arguments are those of the call that makes it.
     """
     written = called.written or ctx.state.written
-    return ctx.index.memo.text(written[place]) if written and len(written) == len(called.arguments) else ""
+    return written[place] if written and len(written) == len(called.arguments) else None
+
+
+def written_as(ctx: Context, called: CallSite, place: int) -> str:
+    """Return an argument by position as source has it; empty where that is not known."""
+    written = expression_of(ctx, called, place)
+    return ctx.index.memo.text(written) if written is not None else ""
 
 
 Word = Function1[["Context", Any, CallSite], Value]

@@ -9,6 +9,11 @@ _SMART = frozenset(
      "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
 )  # fmt: skip
 POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
+NUMBER_TYPES = frozenset(
+    {"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t", "uint32_t",
+     "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t"}
+)  # fmt: skip
+"""Names of types of C++ that are numbers, or are taken as such."""
 _QUALIFIERS = frozenset(
     {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
 )

@@ -112,18 +112,21 @@ def _spawned(gazebo: Launched, launch: Launch) -> Iterator[_Spawned]:
         if word.known is not None and _FILES.search(word.known):
             yield _Spawned(joined("", word.known), {}, Text())
     for one in launch.nodes:
-        if one.package.known != _PACKAGE or one.executable.known not in _SPAWNERS:
-            continue
-        words = one.arguments
-        options = {word.known: after for word, after in pairwise(words) if word.known}
-        space = options.get("-robot_namespace") or options.get("-namespace") or one.namespace
-        if "-file" in options and (path := options["-file"].known):
-            yield _Spawned(joined("", path), {}, space, one.conditions)
-        elif "-param" in options:
-            name = expand(options["-param"], Place(one.namespace, absolute(one.namespace, one.name), "ros1"))
-            command = next((s.words for s in reversed(launch.settings) if s.name == name and s.words), ())
-            if (found := _of_command(command)) is not None:
-                yield msgspec.structs.replace(found, space=space, conditions=one.conditions)
+        if one.package.known == _PACKAGE and one.executable.known in _SPAWNERS:
+            yield from _of_spawner(one, launch)
+
+
+def _of_spawner(spawner: Launched, launch: Launch) -> Iterator[_Spawned]:
+    """Yield the description that a node spawns: of a file, or of the command that a parameter is the output of."""
+    options = {word.known: after for word, after in pairwise(spawner.arguments) if word.known}
+    space = options.get("-robot_namespace") or options.get("-namespace") or spawner.namespace
+    if "-file" in options and (path := options["-file"].known):
+        yield _Spawned(joined("", path), {}, space, spawner.conditions)
+    elif "-param" in options:
+        name = expand(options["-param"], Place(spawner.namespace, absolute(spawner.namespace, spawner.name), "ros1"))
+        command = next((s.words for s in reversed(launch.settings) if s.name == name and s.words), ())
+        if (found := _of_command(command)) is not None:
+            yield msgspec.structs.replace(found, space=space, conditions=spawner.conditions)
 
 
 def _of_command(words: tuple[Text, ...]) -> _Spawned | None:

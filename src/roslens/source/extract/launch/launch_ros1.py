@@ -191,7 +191,6 @@ class _File:
         name = substitute(needed(element, "name"), self._scope).pattern
         default = element.attributes.get("default")
         value = element.attributes.get("value")
-        place = self._place(element)
         if default is not None and value is not None:
             self._miss(element, name, "the argument has a value and a default; expected one of them")
         if name in self.declared and not self._all_given:
@@ -199,22 +198,26 @@ class _File:
         self.declared.add(name)
         if self._outer and value is None:
             text = None if default is None else substitute(default, self._scope)
-            self._whole.arguments.append(Argument(name, place, text, element.attributes.get("doc", "")))
-        before = self._known.get(name)
+            self._whole.arguments.append(Argument(name, self._place(element), text, element.attributes.get("doc", "")))
+        found = self._value(element, name, value, default)
+        self._known[name] = only_if(space.own, found, self._known.get(name))
+        return space.private
+
+    def _value(self, element: Element, name: str, value: str | None, default: str | None) -> Text:
+        """Return the value of an argument: the fixed one, else the one that is given, else the default."""
+        given, before = self._given.get(name), self._known.get(name)
         if value is not None:
             found = substitute(value, self._scope)
-            if name in self._given and not self._all_given:
-                self._miss(element, name, f"the argument has a fixed value here, but is given {self._given[name]}")
-        elif name in self._given:
-            found = self._given[name]
-        elif default is not None:
-            found = before if before is not None and self._all_given else substitute(default, self._scope)
-        else:
-            found = before or unknown(f"argument {name}, which is not given")
-            if before is None:
-                self._miss(element, name, "the argument is required, but not given")
-        self._known[name] = only_if(space.own, found, before)
-        return space.private
+            if given is not None and not self._all_given:
+                self._miss(element, name, f"the argument has a fixed value here, but is given {given}")
+            return found
+        if given is not None:
+            return given
+        if default is not None:
+            return before if before is not None and self._all_given else substitute(default, self._scope)
+        if before is None:
+            self._miss(element, name, "the argument is required, but not given")
+        return before or unknown(f"argument {name}, which is not given")
 
     def group(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate a group: what it sets holds inside it, and what it declares too."""

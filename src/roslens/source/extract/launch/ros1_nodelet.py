@@ -1,7 +1,8 @@
-"""Nodelets of ROS 1: what a ``nodelet`` program is told to load, and into which manager.
+"""Nodelets of ROS 1: what a ``nodelet`` program is asked to load, and into which manager.
 
 The program that asks a manager is a node of the nodelet's name, as long as it runs. It and the manager tell each other
-that they live, on a topic ``bond`` of the manager, unless it is told not to (nodelet_core, nodelet.cpp and loader.cpp).
+that they live, on a topic ``bond`` of the manager, unless a parameter forbids it (nodelet_core, nodelet.cpp and
+loader.cpp).
 """
 
 from __future__ import annotations

@@ -27,7 +27,8 @@ from roslens.source.extract.symbolic.text import Conditions, Text
 
 _PACKAGE, _SPAWNER = "controller_manager", "spawner"
 _LOADS = "controller_manager/load_controller"
-_WITH_VALUE = frozenset({"--wait-for", "--namespace", "--timeout", "--shutdown-timeout"})
+_NAMESPACE = "--namespace"
+_WITH_VALUE = frozenset({"--wait-for", _NAMESPACE, "--timeout", "--shutdown-timeout"})
 _FILES = re.compile(r"\.ya?ml\Z")
 _DEFAULT = re.compile(r"(\w+) \((true|false)\)")
 
@@ -55,28 +56,45 @@ def with_controllers(launch: Launch, files: Files) -> Launch:
         launch: all that is started and set, with what plug-ins make.
         files: from which spawners read parameters.
     """
-    nodes, unresolved, settings = list(launch.nodes), list(launch.unresolved), list(launch.settings)
+    started = _Started(launch)
     for number, spawner in enumerate(launch.nodes):
-        if (spawner.package.known, spawner.executable.known) != (_PACKAGE, _SPAWNER):
-            continue
-        for spawned in _spawned(spawner, files):
-            settings += [one for one in spawned.settings if one not in settings]
-            made, why = _made(spawned, spawner, {_resolved(one): one for one in settings})
-            place = _manager(nodes, spawned.space)
-            if made and place is None:
-                why = "which node has the manager of this controller is unknown"
-            if why and (later := _for_later(spawned, spawner, settings, made, why)) is not None:
-                held = nodes[number]
-                nodes[number] = msgspec.structs.replace(held, controllers=(*held.controllers, later))
-                continue
-            if made and place is not None:
-                node = nodes[place]
-                nodes[place] = msgspec.structs.replace(node, plugged=(*node.plugged, *made))
-            if why:
-                unresolved.append(Unresolved(f"controller {spawned.name}", spawner.evidence, why))
-    return msgspec.structs.replace(
-        launch, nodes=tuple(nodes), settings=tuple(settings), unresolved=tuple(dict.fromkeys(unresolved))
-    )
+        if (spawner.package.known, spawner.executable.known) == (_PACKAGE, _SPAWNER):
+            for spawned in _spawned(spawner, files):
+                started.spawn(spawned, spawner, number)
+    return started.launch()
+
+
+class _Started:
+    """A launch, to which controllers are added one after the other."""
+
+    def __init__(self, launch: Launch) -> None:
+        self._launch = launch
+        self._nodes, self._settings = list(launch.nodes), list(launch.settings)
+        self._unresolved = list(launch.unresolved)
+
+    def spawn(self, spawned: _Spawned, spawner: Launched, number: int) -> None:
+        """Give what a controller makes to the node of its manager, or keep it with its spawner, node ``number``."""
+        self._settings += [one for one in spawned.settings if one not in self._settings]
+        made, why = _made(spawned, spawner, {_resolved(one): one for one in self._settings})
+        place = _manager(self._nodes, spawned.space)
+        if made and place is None:
+            why = "which node has the manager of this controller is unknown"
+        later = _for_later(spawned, spawner, self._settings, made, why) if why else None
+        if later is not None:
+            held = self._nodes[number]
+            self._nodes[number] = msgspec.structs.replace(held, controllers=(*held.controllers, later))
+            return
+        if made and place is not None:
+            node = self._nodes[place]
+            self._nodes[place] = msgspec.structs.replace(node, plugged=(*node.plugged, *made))
+        if why:
+            self._unresolved.append(Unresolved(f"controller {spawned.name}", spawner.evidence, why))
+
+    def launch(self) -> Launch:
+        """Return the launch with all of them."""
+        nodes, settings = tuple(self._nodes), tuple(self._settings)
+        unresolved = tuple(dict.fromkeys(self._unresolved))
+        return msgspec.structs.replace(self._launch, nodes=nodes, settings=settings, unresolved=unresolved)
 
 
 def _for_later(
@@ -95,15 +113,24 @@ def _spawned(spawner: Launched, files: Files) -> Iterator[_Spawned]:
     space, names, flag = spawner.namespace, [], ""
     for word in spawner.arguments:
         known = word.known or ""
-        option, sign, value = known.partition("=")
-        if flag == "--namespace" or (option == "--namespace" and sign):
-            space = absolute(spawner.namespace, Text.of(value) if sign else word)
-        if flag or known.startswith("--") or ":=" in word.pattern:
-            flag = known if not flag and known in _WITH_VALUE else ""
+        if (given := _namespace_in(word, flag)) is not None:
+            space = absolute(spawner.namespace, given)
+        if flag:
+            flag = ""
+        elif known.startswith("--") or ":=" in word.pattern:
+            flag = known if known in _WITH_VALUE else ""
         else:
             names.append(word)
     for one in names:
         yield from _of_word(one, space, spawner, files)
+
+
+def _namespace_in(word: Text, flag: str) -> Text | None:
+    """Return the namespace that a word gives after its option or together with it; None where it gives none."""
+    option, sign, value = (word.known or "").partition("=")
+    if flag != _NAMESPACE and not (option == _NAMESPACE and sign):
+        return None
+    return Text.of(value) if sign else word
 
 
 def _of_word(word: Text, space: Text, spawner: Launched, files: Files) -> Iterator[_Spawned]:

@@ -12,6 +12,7 @@ from roslens.source.extract.launch_python.deferred import Deferred, Value
 from roslens.source.extract.launch_python.launch_action import text, unknown_value
 
 _MOST_DEPTH = 20
+_QUOTES = "'\""
 _KINDS = {
     "var": "configuration",
     "env": "environment",
@@ -44,34 +45,35 @@ def words(written: str) -> tuple[Value, ...]:
 
     As ``launch.actions.ExecuteProcess`` parts them, which takes quotes in texts as a shell does.
     """
-    found: list[list[Value]] = []
-    word: list[Value] = []
+    found: list[list[Value]] = [[]]
     for piece in _pieces(written, 0) if written.strip() else ():
         match piece:
             case str():
-                pass
+                try:
+                    _go_on(found, piece)
+                except ValueError as error:
+                    return (unknown_value(f"the words of {written!r}: {error}"),)
             case _:
-                word.append(piece)
-                continue
-        try:
-            first, *more = shlex.split(piece) or [""]
-        except ValueError as error:
-            return (unknown_value(f"the words of {written!r}: {error}"),)
-        if not first and not more and not piece.strip():
-            found.append(word)
-            word = []
-            continue
-        if piece[0].isspace() and word:
-            found.append(word)
-            word = []
-        word.append(first)
-        for one in more:
-            found.append(word)
-            word = [one]
-        if piece[-1].isspace():
-            found.append(word)
-            word = []
-    return tuple(text(*one) for one in (*found, *([word] if word else ())))
+                found[-1].append(piece)
+    return tuple(text(*one) for one in (found if found[-1] else found[:-1]))
+
+
+def _go_on(found: list[list[Value]], piece: str) -> None:
+    """Add the words of a text: the first goes on with the last one that was found, unless a space parts them.
+
+    Raises:
+        ValueError: a quotation in it does not end.
+    """
+    first, *more = shlex.split(piece) or [""]
+    if not (first or more or piece.strip()):
+        found.append([])
+        return
+    if piece[0].isspace() and found[-1]:
+        found.append([])
+    found[-1].append(first)
+    found.extend([one] for one in more)
+    if piece[-1].isspace():
+        found.append([])
 
 
 def _pieces(written: str, depth: int) -> list[Value]:
@@ -110,7 +112,7 @@ def _closing(written: str, at: int) -> int:
         sign = written[place]
         if quote:
             quote = "" if sign == quote else quote
-        elif sign in "'\"" and depth == 1:
+        elif sign in _QUOTES and depth == 1:
             quote = sign
         else:
             depth += (sign == "(") - (sign == ")")
@@ -144,7 +146,7 @@ def _one(inside: str, depth: int) -> Value:
 
 
 def _unquoted(written: str) -> str:
-    if len(written) < 2 or written[0] != written[-1] or written[0] not in "'\"":
+    if len(written) < 2 or written[0] != written[-1] or written[0] not in _QUOTES:
         return written
     quote, inside = written[0], written[1:-1]
     # One inside that is escaped does not end it.
@@ -156,17 +158,19 @@ def _words(written: str) -> list[str]:
     words: list[str] = []
     word, quote, depth, begun = "", "", 0, False
     for sign in written:
-        if quote and not depth:
-            if sign == quote:
-                quote = ""
-                continue
-        elif not depth and sign in "'\"":
+        if depth or not _is_mark(sign, quote):
+            depth += (sign == "(") - (sign == ")")
+            word += sign
+        elif quote:
+            quote = ""
+        elif sign in _QUOTES:
             quote, begun = sign, True
-            continue
-        elif sign.isspace() and not depth:
+        else:
             words += [word] if word or begun else []
             word, begun = "", False
-            continue
-        depth += (sign == "(") - (sign == ")")
-        word += sign
     return [*words, word] if word or begun else words
+
+
+def _is_mark(sign: str, quote: str) -> bool:
+    """Whether a sign outside of brackets is no part of a word: it ends the quotation, begins one, or parts words."""
+    return sign == quote if quote else sign in _QUOTES or sign.isspace()

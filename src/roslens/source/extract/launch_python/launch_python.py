@@ -48,7 +48,7 @@ def python_actions(path: str, content: bytes, files: Files | None = None) -> tup
     """
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # what Python thinks of the style of a file is not told here
+            warnings.simplefilter("ignore")  # what Python thinks of the style of a file is not reported here
             ast.parse(content)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         where = Location(path, getattr(error, "lineno", 0) or 1, getattr(error, "offset", 0) or 1)

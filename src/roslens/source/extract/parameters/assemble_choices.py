@@ -27,7 +27,7 @@ from roslens.source.extract.symbolic.text import (
 )
 
 MOST = 8
-"""So many alternatives of one text are told; of more it is a text with holes."""
+"""So many alternatives of one text are reported; of more it is a text with holes."""
 _NO = frozenset({"false", "no", "off", "", "0", "0.0"})
 
 

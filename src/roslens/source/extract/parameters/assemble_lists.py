@@ -10,11 +10,8 @@ from roslens.source.extract.symbolic.reason import (
     FIRST,
     EachOf,
     ItemOf,
-    OfMany,
     OfParameter,
-    PartOf,
     Reason,
-    node_of_reason,
 )
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.symbolic.text_lists import listed
@@ -85,26 +82,20 @@ def _of_parameter(reason: Reason, name: str) -> Reason:
     return OfParameter(name)
 
 
-def _is_own_list(reason: Reason) -> bool:
-    """Return whether it is a list of this node, each of its items or one of them.
+def _is_own_list(hole: Hole) -> bool:
+    """Return whether it is a list that a parameter of this node gives, each of its items or one of them.
 
-    Of what else is made of a list nobody knows what it is.
+    Of what else is made of a list nobody knows what it is, and of which parameter where a part of its name is unknown.
     """
-    match reason:
-        case EachOf(of=inner) | ItemOf(of=inner):
-            pass
-        case inner:
-            pass
-    match inner:
-        case EachOf() | ItemOf() | PartOf() | OfMany():
-            return False
-    # A name or text of which a part is unknown has that in braces.
-    return node_of_reason(inner) == FIRST and "{" not in str(inner)
+    match hole.reason:
+        case OfParameter(node=node) | EachOf(of=OfParameter(node=node)) | ItemOf(of=OfParameter(node=node)):
+            return node == FIRST and not hole.named
+    return False
 
 
 def items_among(hole: Hole, value: Text | None) -> list[str] | None:
     """Return the items that a hole stands for where its parameter is set to a value, or to none; None where unknown."""
-    if not _is_own_list(hole.reason):
+    if not _is_own_list(hole):
         return None
     known = (hole.among or hole.default) if value is None else value.known
     if known is None or not (known.startswith("[") and known.endswith("]")):

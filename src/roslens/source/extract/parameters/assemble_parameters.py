@@ -122,26 +122,32 @@ class Values:
 
     def _of_hole(self, hole: Hole) -> tuple[Text, Sure, tuple[Why, ...]]:
         if hole.reason in (_NAME_OF_NODE, _FULL_NAME_OF_NODE):
-            whole = self._place.node
-            short = hole.reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
-            name = Text.of(base_name(whole.pattern)) if short else whole
-            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, (str(hole.reason),)
+            return self._of_name(hole.reason)
         if hole.reason in (_NAMESPACE_OF_NODE, _NAMESPACE_ABOVE):
             return self._namespace(hole.reason), Sure.CERTAIN, (str(hole.reason),)
         if hole.choice:
             return self._of_choice(hole, hole.choice[0])
         found = self.value(Text.of(hole.parameter)) if hole.parameter else None
         if found is not None:
-            how = IsGiven(hole.parameter, _place_of(found))
-            if hole.reason != OfParameter(hole.parameter):
-                # The value decides, but it is not what stands there.
-                return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, (how,)
-            sure = Sure.POSSIBLE if found.value.known is None else Sure.LIKELY if self._place.supposed else Sure.CERTAIN
-            return self._placed(found.value, hole), sure, (how,)
+            return self._of_setting(hole, found)
         if hole.default is not None:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
             return self._placed(Text.of(hole.default), hole), Sure.LIKELY, (of,)
         return Text((hole,)), Sure.POSSIBLE, (str(hole.reason),) if hole.reason else ()
+
+    def _of_name(self, reason: Reason) -> tuple[Text, Sure, tuple[Why, ...]]:
+        whole = self._place.node
+        short = reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
+        name = Text.of(base_name(whole.pattern)) if short else whole
+        return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, (str(reason),)
+
+    def _of_setting(self, hole: Hole, setting: Setting) -> tuple[Text, Sure, tuple[Why, ...]]:
+        how = IsGiven(hole.parameter, _place_of(setting))
+        if hole.reason != OfParameter(hole.parameter):
+            # The value decides, but it is not what stands there.
+            return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, (how,)
+        sure = Sure.LIKELY if self._place.supposed else Sure.CERTAIN
+        return self._placed(setting.value, hole), Sure.POSSIBLE if setting.value.known is None else sure, (how,)
 
     def _of_choice(self, hole: Hole, choice: Choice) -> tuple[Text, Sure, tuple[Why, ...]]:
         decided = decided_by(choice, self)

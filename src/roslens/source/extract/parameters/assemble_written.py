@@ -54,16 +54,11 @@ def _proof(write: Write, **changes: str) -> Proof:
 
 
 def _written(parameter: ConfiguredParameter, write: Write) -> ConfiguredParameter:
-    value, kind = None if write.value is None else write.value.known, write.fact.type
-    proof = _proof(write)
+    value = None if write.value is None else write.value.known
+    proof, conditions = _proof(write), write.fact.conditions
     has_value = parameter.set_by is not None or parameter.written_by is not None
-    conditions = write.fact.conditions
-    sure = proof.sure == Sure.CERTAIN.value and not conditions
-    if sure or not has_value:
-        how = proof.how if value is not None or write.value is None else str(write.value)
-        of_value = Sure.POSSIBLE.value if value is None else Sure.LIKELY.value if conditions else proof.sure
-        proof = msgspec.structs.replace(proof, how=_conditional(how, conditions), sure=of_value)
-        return msgspec.structs.replace(parameter, value=value, type=parameter.type or kind, written_by=proof)
+    if not has_value or (proof.sure == Sure.CERTAIN.value and not conditions):
+        return _decided(parameter, write, proof)
     if value is not None and value == parameter.value:
         return parameter
     shown = "another value" if write.value is None else f"`{write.value}`"
@@ -71,6 +66,20 @@ def _written(parameter: ConfiguredParameter, write: Write) -> ConfiguredParamete
     return msgspec.structs.replace(
         parameter, written_by=msgspec.structs.replace(proof, how=how, sure=Sure.LIKELY.value)
     )
+
+
+def _decided(parameter: ConfiguredParameter, write: Write, proof: Proof) -> ConfiguredParameter:
+    """Return a parameter that has the value of a write, as it is sure or the first."""
+    conditions, sure, how, value = write.fact.conditions, proof.sure, proof.how, None
+    if write.value is not None:
+        value = write.value.known
+        how = how if value is not None else str(write.value)
+    if value is None:
+        sure = Sure.POSSIBLE.value
+    elif conditions:
+        sure = Sure.LIKELY.value
+    proof = msgspec.structs.replace(proof, how=_conditional(how, conditions), sure=sure)
+    return msgspec.structs.replace(parameter, value=value, type=parameter.type or write.fact.type, written_by=proof)
 
 
 def _conditional(how: str, conditions: Conditions) -> str:
@@ -122,15 +131,22 @@ def taken_by_server(
         number = float(value)
     except ValueError:
         return value, ""
-    least, _, most = fact.range.partition("..")
-    if least and number < float(least):
-        return least, f"`{value}` is below the least"
-    if most and number > float(most):
-        return most, f"`{value}` is above the most"
+    if (limited := _limited(value, number, fact.range)) is not None:
+        return limited
     if kind == wanted or python:
         return value, ""
     converted = repr(number) if wanted == "double" else str(_rounded(number))
     return converted, f"`{value}` is made {'an' if wanted == 'int' else 'a'} {wanted}"
+
+
+def _limited(value: str, number: float, range_: str) -> tuple[str, str] | None:
+    """Return the end of a range that a number is beyond, and that in words; None where it is within."""
+    least, _, most = range_.partition("..")
+    if least and number < float(least):
+        return least, f"`{value}` is below the least"
+    if most and number > float(most):
+        return most, f"`{value}` is above the most"
+    return None
 
 
 def _rounded(number: float) -> int:

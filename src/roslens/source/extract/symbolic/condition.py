@@ -1,7 +1,7 @@
 """What holds where one condition or another does: opposites, and rules of Boole that shorten what is joined.
 
 Written conditions are not looked into. Formulas of them are brought into terms of which one holds, the terms are
-shortened, and what they have in common is told apart from what is left of each.
+shortened, and what they have in common is separated from what is left of each.
 """
 
 from __future__ import annotations

@@ -138,7 +138,7 @@ class NotSet(_Reason, frozen=True, tag="not set"):
 
 
 class OfMany(_Reason, frozen=True, tag="of many"):
-    """One of so many texts that they are not told apart, or what is made of it."""
+    """One of so many texts that they are not distinguished, or what is made of it."""
 
     text: str
 
@@ -163,7 +163,7 @@ def is_of_many(reason: Reason) -> bool:
 
 
 def node_of_reason(reason: Reason) -> int:
-    """Return the number of the node whose parameter or name decides; :data:`FIRST` where none is told."""
+    """Return the number of the node whose parameter or name decides; :data:`FIRST` where the reason names none."""
     match reason:
         case OfParameter(node=node) | OfNode(node=node):
             return node

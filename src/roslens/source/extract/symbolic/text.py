@@ -76,7 +76,10 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
     @property
     def holes(self) -> tuple[Hole, ...]:
         """What is unknown."""
-        return tuple(part for part in self.parts if isinstance(part, Hole))
+        if self.known is not None:
+            # Most texts are known as a whole.
+            return ()
+        return tuple([part for part in self.parts if not isinstance(part, str)])
 
     @property
     def only(self) -> Hole | None:
@@ -114,7 +117,7 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
     @property
     def pattern(self) -> str:
         """The text with ``*`` for each hole."""
-        return "".join(part if isinstance(part, str) else "*" for part in self.parts)
+        return "".join([part if isinstance(part, str) else "*" for part in self.parts])
 
     def with_known(self, change: Callable[[str], str]) -> Text:
         """Return a text with each of its known pieces changed."""
@@ -136,7 +139,7 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
 
     def __str__(self) -> str:
         """Write it for people: holes as ``{reason}``."""
-        return "".join(part if isinstance(part, str) else f"{{{part.reason}}}" for part in self.parts)
+        return "".join([part if isinstance(part, str) else f"{{{part.reason}}}" for part in self.parts])
 
 
 class Formula(msgspec.Struct, frozen=True, array_like=True, gc=False):

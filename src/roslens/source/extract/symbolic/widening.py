@@ -34,12 +34,13 @@ def of_many(condition: Condition, *texts: Text) -> Text | None:
 def _ways(text: Text, most: int) -> int:
     """Return how many texts it may be, or any number above ``most`` where it is more."""
     found = 0
-    for choice in (one for hole in text.holes for one in hole.choice):
-        found += _ways(choice.then, most - found)
-        if found <= most:
-            found += _ways(choice.otherwise, most - found)
-        if found > most:
-            return found
+    for hole in text.holes:
+        for choice in hole.choice:
+            found += _ways(choice.then, most - found)
+            if found <= most:
+                found += _ways(choice.otherwise, most - found)
+            if found > most:
+                return found
     return found or 1
 
 

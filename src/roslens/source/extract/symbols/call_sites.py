@@ -1,7 +1,7 @@
-"""Calls that are named as what makes an endpoint, and of which nothing came: each is told, with its reason.
+"""Calls that are named as what makes an endpoint, and of which nothing came: each is reported, with its reason.
 
 No call of a program that the vocabulary knows by name is lost: an endpoint is made there, or a function of the
-workspace answers it, or it is told here.
+workspace answers it, or it is reported here.
 """
 
 from __future__ import annotations
@@ -66,11 +66,11 @@ def _left(
         parts += [
             (one, index.memo.calls_that_make(one)) for one in program.functions if not one.name.startswith("TEST")
         ]
-        told: set[int] = set()
+        reported: set[int] = set()
         for function, calls in parts:
             for call in calls:
-                if (path, call.line) not in made and call.line not in told and not _is_timer(call):
-                    told.add(call.line)
+                if (path, call.line) not in made and call.line not in reported and not _is_timer(call):
+                    reported.add(call.line)
                     yield path, function, call
 
 

@@ -57,8 +57,8 @@ class Definitions:
             programs: by path.
             outer: whole names of which the meaning is known: their definitions are left out.
             own: names that files have for themselves.
-            modules: are told of those of Python.
-            outside: is told of values outside of functions.
+            modules: are notified of those of Python.
+            outside: is notified of values outside of functions.
             package: says to which package a file belongs.
         """
         self.classes: dict[str, list[Defined]] = {}

@@ -40,8 +40,11 @@ def included_files(
 
 def _fitting(wanted: str, by_name: Mapping[str, Sequence[str]]) -> list[str]:
     """Return the files whose path ends in what is written."""
-    named = by_name.get(wanted.rpartition("/")[2], ())
-    return [one for one in named if f"/{one}".endswith(f"/{_plain(wanted)}")]
+    named = by_name.get(wanted.rpartition("/")[2])
+    if named is None:
+        return []
+    end = f"/{_plain(wanted)}"
+    return [one for one in named if f"/{one}".endswith(end)]
 
 
 def reached(start: str, edges: Mapping[str, Collection[str]]) -> set[str]:

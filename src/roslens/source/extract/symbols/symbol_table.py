@@ -119,8 +119,9 @@ class SymbolTable:
             yield before + name
         if program is None:
             return
-        yield from self._by_alias(name, around, program)
         head, _, rest = name.partition(".")
+        if head in self._definitions.last_aliases:
+            yield from self._by_alias(name, around, program)
         second, dot, rest = rest.partition(".")
         for before in around if dot and second in self._definitions.last_aliases else ():
             # A name for a namespace that another namespace has: ``outer::short::Class``.
@@ -133,7 +134,7 @@ class SymbolTable:
 
     def _by_alias(self, name: str, around: Sequence[str], program: Program) -> Iterator[str]:
         head, dot, rest = name.partition(".")
-        for before in around if head in self._definitions.last_aliases else ():
+        for before in around:
             meaning = program.imports.get(before + head) or self._definitions.aliases.get(before + head)
             if meaning is not None:
                 yield dotted(meaning) + dot + rest

@@ -1,6 +1,6 @@
 """Texts of C++, lists and tables that a method changes in place: ``name.append("/raw")``, ``topics.insert(0, "scan")``.
 
-What a change comes to under a condition that is open is not known: whoever reads the value later is told so.
+What a change comes to under a condition that is open is not known: whoever reads the value later learns this.
 """
 
 from __future__ import annotations

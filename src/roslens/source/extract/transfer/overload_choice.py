@@ -6,17 +6,16 @@ from collections.abc import Sequence
 
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Value
 from roslens.source.extract.ir.program import Function
+from roslens.source.extract.ir.type_names import NUMBER_TYPES
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.linkage import Near
 from roslens.source.extract.symbols.symbol_table import DefinedFunction, SymbolTable, type_name
 
 _TEXTS = frozenset({"string", "char", "QString", "string_view"})
-_NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
-                      "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t"})  # fmt: skip
 _TAGS = {"true_type": True, "false_type": False}
 _FITS, _UNFIT = 1, -4
 _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
-_PLAIN = _TEXTS | _NUMBERS
+_PLAIN = _TEXTS | NUMBER_TYPES
 
 
 def overload(
@@ -121,11 +120,11 @@ def _fit(declared: str, value: Value) -> int:
     match value:
         case Text():
             # A text with a hole may be any parameter.
-            return _best(name, _TEXTS, unfit=frozenset() if value.holes else _NUMBERS)
+            return _best(name, _TEXTS, unfit=frozenset() if value.holes else NUMBER_TYPES)
         case bool():
             return _fit_of_truth(name, value=value)
         case int() | float():
-            return _best(name, _NUMBERS, unfit=_TEXTS)
+            return _best(name, NUMBER_TYPES, unfit=_TEXTS)
         case Handle():
             return _best(name, _HANDLES, unfit=_PLAIN)
         case Obj():
@@ -144,4 +143,4 @@ def _fit_of_truth(name: str, *, value: bool) -> int:
         return 2 * _FITS if _TAGS[name] is value else _UNFIT
     if name == "bool":
         return 2 * _FITS
-    return _FITS if name in _NUMBERS else _UNFIT
+    return _FITS if name in NUMBER_TYPES else _UNFIT

@@ -109,8 +109,10 @@ def after_others(
 ) -> Value:
     """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
 
-    Where one of these does something itself, that it went well is no condition worth telling.
+    Where one of these does something itself, that it went well is no condition worth reporting.
     """
+    if not others or not does_something(ctx, operand):
+        return ctx.value(operand)
     conditions = [ctx.index.memo.condition(one) for _, one in others]
     if operator == "or":
         conditions = [negated(one) for one in conditions]

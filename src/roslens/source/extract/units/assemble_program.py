@@ -1,6 +1,6 @@
 """Programs that make nodes of classes: what their main function tells and what the classes do, as one.
 
-A main function gives names and arguments; what a node does after it was made (its life cycle, its callbacks) is told by
+A main function gives names and arguments; what a node does after it was made (its life cycle, its callbacks) is in
 its class.
 """
 
@@ -86,8 +86,8 @@ def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tupl
     """Return endpoints of both; of one that both tell what main tells, if it knows what decides its name."""
     better = {_place(one.evidence) for one in second if not _vague(one)}
     kept = [one for one in first if not _vague(one) or _place(one.evidence) not in better]
-    told = {_place(one.evidence) for one in kept}
-    return (*kept, *(one for one in second if _place(one.evidence) not in told))
+    reported = {_place(one.evidence) for one in kept}
+    return (*kept, *(one for one in second if _place(one.evidence) not in reported))
 
 
 def _vague(fact: EndpointFact) -> bool:

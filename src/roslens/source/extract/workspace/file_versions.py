@@ -55,24 +55,19 @@ def file_versions(
         targets: that builds make, each with its versions.
     """
     said = {path: spoken(program) for path, program in programs.items()}
-    found = {path: next(iter(versions_)) for path, versions_ in said.items() if len(versions_) == 1}
+    found = {path: only for path, versions_ in said.items() if (only := _only(versions_))}
     switched = {path for path, program in programs.items() if program.variants}
     if len({*found.values()}) < 2 and not switched:
         return {}
     built = _built(targets)
     edges = included_files(programs, owners, needs)
     for path in sorted(edges.keys() - found.keys() - switched):
-        heard = _heard(path, edges, said)
-        if len(heard) == 1:
-            found[path] = heard.pop()
-    for path in programs:
+        if heard := _only(_heard(path, edges, said)):
+            found[path] = heard
+    silent = [path for path in programs if path not in found and path not in switched]
+    for path in silent:
         owner = owners.get(path, "")
-        own = versions.get(owner, ())
-        if path in found or path in switched:
-            continue
-        if len(own) == 1:
-            found[path] = own[0]
-        elif version := built.get(path) or _named(path, folders.get(owner, "")):
+        if version := _only(versions.get(owner, ())) or built.get(path) or _named(path, folders.get(owner, "")):
             found[path] = version
     _headers(found, programs, edges, switched)
     mostly = max(VERSIONS, key=list(found.values()).count)
@@ -80,6 +75,11 @@ def file_versions(
         if not versions.get(owners.get(path, ""), ()) and path not in switched:
             found.setdefault(path, mostly)
     return found
+
+
+def _only(versions: Collection[str]) -> str:
+    """Return the version where there is one alone; empty where there are none or several."""
+    return next(iter(versions)) if len(versions) == 1 else ""
 
 
 def _heard(path: str, edges: Mapping[str, Collection[str]], said: Mapping[str, set[str]]) -> set[str]:
@@ -99,13 +99,13 @@ def _built(targets: Iterable[Target]) -> dict[str, str]:
     for one in targets:
         for path in one.sources:
             found.setdefault(path, set()).update(one.versions or VERSIONS)
-    return {path: next(iter(versions)) for path, versions in found.items() if len(versions) == 1}
+    return {path: only for path, versions in found.items() if (only := _only(versions))}
 
 
 def _named(path: str, folder: str) -> str:
     inside = path.removeprefix(f"{folder}/") if folder not in ("", ".") else path
     named = {f"ros{one}" for one in _NAMED.findall(inside)}
-    return named.pop() if len(named) == 1 else ""
+    return _only(named)
 
 
 def _headers(

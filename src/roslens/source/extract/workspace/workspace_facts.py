@@ -72,7 +72,7 @@ class WorkspaceFacts:
 
         Args:
             workspace: its packages and files.
-            settings: how files are told apart, and macros.
+            settings: how files are distinguished, and macros.
             cache: what earlier runs learned.
             now_s: the time, in seconds since 1970.
             jobs: worker processes; 0 means one per processor, 1 none.

@@ -45,6 +45,78 @@ def test_a_preset_that_keeps_what_a_parameter_says(node_of):
     assert (one.qos.reliability, "depth" in one.qos_unknown) == ("best_effort", True)
 
 
+@pytest.mark.parametrize(
+    ("declared", "reliability", "unknown"),
+    [
+        ("rclcpp::QoS base", "", "result of somewhere()"),
+        ("const rmw_qos_profile_t base", "", "result of somewhere()"),
+        ("size_t base", "reliable", "its depth is result of somewhere()"),
+        ("auto base", "", "result of somewhere()"),
+        # No name decides, but its type.
+        ("size_t qos_profile", "reliable", "its depth is result of somewhere()"),
+    ],
+)
+def test_what_is_not_known_is_a_profile_or_a_depth_by_its_type(node_of, declared, reliability, unknown):
+    name = declared.rpartition(" ")[2]
+    body = f"{declared} = somewhere();\n"
+    (one,) = node_of(f'{body}pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS({name}));').endpoints
+    assert (one.qos.reliability, one.qos_unknown) == (reliability, unknown)
+
+
+@pytest.mark.parametrize(
+    ("written", "reliability"),
+    [
+        ("names_.size()", "reliable"),
+        ("2 * depth_", "reliable"),
+        ("depth_", "reliable"),
+        ("somewhere() ? 10 : depth_", "reliable"),
+        ("other_", ""),
+        ("made()", ""),
+        ("somewhere() ? other_ : made()", ""),
+    ],
+)
+def test_a_depth_by_how_its_member_is_declared(units, written, reliability):
+    (facts,) = units(
+        a_cpp=f"""
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+class A : public rclcpp::Node {{
+  A() : Node("a"), depth_(somewhere()), other_(somewhere()) {{
+    pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS({written}));
+  }}
+  std::vector<std::string> names_ = somewhere();
+  const size_t depth_;
+  Profile other_;
+}};
+"""
+    )
+    (one,) = facts.endpoints
+    assert (one.qos.reliability, bool(one.qos_unknown)) == (reliability, True)
+
+
+def test_what_is_changed_of_a_profile_that_is_not_known_is_known(node_of):
+    body = "rclcpp::QoS base = somewhere();\n"
+    (one,) = node_of(f'{body}pub_ = create_publisher<std_msgs::msg::String>("a", base.best_effort());').endpoints
+    assert (one.qos.reliability, one.qos_unknown) == ("best_effort", "result of somewhere()")
+
+
+def test_a_profile_that_a_function_nobody_calls_is_given(units):
+    (facts,) = units(
+        a_cpp="""
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+class A : public rclcpp::Node {
+ public:
+  explicit A(const rclcpp::QoS & base) : Node("a") {
+    pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(base).reliable());
+  }
+};
+"""
+    )
+    (one,) = facts.endpoints
+    assert (one.qos.reliability, one.qos.durability, "base" in one.qos_unknown) == ("reliable", "", True)
+
+
 def python_endpoints(units, *lines):
     text = """
 from rclpy.duration import Duration, Infinite

@@ -2,13 +2,41 @@
 
 from __future__ import annotations
 
-from roslens.source.extract.ir.program import Branch, Leave, Literal, Member, Name, Opaque, Return, Statement
+from roslens.source.extract.ir.program import (
+    Branch,
+    Expression,
+    Leave,
+    Literal,
+    Member,
+    Name,
+    Opaque,
+    Return,
+    Statement,
+)
+from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered
 
 _MOST_COPIES = 16
 """So often what follows is written down on two ways of a choice; a ``break`` after that is not seen."""
+_MOST_FOLLOWING = 100
+"""Statements that a case falls through to: each case holds them, so that they grow with the square of the cases."""
 _SAYING_NOTHING = (Name, Opaque, Literal, Member)
 
 Statements = tuple[Statement, ...]
+Case = tuple[Expression | None, list[Statement], bool, int]
+"""The condition of a case, None of the default one; its statements, whether they end it, and the line."""
+
+
+def fallen_through(cases: list[Case], lowered: Lowered) -> list[tuple[Expression | None, Statements, int]]:
+    """Return the condition, statements and line of each case; without ``break`` those of the next case follow."""
+    found: list[tuple[Expression | None, Statements, int]] = []
+    following: Statements = ()
+    for condition, statements, ends, line in reversed(cases):
+        if len(following) > _MOST_FOLLOWING:
+            lowered.incomplete.add((line, f"falls through to more than {_MOST_FOLLOWING} statements"))
+            following = ()
+        following = without_breaks(tuple(statements), () if ends else following)
+        found.append((condition, following, line))
+    return found[::-1]
 
 
 def without_breaks(statements: Statements, following: Statements) -> Statements:

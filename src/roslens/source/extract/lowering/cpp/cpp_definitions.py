@@ -25,7 +25,7 @@ from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_initialisers import lower_initialisers
 from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered, name_of, opaque
 from roslens.source.extract.lowering.cpp.cpp_macros import is_registration, macro_value
-from roslens.source.extract.lowering.cpp.cpp_parameters import Parameters
+from roslens.source.extract.lowering.cpp.cpp_parameters import Parameters, given_back
 from roslens.source.extract.lowering.cpp.cpp_statements import StatementLowering
 from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, dotted
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements
@@ -235,9 +235,7 @@ class Definitions:
         line = declarator.start_point.row + 1
         sets = self._statements.sets
         if self._statements.in_part:
-            for one in parameters:
-                if one.type[-1:] == "&" and one.name and "const" not in one.type:
-                    sets += (one.name,)
+            sets += given_back(parameters)
         hands = outer.type in HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
         local = not class_name and (self._hidden > 0 or self._is_static(node))
         function = Function(

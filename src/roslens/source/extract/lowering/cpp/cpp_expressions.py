@@ -32,8 +32,6 @@ from roslens.source.extract.lowering.cpp.cpp_lowered import DEEPEST, Lowered, na
 from roslens.source.extract.lowering.cpp.cpp_types import declared_type, is_primitive, name_and_templates
 from roslens.source.syntax.cpp_names import text_of
 
-_CASTS = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"})
-_FORMATS = frozenset({"fmt.format", "std.format", "std.vformat"})
 _CONTAINERS = frozenset(
     f"std.{name}"
     for name in ("vector", "array", "list", "deque", "set", "unordered_set", "map", "unordered_map", "initializer_list")
@@ -145,16 +143,13 @@ class Expressions:
             callee, templates = self._method(function)
         elif kind in ("qualified_identifier", "template_function"):
             name, templates = name_and_templates(self._lowered.text(function))
-            if name in _CASTS and len(values) == 1:
-                return values[0]
+            instead = _INSTEAD[name](values) if name in _INSTEAD else None
+            if instead is not None:
+                return instead
             callee = name_of(name)
             if not values and name == "std.vector":
                 # What stands there is empty; a variable that is declared may be filled.
                 values = (Sequence(()),)
-            if name in _FORMATS:
-                formatted = _formatted(values)
-                if formatted is not None:
-                    return formatted
         else:
             callee = self.lower(function)
         row, column = node.start_point
@@ -316,6 +311,15 @@ def _formatted(values: tuple[Expression, ...]) -> Format | None:
     return Format((*parts, Literal(text)) if text else tuple(parts))
 
 
+def _only(values: tuple[Expression, ...]) -> Expression | None:
+    return values[0] if len(values) == 1 else None
+
+
+_INSTEAD: dict[str, Callable[[tuple[Expression, ...]], Expression | None]] = {
+    **dict.fromkeys(("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"), _only),
+    **dict.fromkeys(("fmt.format", "std.format", "std.vformat"), _formatted),
+}
+"""Function to what stands for a call of it with such arguments; None where the call stays."""
 _NO_EXPRESSIONS = frozenset({"comment", "type_descriptor", "primitive_type", "type_identifier", "type_qualifier"})
 _KINDS = {
     "name": "identifier field_identifier type_identifier namespace_identifier qualified_identifier template_function "

@@ -69,6 +69,10 @@ class Parameters:
         first, type_ = node.child_by_field_name("declarator"), node.child_by_field_name("type")
         if type_ is None or first is None or self._is_one_function(node, first):
             return []
+        return [field for field in self._declared(node, type_) if field.name]
+
+    def _declared(self, node: Node, type_: Node) -> list[Field]:
+        """Return what each declarator declares, with the value behind it; nothing of a function."""
         found: list[Field] = []
         pending: tuple[bytes, bytes] | None = None
         before, line = b"", node.start_point.row + 1
@@ -85,7 +89,7 @@ class Parameters:
                 pending = None
         if pending is not None:
             found.append(_field(*pending, None, line))
-        return [field for field in found if field.name]
+        return found
 
     def _is_one_function(self, node: Node, declarator: Node) -> bool:
         """Return whether a declaration declares a function and nothing behind it."""
@@ -103,6 +107,11 @@ class Parameters:
             values = self._expressions.several(value)
             return values[0] if values else Literal(None)
         return self._expressions.construct(self._lowered.text(type_), value, type_)
+
+
+def given_back(parameters: tuple[Parameter, ...]) -> tuple[str, ...]:
+    """Return the names of parameters that a function may set for its caller."""
+    return tuple(one.name for one in parameters if one.type[-1:] == "&" and one.name and "const" not in one.type)
 
 
 def _field(before: bytes, declarator: bytes, value: Expression | None, line: int) -> Field:

@@ -130,12 +130,7 @@ class Relevance:
         if test:
             self.level = Level.WHOLE if _ENDPOINT.search(source, start, end) else Level.NOTHING
             return
-        if (
-            end - start < _SHORT
-            or (head >= 0 and (_takes_nodes(source, head, start, end) or _makes_names(source, head, start, end)))
-            or _whole(source, start, end)
-            or (head >= 0 and source.find(b" main(", head, start) >= 0)
-        ):
+        if end - start < _SHORT or _whole(source, start, end) or (head >= 0 and _headed(source, head, start, end)):
             self.level = Level.WHOLE
             return
         body = source[start:end]
@@ -144,6 +139,17 @@ class Relevance:
         if b"&" in body:
             names |= _set_under_other_names(body, names)
         self.sets = tuple(sorted(map(bytes.decode, names)))
+        self._find_calls(backwards, end)
+        texts = [start + match.start() for match in _TEXT_ASSIGNED.finditer(body)] if b'"' in body else []
+        if self._leading or texts or (self._others and _STATEMENT_BEGINS.search(body)):
+            self.level = Level.CALLS
+            self._others = sorted([*self._others, *texts])
+            self._returns = [start + match.start() for match in _VALUE_RETURNED.finditer(body)]
+        else:
+            self.level = Level.NOTHING
+
+    def _find_calls(self, backwards: bytes, end: int) -> None:
+        """Find the calls in a text that runs backwards from ``end``, those that only compute aside."""
         known = _KIND_OF.get
         for match in _CALLED.finditer(backwards):
             name = match[1]
@@ -154,13 +160,6 @@ class Relevance:
                 (self._leading if kind == _LEADS else self._others).append(end - match.end())
         self._leading.reverse()
         self._others.reverse()
-        texts = [start + match.start() for match in _TEXT_ASSIGNED.finditer(body)] if b'"' in body else []
-        if self._leading or texts or (self._others and _STATEMENT_BEGINS.search(body)):
-            self.level = Level.CALLS
-            self._others = sorted([*self._others, *texts])
-            self._returns = [start + match.start() for match in _VALUE_RETURNED.finditer(body)]
-        else:
-            self.level = Level.NOTHING
 
     def may_lead(self, start: int, end: int) -> bool:
         """Return whether a simple statement or expression may lead to an interface."""
@@ -189,6 +188,15 @@ def _set_under_other_names(body: bytes, names: set[bytes]) -> set[bytes]:
         for match in _OTHER_NAME.finditer(body)
         if match[1] in names or len(re.findall(rb"\*\s*%s\s*[-+*/|&^%%]?=(?!=)" % match[1], body)) > 1
     }
+
+
+def _headed(source: bytes, head: int, start: int, end: int) -> bool:
+    """Return whether the head of a function makes all of its body matter: nodes, names to make, or that it is main."""
+    return (
+        _takes_nodes(source, head, start, end)
+        or _makes_names(source, head, start, end)
+        or source.find(b" main(", head, start) >= 0
+    )
 
 
 def _takes_nodes(source: bytes, head: int, start: int, end: int) -> bool:

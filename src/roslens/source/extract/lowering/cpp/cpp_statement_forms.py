@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
-from roslens.source.extract.ir.program import Call, Expression, Literal, Member, Name, Opaque
+from roslens.source.extract.ir.program import Call, Expression, Literal, Member, Name, Opaque, Operation
 
 _SAYING_NOTHING = (Name, Opaque, Literal, Member)
 
@@ -12,6 +12,11 @@ _SAYING_NOTHING = (Name, Opaque, Literal, Member)
 def says_nothing(condition: Expression | None) -> bool:
     """Whether a condition calls nothing and compares nothing."""
     return condition is None or isinstance(condition, _SAYING_NOTHING)
+
+
+def any_label(labels: list[Expression]) -> Expression:
+    """Return that a choice is for one of several labels."""
+    return labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
 
 
 def ends_case(nodes: list[Node]) -> bool:

@@ -23,18 +23,16 @@ from roslens.source.extract.ir.program import (
     Return,
     Statement,
 )
-from roslens.source.extract.lowering.cpp.cpp_breaks import without_breaks
+from roslens.source.extract.lowering.cpp.cpp_breaks import Case, fallen_through
 from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.lowering.cpp.cpp_slicing import Level, Relevance, is_filling, is_logging
-from roslens.source.extract.lowering.cpp.cpp_statement_forms import ends_case, owned, says_nothing
+from roslens.source.extract.lowering.cpp.cpp_statement_forms import any_label, ends_case, owned, says_nothing
 from roslens.source.extract.lowering.cpp.cpp_types import declared_name
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements, Variables, target_of
 
 _Arm = tuple[Statements, Expression, tuple[Statement, ...], int]
 """What stands before a condition, the condition, what it decides, and the line."""
-_MOST_FOLLOWING = 100
-"""Statements that a case falls through to: each case holds them, so that they grow with the square of the cases."""
 
 
 class StatementLowering:
@@ -254,9 +252,17 @@ class StatementLowering:
         # What ``break`` leaves here is the choice.
         around, self._leaves = self._leaves, self._leaves | {"break_statement"}
         subject = self._condition(node.child_by_field_name("condition"), out)
-        body = node.child_by_field_name("body")
+        cases = fallen_through(self._cases(node.child_by_field_name("body"), subject), self._lowered)
+        otherwise = next((then for condition, then, _ in cases if condition is None), ())
+        arms: list[_Arm] = [([], condition, then, line) for condition, then, line in cases if condition is not None]
+        self._chain(arms, otherwise, node, out)
+        self._leaves = around
+        self._lowered.depth -= 1
+
+    def _cases(self, body: Node | None, subject: Expression) -> list[Case]:
+        """Return the cases of a choice; labels without statements belong to the case behind them."""
+        found: list[Case] = []
         labels: list[Expression] = []
-        groups: list[tuple[Expression | None, Statements, bool, int]] = []
         default = False
         for case in body.named_children if body is not None else ():
             if case.type != "case_statement":
@@ -270,25 +276,10 @@ class StatementLowering:
             if value is not None:
                 labels.append(Operation("==", (subject, self._lower(value))))
             if inner:
-                condition = None if default else labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
-                groups.append((condition, statements, ends_case(inner), case.start_point.row + 1))
+                condition = None if default else any_label(labels)
+                found.append((condition, statements, ends_case(inner), case.start_point.row + 1))
                 labels, default = [], False
-        cases: list[_Arm] = []
-        otherwise: tuple[Statement, ...] = ()
-        following: tuple[Statement, ...] = ()
-        for condition, statements, ends, line in reversed(groups):
-            if len(following) > _MOST_FOLLOWING:
-                self._lowered.incomplete.add((line, f"falls through to more than {_MOST_FOLLOWING} statements"))
-                following = ()
-            # Without ``break`` the next case follows.
-            following = without_breaks(tuple(statements), () if ends else following)
-            if condition is None:
-                otherwise = following
-            else:
-                cases.insert(0, ([], condition, following, line))
-        self._chain(cases, otherwise, node, out)
-        self._leaves = around
-        self._lowered.depth -= 1
+        return found
 
     def _loop(self, node: Node, out: Statements) -> None:
         if self._left_out(node):

@@ -15,6 +15,7 @@ from roslens.source.syntax.cpp_names import function_declarator
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 _POINTING = ("pointer_declarator", "reference_declarator")
+_REFERRING = (b"&", b"*")
 _TYPE_NAMES = ("type_identifier", "qualified_identifier", "template_type")
 _DIRECT = ("argument_list", "initializer_list")
 
@@ -62,29 +63,30 @@ class Variables:
         written = self._lowered.text(declarator)
         made: Expression | None = None
         if kind == "function_declarator":
-            name_node = whole.child_by_field_name("declarator")
-            if prefix is not None or name_node is None:
+            found = self._vexing(type_, whole, node) if prefix is None else None
+            if found is None:
                 return
-            made = self._vexing(type_, whole, node)
-            if made is None:
-                return
-            written = self._lowered.text(name_node)
+            written, made = found
         elif kind in _POINTING and b"(" in written and function_declarator(whole) is not None:
             return
         elif value is not None:
             made = self._initial(node, type_, declarator, written, value)
         target = target_of(written, prefix or "")
-        if target is not None:
-            how = "="
-            if prefix is None and before[:6] == b"static":
-                how = "static"
-            elif prefix is None and written[:1] in (b"&", b"*") and _has_a_place(made):
-                how = self._referring(before, written, value)
-            out.append(Assign(target, made, declared_type(before, written), how, node.start_point.row + 1))
+        if target is None:
+            return
+        how = self._held(before, written, value, made) if prefix is None else "="
+        out.append(Assign(target, made, declared_type(before, written), how, node.start_point.row + 1))
 
-    def _referring(self, before: bytes, written: bytes, value: Node | None) -> str:
-        """Return ``&`` of what is another name of a variable, ``*`` of what points to one, ``=`` of what is neither."""
-        if b"const" in before or value is None:
+    def _held(self, before: bytes, written: bytes, value: Node | None, made: Expression | None) -> str:
+        """Return how a local variable holds its value.
+
+        Returns:
+            ``static`` of what lives on between calls, ``&`` of what is another name of a variable, ``*`` of what points
+            to one, ``=`` of what is none of these.
+        """
+        if before[:6] == b"static":
+            return "static"
+        if written[:1] not in _REFERRING or b"const" in before or value is None or not _has_a_place(made):
             return "="
         if written[:1] == b"&":
             return "&"
@@ -100,14 +102,15 @@ class Variables:
             return values[0] if len(values) == 1 and b"[" not in written else Sequence(values)
         return self._expressions.construct(self._lowered.text(type_), value, node)
 
-    def _vexing(self, type_: Node, declarator: Node, node: Node) -> Call | None:
-        """Return the call that ``Type name(a, b);`` is inside a function, though it parses as a declaration."""
-        arguments = self._vexing_arguments(declarator)
-        if not arguments:
+    def _vexing(self, type_: Node, declarator: Node, node: Node) -> tuple[bytes, Call] | None:
+        """Return name and call of ``Type name(a, b);`` inside a function, though it parses as a declaration."""
+        declared = declarator.child_by_field_name("declarator")
+        arguments = self._vexing_arguments(declarator) if declared is not None else None
+        if declared is None or not arguments:
             return None
         name, templates = name_and_templates(self._lowered.text(type_))
         row, column = node.start_point
-        return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
+        return self._lowered.text(declared), Call(name_of(name), arguments, (), templates, row + 1, column + 1)
 
     def _vexing_arguments(self, declarator: Node) -> tuple[Expression, ...] | None:
         """Return the arguments that parse as parameters; None where they cannot be arguments."""

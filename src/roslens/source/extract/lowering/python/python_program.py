@@ -1,6 +1,6 @@
 """A Python file as a small program, from the tree of the one parse; Python 2 files too.
 
-How expressions are lowered is told in
+How expressions are lowered is described in
 :mod:`~roslens.source.extract.lowering.python.python_program_expressions`, statements in
 :mod:`~roslens.source.extract.lowering.python.python_program_statements`, literals and text put together in
 :mod:`~roslens.source.extract.lowering.python.python_program_literals`.
@@ -56,11 +56,11 @@ def lower_python(parsed: PythonTree, lowered: Statements | None = None) -> Progr
 def _faults(root: Node) -> Iterator[Node]:
     """Yield the outermost nodes that could not be parsed, as many as are worth telling."""
     nodes = [root]
-    told = 0
-    while nodes and told < _MOST_FAULTS:
+    reported = 0
+    while nodes and reported < _MOST_FAULTS:
         node = nodes.pop()
         if node.is_error or node.is_missing:
-            told += 1
+            reported += 1
             yield node
         else:
             nodes.extend(child for child in reversed(node.children) if child.has_error or child.is_missing)

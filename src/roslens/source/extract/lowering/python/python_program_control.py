@@ -23,6 +23,8 @@ from roslens.source.syntax.python_tree import LANGUAGE
 
 _ARMS = frozenset({"except_clause", "except_group_clause"})
 _BLOCK = LANGUAGE.id_for_node_kind("block", True) or 0
+_Handler = tuple[str, tuple[Statement, ...]]
+"""How an exception is caught, as it is written, and what is done then."""
 
 
 class Control(Patterns):
@@ -103,32 +105,39 @@ class Control(Patterns):
 
     def _on_try(self, node: Node) -> None:
         depth, then = self._depth, self.block(node.child_by_field_name("body"))
-        handlers: list[tuple[str, tuple[Statement, ...]]] = []
+        handlers: list[_Handler] = []
         last: tuple[Statement, ...] = ()
         for child in node.children:
             kind = child.type
             if kind == "else_clause":
                 then += self.block(child.child_by_field_name("body"))
-            elif kind in _ARMS or kind == "finally_clause":
-                parts = self.parts(child)
-                block = parts[-1] if parts and parts[-1].kind_id == _BLOCK else None
-                if kind in _ARMS:
-                    if self._depth >= DEEPEST:
-                        self._too_deep(child)
-                        continue
-                    self._depth += 1
-                    head = self.source[child.start_byte : block.start_byte if block is not None else child.end_byte]
-                    caught = b" ".join(head.split()).decode("utf-8", "backslashreplace").rstrip(" :")[:80]
-                    handlers.append((caught, self.block(block)))
-                else:
-                    last = self.block(block)
+            elif kind == "finally_clause":
+                last = self.block(self._last_block(child))
+            elif kind not in _ARMS:
+                continue
+            elif self._depth >= DEEPEST:
+                self._too_deep(child)
+            else:
+                self._depth += 1
+                handlers.append(self._handler(child))
         self._depth = depth
         otherwise = self._handled(handlers, self.line(node))
         if then or otherwise:
             self.pending.append(Branch(NO_EXCEPTION, then, otherwise, self.line(node)))
         self.pending += last
 
-    def _handled(self, handlers: list[tuple[str, tuple[Statement, ...]]], line: int) -> tuple[Statement, ...]:
+    def _handler(self, node: Node) -> _Handler:
+        block = self._last_block(node)
+        head = self.source[node.start_byte : block.start_byte if block is not None else node.end_byte]
+        caught = b" ".join(head.split()).decode("utf-8", "backslashreplace").rstrip(" :")[:80]
+        return caught, self.block(block)
+
+    def _last_block(self, clause: Node) -> Node | None:
+        """Return the block of a clause that has no field for it."""
+        parts = self.parts(clause)
+        return parts[-1] if parts and parts[-1].kind_id == _BLOCK else None
+
+    def _handled(self, handlers: list[_Handler], line: int) -> tuple[Statement, ...]:
         otherwise: tuple[Statement, ...] = ()
         for number, (caught, body) in enumerate(reversed(handlers)):
             otherwise = body if number == 0 else (Branch(Opaque(caught), body, otherwise, line),)

@@ -238,21 +238,7 @@ class Expressions(Made):
         keywords: list[tuple[str, Expression]] = []
         given = children[-1]
         if given.kind_id == _ARGUMENTS:
-            for child in given.children:
-                kind = child.kind_id
-                if kind in _SIGNS:
-                    continue
-                if kind == _KEYWORD:
-                    parts = child.children
-                    keywords.append((self.text(parts[0]), self.expression(parts[-1])))
-                elif kind == _DOUBLE_SPLAT:
-                    keywords.append(("**", self.expression(child.children[-1])))
-                else:
-                    value = self._item(child)
-                    arguments.append(value)
-                    if type(value) is Opaque and value.text[:1] == "*":
-                        plain = child.children[-1:] if child.kind_id == _SPLAT else []
-                        keywords += [("*", self.expression(one) if one.type in _SPREAD else value) for one in plain]
+            self._arguments(given, arguments, keywords)
         elif len(children) > 1:
             arguments.append(self.expression(given))
         if isinstance(function, Member) and function.name == "format" and isinstance(function.of, Literal):
@@ -264,6 +250,24 @@ class Expressions(Made):
         line = bisect_right(self._starts, start)
         column = start - self._starts[line - 1] + 1
         return Call(function, tuple(arguments), tuple(keywords), (), line, column)
+
+    def _arguments(self, given: Node, arguments: list[Expression], keywords: list[tuple[str, Expression]]) -> None:
+        """Add the arguments between the parentheses of a call."""
+        for child in given.children:
+            kind = child.kind_id
+            if kind in _SIGNS:
+                continue
+            if kind == _KEYWORD:
+                parts = child.children
+                keywords.append((self.text(parts[0]), self.expression(parts[-1])))
+            elif kind == _DOUBLE_SPLAT:
+                keywords.append(("**", self.expression(child.children[-1])))
+            else:
+                value = self._item(child)
+                arguments.append(value)
+                if kind == _SPLAT and type(value) is Opaque and value.text[:1] == "*":
+                    spread = child.children[-1]
+                    keywords.append(("*", self.expression(spread) if spread.type in _SPREAD else value))
 
     def _formatted(
         self, template: Literal, arguments: list[Expression], keywords: dict[str, Expression]

@@ -91,7 +91,7 @@ def converted(value: Expression, conversion: str, layout: str) -> Expression:
 
 
 def braces(template: str, arguments: Several[Expression], keywords: dict[str, Expression]) -> Expression | None:
-    """Return what ``template.format(...)`` is; None where it cannot be told."""
+    """Return what ``template.format(...)`` is; None where it cannot be determined."""
     parts: list[Expression] = []
     counted = 0
     try:
@@ -102,17 +102,29 @@ def braces(template: str, arguments: Several[Expression], keywords: dict[str, Ex
             match = _FIELD.fullmatch(field)
             if match is None or "{" in (layout or ""):
                 return None
-            key = match[1]
-            if not key:
-                key = str(counted)
+            value = _of_field(match, counted, arguments, keywords)
+            if not match[1]:
                 counted += 1
-            value = arguments[int(key)] if key.isdecimal() else keywords[key]
-            for step in _STEP.finditer(match[2]):
-                value = _stepped(value, step)
             parts.append(converted(value, conversion or "", layout or ""))
     except (ValueError, IndexError, KeyError):
         return None
     return joined(parts)
+
+
+def _of_field(
+    field: re.Match[str], counted: int, arguments: Several[Expression], keywords: dict[str, Expression]
+) -> Expression:
+    """Return what ``{key.member[item]}`` stands for; without a key that is the argument at ``counted``.
+
+    Raises:
+        IndexError: no argument is there.
+        KeyError: no keyword has that name.
+    """
+    key = field[1] or str(counted)
+    value = arguments[int(key)] if key.isdecimal() else keywords[key]
+    for step in _STEP.finditer(field[2]):
+        value = _stepped(value, step)
+    return value
 
 
 def _stepped(value: Expression, step: re.Match[str]) -> Expression:
@@ -122,7 +134,7 @@ def _stepped(value: Expression, step: re.Match[str]) -> Expression:
 
 
 def percent(template: str, right: Expression, items: tuple[Expression, ...] | None) -> Expression | None:
-    """Return what ``template % right`` is; None where it cannot be told.
+    """Return what ``template % right`` is; None where it cannot be determined.
 
     Args:
         template: the text on the left.

@@ -38,7 +38,7 @@ def mapping(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @outer("nodelet.Loader")
 def loader(ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A loader of nodelets, with services of a manager where it is told so."""
+    """A loader of nodelets, with services of a manager where the call asks for them."""
     ctx.emitter.node.generation = "ros1"
     given = called.argument(0, default=True)
     match given:

@@ -130,11 +130,11 @@ def given_options(called: CallSite) -> Obj | None:
     return Obj(OPTIONS, None, held)
 
 
-def _inherited(told: Inherits | None, words: list[Value]) -> Inherits:
+def _inherited(stated: Inherits | None, words: list[Value]) -> Inherits:
     """Return what a node takes of what the component is loaded with, by its options and its command line."""
-    if told is Inherits.ALL:
+    if stated is Inherits.ALL:
         return Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
-    return Inherits.ARGUMENTS if OUTSIDE in words else told or Inherits.NOTHING
+    return Inherits.ARGUMENTS if OUTSIDE in words else stated or Inherits.NOTHING
 
 
 def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSite) -> None:

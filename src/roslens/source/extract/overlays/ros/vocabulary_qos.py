@@ -21,8 +21,9 @@ from roslens.source.extract.domain.quality import (
     quality_by_key,
     quality_of,
 )
-from roslens.source.extract.interpreter.vocabulary import CallSite, method, outer
+from roslens.source.extract.interpreter.vocabulary import CallSite, expression_of, method, outer
 from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbols.declared_type import is_number
 
 if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
@@ -31,10 +32,10 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
-def qos(_ctx: Context, thing: Value, called: CallSite) -> Value:
+def qos(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
-    return _made_on(thing, msgspec.structs.replace(_from_words(called)))
+    return _made_on(thing, msgspec.structs.replace(_from_words(ctx, called)))
 
 
 def _made_on(thing: Value, value: QosValue) -> Value:
@@ -46,21 +47,21 @@ def _made_on(thing: Value, value: QosValue) -> Value:
     return value
 
 
-def _from_words(called: CallSite) -> QosValue:
+def _from_words(ctx: Context, called: CallSite) -> QosValue:
     first = called.argument(0, "depth", "history_depth")
     match first:
         case list([history, depth]):
             first = Obj(INITIALISATION, None, {"qos": history_of(history, depth)})
         case list():
             first = Unknown("a list")
-    base = _given(first, called)
+    base = _given(ctx, first, called)
     for name, value in called.keywords.items():
         if name in POLICIES or name in DURATIONS:
             base = changed(base, name, value)
     return base
 
 
-def _given(first: Value, called: CallSite) -> QosValue:
+def _given(ctx: Context, first: Value, called: CallSite) -> QosValue:
     """Return what the first argument says, which is a depth, a history, or another quality of service."""
     match first:
         case Obj() if first.type == INITIALISATION:
@@ -68,10 +69,7 @@ def _given(first: Value, called: CallSite) -> QosValue:
             if len(called.arguments) > 1:
                 profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
             return keeping(profile, _held(first))
-        case Unknown(reason=why) if _may_be_profile(str(why)):
-            # Another one may be copied.
-            return QosValue(Qos(), str(why))
-        case Unknown(reason=why):
+        case Unknown(reason=why) if _is_depth(ctx, called):
             return _of_depth(str(why))
         case Text():
             return _of_depth(str(first))
@@ -80,13 +78,20 @@ def _given(first: Value, called: CallSite) -> QosValue:
     return quality_of(first) or _NO_DEPTH
 
 
+def _is_depth(ctx: Context, called: CallSite) -> bool:
+    """Whether the first argument is a number by its declaration; else a quality of service may be copied."""
+    if not ctx.dialect.types_convert:
+        # Those of rclpy have no copies: only their policies are given.
+        return True
+    written = expression_of(ctx, called, 0)
+    thing = ctx.state.frame.object
+    function = ctx.stack.calls[-1][1] if ctx.stack.calls else None
+    return written is not None and is_number(ctx.index, function, thing.defined if thing else None, written)
+
+
 def _of_depth(reason: str) -> QosValue:
     """Return the usual quality of service with a depth that is unknown."""
     return QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
-
-
-def _may_be_profile(reason: str) -> bool:
-    return "qos" in reason.lower() or "profile" in reason.lower()
 
 
 def _held(thing: Obj) -> QosValue:

@@ -121,7 +121,7 @@ def advertise(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher."""
     handle = called.given(Handle, 0)
     if handle is not None:
-        # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
+        # A message of any type gets the handle to use: ``shape_shifter.advertise(node, topic, 10)``.
         thing = handle
         called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
     kind = called.templates[0] if called.templates else Unknown("its type")
@@ -371,7 +371,7 @@ def fill_options(_ctx: Context, thing: Obj, called: CallSite) -> Value:
     callback = first_of_kind(called.arguments, Callable)
     thing.fields["-callback"] = callback
     thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
-    # Callbacks of a publisher are told who connects; its type is a text: name, size, checksum, type, definition.
+    # Callbacks of a publisher learn who connects; its type is a text: name, size, checksum, type, definition.
     by_callback = "" if thing.type == "ros.AdvertiseOptions" else type_of_callback(callback)
     kind = called.templates[0] if called.templates else by_callback
     thing.fields["-type"] = kind or Unknown("its type")

@@ -105,3 +105,35 @@ def test_a_file_is_one_failure_however_many_places_do_not_parse(tmp_path: Path, 
     assert failure.what.startswith("cannot parse ")
     assert " places: `@` here, then from line " in failure.what
     assert failure.what.endswith(" more places")
+
+
+UNREADABLE = {
+    "utf-16": "int main() { return 0; }\n".encode("utf-16"),
+    "utf-16 without a mark": "int main() { return 0; }\n".encode("utf-16-be"),
+    "binary": b"\x7fELF" + bytes(200),
+}
+
+
+@pytest.mark.parametrize("content", UNREADABLE.values(), ids=UNREADABLE)
+def test_a_file_that_is_no_text_is_reported_once_and_not_measured(tmp_path: Path, monkeypatch, content: bytes):
+    monkeypatch.setitem(FILES, "arm/a.cpp", content)
+    measured = measure_task(task(tmp_path, programs=False))
+    (failure,) = measured.failures
+    assert (failure.tool, failure.location.path, failure.partial) == ("workspace", "arm/a.cpp", False)
+    assert not [one.id for one in measured.entities if "a.cpp" in one.id]
+    assert not [one for one in measured.findings if one.path == "arm/a.cpp"]
+    assert [one.id for one in measured.entities if "b.py" in one.id], "the other files stand"
+
+
+def test_a_zero_byte_is_reported_once_and_the_rest_measured(tmp_path: Path, monkeypatch):
+    monkeypatch.setitem(FILES, "arm/a.cpp", b"int first() { return 0; }\n\x00\nint second() { return 1; }\n")
+    measured = measure_task(task(tmp_path, programs=False))
+    (failure,) = measured.failures
+    assert failure.what == "the file holds 1 zero byte"
+    assert failure.partial
+    assert [one.id for one in measured.entities if "second" in one.id]
+
+
+def test_what_cannot_be_parsed_beside_a_zero_byte_is_reported(tmp_path: Path, monkeypatch):
+    monkeypatch.setitem(FILES, "arm/a.cpp", b"int first() { return 0; }\n\x00\nint second( { ] return 1; }\n")
+    assert {one.tool for one in measure_task(task(tmp_path, programs=False)).failures} == {"workspace", "syntax"}

@@ -5,7 +5,7 @@ Reading is the cost: a file whose size, time stamp and inode are those of the la
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import msgspec
@@ -18,7 +18,7 @@ from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
 from roslens.source.workspace.roles import given_role, role_by_path
-from roslens.source.workspace.vendored import vendored_folders
+from roslens.source.workspace.vendored import named_folders, vendored_folders
 from roslens.store.cache import FileStat
 
 LARGEST_UNNAMED_BYTES = 1 << 20
@@ -48,6 +48,7 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
     failures: list[Failure] = []
     learned: dict[str, FileStat] = {}
     others: dict[str, tuple[str, ...]] = {}
+    packages = [one.package.path for one in workspace.packages if one.package.id != OUTSIDE_PACKAGES]
     for found in workspace.packages:
         kept: list[SourceFile] = []
         unnamed: list[str] = []
@@ -64,7 +65,9 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
                 continue
             kept.append(SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash))
         others[found.package.id] = tuple(unnamed)
-        files[found.package.id] = _with_headers(_with_vendored(found, _with_libraries(kept, settings), settings))
+        files[found.package.id] = _with_headers(
+            _with_vendored(found, _with_libraries(kept, settings), settings, packages)
+        )
     return Inventory(files, tuple(failures), learned, others)
 
 
@@ -80,11 +83,18 @@ def _looked_into(
         return _unreadable(found, entry, error)
 
 
-def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:
-    """Return the files with those of others told apart which only the package as a whole tells."""
+def _with_vendored(
+    found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings, packages: Sequence[str]
+) -> list[SourceFile]:
+    """Return the files, with those marked as work of others that only their folder shows to be so.
+
+    ``packages`` are the folders of all packages.
+    """
+    paths = [entry.path for entry in found.files]
     if found.package.id == OUTSIDE_PACKAGES:
-        return files
-    folders = vendored_folders(found.package.path, [entry.path for entry in found.files], found.package.name)
+        folders = named_folders(paths, packages)
+    else:
+        folders = vendored_folders(found.package.path, paths, found.package.name)
     if not folders:
         return files
     return [
@@ -142,7 +152,7 @@ def _look_into(root: Path, entry: FoundFile, settings: WorkspaceSettings, rules:
 
 
 def _too_large(found: FoundPackage, entry: FoundFile, settings: WorkspaceSettings, error: TooLargeError) -> Failure:
-    """Return what is told of a file that is left out for its size; in code of others it leaves out nothing judged."""
+    """Return the failure of a file that is left out for its size; in code of others it leaves out nothing judged."""
     return Failure(
         tool="syntax",
         what=f"not read: {error.strerror}",

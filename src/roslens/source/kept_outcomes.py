@@ -41,7 +41,7 @@ class KeptOutcomes:
         if known := self._cache.get([key]):
             return _decode(known[key])
         outcome = look(measured)
-        # Of a package that could not be measured plug-ins were told nothing.
+        # Plug-ins were given nothing of a package that could not be measured.
         if not measured.lost and not outcome.failures and outcome != Outcome():
             self._cache.put({key: _encode(outcome)})
         return outcome

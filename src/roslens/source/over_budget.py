@@ -1,4 +1,4 @@
-"""A file that costs more than a file may, as what is told of it."""
+"""A file that costs more than a file may, as what is reported of it."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ def analyse(
         beyond: a look at all of it that is part of the run.
         unchanged: hashes of files by path; packages of which all files have these are left out, and so are, where only
             sources changed, the other sources of the package.
-        look_back: gives the histories that process metrics are told of; None for none.
+        look_back: gives the histories that process metrics are taken from; None for none.
         revision: what the folders hold where that is a past revision of another folder.
         kept_runs: how many of the newest runs stay in the store; None for all.
         engine: where packages are measured, see :func:`roslens.source.engines.executor.executor_for`.
@@ -218,7 +218,7 @@ def _reused(run: Run, store: Store, writer: RunWriter, fresh: Collection[str]) -
 def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.plugins.outcome import Outcome
     from roslens.source.history.judged_process import judged_process, not_judged
-    from roslens.source.history.process_stage import Told, with_process
+    from roslens.source.history.process_stage import Reported, with_process
     from roslens.source.kept_outcomes import KeptOutcomes
     from roslens.source.measure.finish_package import Finisher
     from roslens.source.measure.finished_package import FinishedPackage, Finishing, rules_in
@@ -274,16 +274,16 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             beside = sight.outcome.findings
             rest.append(msgspec.structs.replace(sight.outcome, findings=()))
             configurations = sight.configurations
-        told = Told((), not_judged(models))
+        reported = Reported((), not_judged(models))
         if run.past is not None:
             paths = {package.id: package.path for package in packages.values()}
-            told = Told(*run.past.tell(paths, files, writer.function_sums("cyclomatic_complexity")))
-            beside += judged_process(models, told.process)
+            reported = Reported(*run.past.tell(paths, files, writer.function_sums("cyclomatic_complexity")))
+            beside += judged_process(models, reported.process)
         owned, none = owned_findings(beside, packages.values(), files)
-        rest.append(Outcome(none, failures=told.failures if run.past is None else ()))
+        rest.append(Outcome(none, failures=reported.failures if run.past is None else ()))
         whole = workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
         if run.past is not None:
-            whole = with_process(whole, told)
+            whole = with_process(whole, reported)
         kept_as = run.key_kept(run.key, lost=lost)
         header = msgspec.structs.replace(header, key=kept_as, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)

@@ -8,7 +8,7 @@ import msgspec
 
 
 class WorkspaceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Where packages are looked for and how files are told apart.
+    """Where packages are looked for and how files are distinguished.
 
     Patterns are globs on the path below the workspace root, with ``**`` for any depth; one without ``/`` matches at
     any depth. A pattern that matches a folder matches all below. ``own`` wins over the other roles.
@@ -143,8 +143,8 @@ class IgnoreRule(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown
 class ProcessSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Whether the histories of repositories are looked at.
 
-    ``metrics`` asks for process metrics. ``as_of`` is the date or time (ISO 8601, UTC where it names no zone) that ages
-    are told at; empty for that of each repository's head, so that a commit has the same ages on every day.
+    ``metrics`` asks for process metrics. ``as_of`` is the date or time (ISO 8601, UTC where it names no zone) at which
+    ages are taken; empty for that of each repository's head, so that a commit has the same ages on every day.
     """
 
     metrics: bool = False

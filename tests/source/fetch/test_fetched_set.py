@@ -39,7 +39,7 @@ def test_fetch_and_check_in_one(given, server, here):
     assert {one["id"]: one["repository"] for one in found["packages"]} == {"deux": "two", "extra": "one", "one": "one"}
     (missing,) = [one for one in found["failures"] if one["tool"] == "fetch"]
     assert missing["entity"] == "repository:gone"
-    # The same without fetching: what is missing is still told.
+    # The same without fetching: what is missing is still reported.
     assert report(here, "ws")[0] == 3
     with open_store("ws") as store:
         view = store.view()

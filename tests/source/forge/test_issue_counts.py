@@ -1,4 +1,4 @@
-"""What each forge answers is counted as it means it; what goes wrong is told, and patience has an end."""
+"""What each forge answers is counted as it means it; what goes wrong is reported, and patience has an end."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Each folder of tests/fixtures/forges is a forge that answers so: what is counted, waited for and told of it."""
+"""Each folder of tests/fixtures/forges is a forge that answers so: what is counted, waited for and reported of it."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Process metrics are git's own answers, and what cannot be told is said."""
+"""Process metrics are git's own answers, and what cannot be determined is said."""
 
 from pathlib import Path
 
@@ -138,8 +138,8 @@ def test_each_repository_of_a_workspace_has_its_own(tmp_path):
     made.commit("again", day=1)
     found = histories_of(find_workspace([tmp_path], WorkspaceSettings()))
     with Cache.open(None) as cache:
-        told, failures = found.measure({"one": "src/one", "two": "src/two"}, {}, {}, log_reader(cache))
-    assert [(one.path, one.values["revisions"], list(one.packages)) for one in told] == [
+        reported, failures = found.measure({"one": "src/one", "two": "src/two"}, {}, {}, log_reader(cache))
+    assert [(one.path, one.values["revisions"], list(one.packages)) for one in reported] == [
         ("src/one", 1, ["one"]),
         ("src/two", 2, ["two"]),
     ]

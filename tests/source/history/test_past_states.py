@@ -18,7 +18,7 @@ def past(place: str, *commits: Commit, released: tuple[Release, ...] = ()) -> Re
     return RepositoryPast(place, f"/{place}", "", CommitLog(commits), released)
 
 
-def told(states: PastStates, every: str, since_day: float | None = None) -> list[str]:
+def reported(states: PastStates, every: str, since_day: float | None = None) -> list[str]:
     since = None if since_day is None else BEGIN_S + since_day * DAY_S
     return [
         " ".join(name or "-" for _, name in one.commits) for one in states.chosen(Every.parse(every), since_s=since)
@@ -30,15 +30,15 @@ TWO = past("two", commit("z", 30, "y"), commit("y", 10), released=(Release("1.0"
 
 
 def test_each_commit_of_any_is_a_state_of_all():
-    assert told(PastStates([ONE, TWO]), "1") == ["a -", "a y", "b y", "b z", "c z"]
-    assert told(PastStates([ONE, TWO]), "2") == ["a -", "b y", "c z"]
-    assert told(PastStates([ONE, TWO]), "99") == ["c z"]
-    assert told(PastStates([ONE, TWO]), "1", since_day=30) == ["b z", "c z"]
+    assert reported(PastStates([ONE, TWO]), "1") == ["a -", "a y", "b y", "b z", "c z"]
+    assert reported(PastStates([ONE, TWO]), "2") == ["a -", "b y", "c z"]
+    assert reported(PastStates([ONE, TWO]), "99") == ["c z"]
+    assert reported(PastStates([ONE, TWO]), "1", since_day=30) == ["b z", "c z"]
 
 
 def test_a_release_of_one_and_the_heads():
     states = PastStates([ONE, TWO])
-    assert told(states, "release") == ["a y", "c z"]
+    assert reported(states, "release") == ["a y", "c z"]
     name, state = states.newest_release()
     assert (name, [one for _, one in state.commits]) == ("two 1.0", ["a", "y"])
     assert PastStates([ONE]).newest_release() is None
@@ -46,7 +46,7 @@ def test_a_release_of_one_and_the_heads():
 
 def test_the_end_of_a_month():
     # 2020-09-13, 10-03, 10-23; 2020-09-23, 10-13
-    assert told(PastStates([ONE, TWO]), "month") == ["a y", "c z"]
+    assert reported(PastStates([ONE, TWO]), "month") == ["a y", "c z"]
 
 
 def test_a_repository_alone_is_its_commits():
@@ -62,11 +62,11 @@ def test_a_repository_alone_is_its_commits():
 def test_a_commit_that_is_dated_before_its_parent_loses_nothing():
     # The head says day 5, its parent day 50: at day 50 the repository stood at its head.
     skewed = past("one", commit("c", 5, "b"), commit("b", 50, "a"), commit("a", 0))
-    assert told(PastStates([skewed, TWO]), "1") == ["a -", "c -", "c y", "c z"]
-    assert told(PastStates([skewed, TWO]), "release")[-1] == "c z"
+    assert reported(PastStates([skewed, TWO]), "1") == ["a -", "c -", "c y", "c z"]
+    assert reported(PastStates([skewed, TWO]), "release")[-1] == "c z"
     alone = PastStates([past(".", *skewed.log.commits)])
-    assert told(alone, "1") == ["a", "b", "c"]
-    assert told(alone, "month")[-1] == "c"
+    assert reported(alone, "1") == ["a", "b", "c"]
+    assert reported(alone, "month")[-1] == "c"
 
 
 def test_states_of_other_repositories_are_others():

@@ -56,12 +56,12 @@ def test_examples(file):
 
 def test_the_page_tells_the_table():
     page = (ROOT / "docs" / "reference" / "metrics" / "disagreements.md").read_text()
-    told = {}
+    reported = {}
     for line in page.splitlines():
         if match := re.fullmatch(r"(?:- )?`([\w:.]+)`: (.*)", line):
             values = [one.split(" ") for one in match[2].split(", ")]
-            told[match[1]] = {tool: None if value == "none" else int(value) for tool, value in values}
-    assert told == {name: row for rows in TABLE.values() for name, row in rows.items() if name != "last"}
+            reported[match[1]] = {tool: None if value == "none" else int(value) for tool, value in values}
+    assert reported == {name: row for rows in TABLE.values() for name, row in rows.items() if name != "last"}
 
 
 def test_the_examples_of_the_page_are_the_files():

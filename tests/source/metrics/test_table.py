@@ -1,4 +1,4 @@
-"""The contract every metric keeps: whoever adds one is told what is still missing."""
+"""The contract every metric keeps: whoever adds one learns what is still missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roles: each decision with its reasons, and how well they are told of repositories that weights do not know."""
+"""Roles: each decision with its reasons, and how well they hold for repositories that weights do not know."""
 
 import csv
 import importlib.util
@@ -124,7 +124,7 @@ def test_words_are_lower_case_and_whole():
 def test_leave_some_repositories_out(benchmark):
     rows = benchmark.recorded()
     found = benchmark.left_out(rows, ["kobuki", "ecl_lite", "turtlebot_apps"])
-    wrong = {row[0] for row, told in zip(rows, found, strict=True) if row[2] != told}
+    wrong = {row[0] for row, reported in zip(rows, found, strict=True) if row[2] != reported}
     assert wrong == {"kobuki_auto_docking", "pano_core"}
 
 

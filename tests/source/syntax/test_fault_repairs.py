@@ -1,4 +1,4 @@
-"""C++ that the grammar does not read as it is written: each form parses, and its functions are told."""
+"""C++ that the grammar does not read as it is written: each form parses, and its functions are reported."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Lines are told apart exactly as cloc does: held against what cloc said of the fixtures, and cloc itself."""
+"""Lines are distinguished exactly as cloc does: held against what cloc said of the fixtures, and cloc itself."""
 
 import json
 import random

@@ -27,6 +27,6 @@ def test_what_makes_other_engines_search_for_ever(expression):
 
 def test_an_expression_that_cannot_be_matched_in_one_pass_is_told_once_and_with_its_place(tmp_path):
     (tmp_path / "roslens.toml").write_text('[macros]\nblank = ["(?=A)B"]\n')
-    with pytest.raises(DocumentError, match=r"look-ahead.*one pass") as told:
+    with pytest.raises(DocumentError, match=r"look-ahead.*one pass") as reported:
         find_configuration(tmp_path, None)
-    assert "roslens.toml:2" in told.value.where
+    assert "roslens.toml:2" in reported.value.where

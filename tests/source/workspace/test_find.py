@@ -246,9 +246,9 @@ def test_doubled_names_get_their_path(tree: Tree) -> None:
     workspace = find(root)
     assert [found.package.id for found in workspace.packages] == ["b", "a@x/a", "a@y/a"]
     assert [found.package.name for found in workspace.packages] == ["b", "a", "a"]
-    told = failure(workspace)
-    assert told.what == '2 packages have the name "a", in "x/a", "y/a"'
-    assert (str(told.location), told.package, told.partial) == ("y/a/package.xml:2:3", "a@y/a", True)
+    reported = failure(workspace)
+    assert reported.what == '2 packages have the name "a", in "x/a", "y/a"'
+    assert (str(reported.location), reported.package, reported.partial) == ("y/a/package.xml:2:3", "a@y/a", True)
 
 
 def test_failures_of_doubled_packages_name_their_id(tree: Tree) -> None:
@@ -359,8 +359,8 @@ def test_pipes_and_devices_are_left_alone_and_told_where_they_are_named_like_sou
     (root / "zero.cpp").symlink_to("/dev/zero")
     found = find(root)
     assert [file.path for file in found.packages[0].files] == ["package.xml"]
-    told = [(failure.location.path, failure.what) for failure in found.failures if failure.location]
-    assert told == [(path, "it is a pipe, a socket or a device") for path in ("src.cpp", "zero.cpp")]
+    reported = [(failure.location.path, failure.what) for failure in found.failures if failure.location]
+    assert reported == [(path, "it is a pipe, a socket or a device") for path in ("src.cpp", "zero.cpp")]
 
 
 def test_a_folder_that_cannot_be_read_is_told(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:

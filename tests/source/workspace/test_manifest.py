@@ -1,4 +1,4 @@
-"""The facts of a manifest, their places, and what is told of a broken one."""
+"""The facts of a manifest, their places, and what is reported of a broken one."""
 
 from __future__ import annotations
 

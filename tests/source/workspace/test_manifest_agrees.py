@@ -112,7 +112,7 @@ def assert_agree(ours: Package, theirs: Reference) -> None:
             assert canonical(mine.text.replace("&", "&amp;").replace("<", "&lt;")) == canonical(other.content)
 
 
-def told(
+def reported(
     content: bytes, path: str, environment: Mapping[str, str]
 ) -> tuple[Package | None, tuple[Failure | Mistake, ...]]:
     """Return the package with what could not be understood and what should be said otherwise."""
@@ -122,7 +122,7 @@ def told(
 
 def assert_same(content: bytes, path: str) -> None:
     for environment in ENVIRONMENTS:
-        ours, failures = told(content, path, environment)
+        ours, failures = reported(content, path, environment)
         theirs = reference(content, environment)
         assert ours is not None
         if theirs is None:
@@ -145,7 +145,7 @@ def test_what_catkin_pkg_refuses_is_told(manifests: dict[str, bytes]) -> None:
     faulty = {name: content for name, content in manifests.items() if name.startswith("faulty_")}
     assert len(faulty) >= 6
     for name, content in faulty.items():
-        _, failures = told(content, f"{name}/package.xml", ENVIRONMENTS[1])
+        _, failures = reported(content, f"{name}/package.xml", ENVIRONMENTS[1])
         assert failures, name
 
 
@@ -198,7 +198,7 @@ def test_each_fault_that_catkin_pkg_refuses_is_told_with_its_place(
     content = re.sub(pattern, lambda _: replacement, manifests["ament_python"].decode()).encode()
     assert content != manifests["ament_python"]
     assert reference(content, ENVIRONMENTS[1]) is None, "the fault is meant to be one for catkin_pkg"
-    package, failures = told(content, "arm/package.xml", ENVIRONMENTS[1])
+    package, failures = reported(content, "arm/package.xml", ENVIRONMENTS[1])
     assert package is not None
     assert package.name in ("arm_teleop", "arm", "a", "arm teleop", "_arm")
     assert failures

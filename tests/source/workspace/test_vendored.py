@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.source.workspace.vendored import vendored_folders
+from roslens.source.workspace.vendored import named_folders, vendored_folders
 
 OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp", "p/config/arm-1.2/a.yaml"]
 
@@ -12,6 +12,11 @@ OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp"
         (["p/src/lib/x/COPYING", "p/src/lib/x/x.cpp"], ("p/src/lib/x/",)),
         (["p/date-3.0.4/include/date.h"], ("p/date-3.0.4/",)),
         (["p/include/p/nlohmann/json.hpp"], ("p/include/p/nlohmann/",)),
+        (["p/src/lib/x/COPYRIGHT", "p/src/lib/x/LGPL.txt", "p/src/lib/x/x.c"], ("p/src/lib/x/",)),
+        (["p/include/mavlink/v1.0/mavlink_helpers.h", "p/include/mavlink/a.h"], ("p/include/mavlink/",)),
+        (["p/src/mavlink/bridge.cpp"], ()),
+        (["p/src/solvers/gpl.cc", "p/src/solvers/gpl.h"], ()),
+        (["p/docs/license.rst", "p/docs/conf.py"], ()),
         (["p/src/lib/x/license.h", "p/src/lib/x/x.cpp"], ()),
         (["p/meshes/LICENSE", "p/meshes/a.stl"], ()),
         (["p/data_2.1/a.cpp", "p/v1.2/b.cpp"], ("p/data_2.1/",)),
@@ -53,3 +58,13 @@ def test_headers_of_the_package_itself_are_its_own():
 
 def test_a_project_with_most_of_the_sources_is_the_package_itself():
     assert vendored_folders("p", ["p/core/README", "p/core/Makefile", "p/core/AUTHORS", "p/core/a.c"]) == ()
+
+
+def test_outside_of_packages_names_alone_tell():
+    paths = ["src/eigen3.3.2/bench/a.cpp", "src/libcvd/b.cc", "src/arm/LICENSE", "src/arm/c.cpp", "d.cpp"]
+    assert named_folders(paths) == ("src/eigen3.3.2/", "src/libcvd/")
+
+
+def test_a_folder_with_packages_in_it_may_have_a_version():
+    paths = ["src/robot_v0.2/tools/a.py", "src/eigen3.3.2/bench/a.cpp"]
+    assert named_folders(paths, ["src/robot_v0.2/arm", "src/eigen"]) == ("src/eigen3.3.2/",)

@@ -120,7 +120,7 @@ class DaskEngine:
         while left or under_way:
             if not batches.fill(submit, standing.threads):
                 return
-            # Cancelled ones, as those of a scheduler that is gone, are told by their status.
+            # Cancelled ones, as those of a scheduler that is gone, are recognised by their status.
             with suppress(TimeoutError, OSError, *_CANCELLED), client.as_current():
                 wait(list(under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
             finished = [future for future in under_way if future.status != "pending"]

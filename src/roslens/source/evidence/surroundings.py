@@ -30,8 +30,8 @@ def surroundings(folder: PackageFolder, claimed: Mapping[str, int], own: int) ->
     else:
         yield not_known("6.i", "no declaration names platforms, and nothing was built")
     security = folder.find("SECURITY.md") or folder.security()
-    told = folder.says(r"REP[- ]?2006|vulnerability disclosure", folder.declaration)
-    place = folder.location(security) if security else told
+    reported = folder.says(r"REP[- ]?2006|vulnerability disclosure", folder.declaration)
+    place = folder.location(security) if security else reported
     untold = not_met("7.i", "no SECURITY file, and no declaration that refers to REP-2006")
     yield met("7.i", "the repository says how to tell of one", place) if place else untold
 

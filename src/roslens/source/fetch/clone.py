@@ -109,8 +109,8 @@ def refuse_strange(git: GitRunner, place: Path, url: str) -> None:
     """
     if not is_file(place / ".git" / "config"):
         raise GitError("the folder is there already, and is no clone; remove or rename it")
-    told = git.ask(str(place), "config", "--file", str(place / ".git" / "config"), "--list", "-z") or ""
-    pairs = dict(entry.partition("\n")[::2] for entry in told.split("\0") if entry)
+    reported = git.ask(str(place), "config", "--file", str(place / ".git" / "config"), "--list", "-z") or ""
+    pairs = dict(entry.partition("\n")[::2] for entry in reported.split("\0") if entry)
     if strange := sorted(pairs.keys() - CONFIGURATION):
         raise GitError(f'the folder is there already, and its configuration has "{strange[0]}"; remove or rename it')
     if pairs.get("remote.origin.url") != url:
@@ -138,10 +138,10 @@ def head_of(git: GitRunner, place: Path) -> str:
         GitError: git cannot tell.
     """
     try:
-        told = read_bounded(place / ".git" / "HEAD", _LONGEST_HEAD).decode("ascii").strip()
+        reported = read_bounded(place / ".git" / "HEAD", _LONGEST_HEAD).decode("ascii").strip()
     except (OSError, UnicodeDecodeError):
-        told = ""
-    return told if is_commit(told) else git.do(str(place), "rev-parse", "HEAD").strip()
+        reported = ""
+    return reported if is_commit(reported) else git.do(str(place), "rev-parse", "HEAD").strip()
 
 
 def still_there(git: GitRunner, request: Request, place: Path, locked: Taken) -> Taken:

@@ -104,9 +104,9 @@ def _output(done: Ended) -> str:
 
 def _said(done: Ended) -> str:
     lines = [line.strip() for line in done.stderr[-8192:].decode("utf-8", "replace").splitlines()]
-    told = [line for line in lines if line.startswith(("fatal:", "error:", "remote:", "ssh:"))]
-    if any(_UNREAD in line for line in told):
+    reported = [line for line in lines if line.startswith(("fatal:", "error:", "remote:", "ssh:"))]
+    if any(_UNREAD in line for line in reported):
         # What kept ssh out stands before, in a line of its own, and git's advice behind.
-        told = [line for line in lines if line not in _ADVICE]
-    words = " ".join(dict.fromkeys(told)) or " ".join(line for line in lines if line) or done.complaint()
+        reported = [line for line in lines if line not in _ADVICE]
+    words = " ".join(dict.fromkeys(reported)) or " ".join(line for line in lines if line) or done.complaint()
     return words[:500]

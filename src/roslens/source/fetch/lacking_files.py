@@ -1,4 +1,4 @@
-"""Files that a server names in a revision and does not have: those that are no source are left out, and told."""
+"""Files that a server names in a revision and does not have: those that are no source are left out, and reported."""
 
 from __future__ import annotations
 

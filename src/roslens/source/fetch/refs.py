@@ -52,9 +52,9 @@ def ref_of(git: GitRunner, folder: str, url: str, version: str) -> Ref:
 
 
 def _head(git: GitRunner, folder: str, url: str) -> Ref:
-    told = git.over_network(folder, "ls-remote", "--symref", url, "HEAD")
+    reported = git.over_network(folder, "ls-remote", "--symref", url, "HEAD")
     name = id_ = ""
-    for line in told.splitlines():
+    for line in reported.splitlines():
         left, _, right = line.partition("\t")
         if right == "HEAD" and left.startswith("ref: "):
             name = left.removeprefix("ref: ")
@@ -70,6 +70,6 @@ def _head(git: GitRunner, folder: str, url: str) -> Ref:
 def _listed(git: GitRunner, folder: str, url: str, *arguments: str) -> dict[str, str]:
     options = [one for one in arguments if one.startswith("-")]
     names = [one for one in arguments if not one.startswith("-")]
-    told = git.over_network(folder, "ls-remote", *options, url, *names)
-    pairs = (line.split("\t", 1) for line in told.splitlines() if "\t" in line)
+    reported = git.over_network(folder, "ls-remote", *options, url, *names)
+    pairs = (line.split("\t", 1) for line in reported.splitlines() if "\t" in line)
     return {name: id_ for id_, name in pairs}

@@ -18,7 +18,7 @@ Connect = Callable[[Forge], ForgeClient]
 
 
 class ForgeAnswers(msgspec.Struct, frozen=True):
-    """What forges told, by folder of the repository, and what they did not."""
+    """What forges reported, by folder of the repository, and what they did not."""
 
     counts: dict[str, IssueCounts] = {}
     failures: tuple[Failure, ...] = ()

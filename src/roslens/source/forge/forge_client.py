@@ -31,7 +31,7 @@ _TOKENS = {
 _CODEBERG = ("CODEBERG_TOKEN",)
 
 
-class Told(msgspec.Struct, frozen=True):
+class Reported(msgspec.Struct, frozen=True):
     """An answer: its document, and headers of use by their names in small letters."""
 
     document: Any
@@ -84,7 +84,7 @@ class ForgeClient:
         if self._client is not None:
             self._client.close()
 
-    def get(self, path: str) -> Told:
+    def get(self, path: str) -> Reported:
         """Return what is at an address below the forge's.
 
         Raises:
@@ -95,14 +95,14 @@ class ForgeClient:
         if self._offline:
             if kept is None:
                 raise ForgeError(f"{url} was never asked before, and --offline asks nobody", "Leave out --offline once")
-            return _told(kept)
+            return _reported(kept)
         status, headers, body = self._patiently(url, kept)
         if status == 304 and kept is not None:
-            return _told(kept)
+            return _reported(kept)
         answer = Answer(headers.get("etag", ""), {one: headers[one] for one in _HEADERS if one in headers}, body)
-        told = _told(answer)
+        reported = _reported(answer)
         self._answers.keep(url, answer)
-        return told
+        return reported
 
     def _patiently(self, url: str, kept: Answer | None) -> tuple[int, Mapping[str, str], bytes]:
         """Ask until there is an answer, a few times."""
@@ -192,15 +192,15 @@ def _refused(url: str, status: int, body: bytes, advice: str, *, has_token: bool
     # The search of GitHub says so of a repository that it does not know, or does not show.
     if status == 404 or (status == 422 and b"cannot be searched" in body):
         lacks = "" if has_token else ", or it is private and needs a token"
-        told = f"{url} answers {status}: there is no such repository{lacks}"
-        return ForgeError(told, advice if not has_token else "")
+        reported = f"{url} answers {status}: there is no such repository{lacks}"
+        return ForgeError(reported, advice if not has_token else "")
     if 300 <= status < 400:
         return ForgeError(f"{url} answers {status}: the repository is elsewhere now", "Correct the address of `origin`")
     return ForgeError(f"{url} answers {status}", advice)
 
 
-def _told(answer: Answer) -> Told:
+def _reported(answer: Answer) -> Reported:
     try:
-        return Told(json.loads(answer.body), answer.headers)
+        return Reported(json.loads(answer.body), answer.headers)
     except (ValueError, RecursionError) as error:
         raise ForgeError(f"the answer is no JSON: {error}", "Try again later") from error

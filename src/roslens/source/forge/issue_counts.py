@@ -6,7 +6,7 @@ from urllib.parse import quote, urlencode
 
 import msgspec
 
-from roslens.source.forge.forge_client import ForgeClient, Told
+from roslens.source.forge.forge_client import ForgeClient, Reported
 from roslens.source.forge.forge_error import ForgeError
 from roslens.source.forge.forge_place import ForgeKind, ForgePlace
 
@@ -43,17 +43,17 @@ def _github(client: ForgeClient, name: str) -> IssueCounts:
     for what in ("issue", "pr"):
         for state in ("open", "closed"):
             query = urlencode({"q": f"repo:{name} type:{what} state:{state}", "per_page": "1"})
-            told = client.get(f"/search/issues?{query}")
-            if isinstance(told.document, dict) and told.document.get("incomplete_results") is True:
+            reported = client.get(f"/search/issues?{query}")
+            if isinstance(reported.document, dict) and reported.document.get("incomplete_results") is True:
                 raise ForgeError("the search of GitHub ended before it was complete", "Try again later")
-            found.append(_count(told, "total_count"))
+            found.append(_count(reported, "total_count"))
     return IssueCounts(*found)
 
 
 def _gitlab(client: ForgeClient, name: str) -> IssueCounts:
     project = f"/projects/{quote(name, safe='')}"
-    told = client.get(f"{project}/issues_statistics")
-    counts = _inside(told, "statistics", "counts")
+    reported = client.get(f"{project}/issues_statistics")
+    counts = _inside(reported, "statistics", "counts")
     issues = (_whole(counts, "opened"), _whole(counts, "closed"))
     requests = {
         state: _listed(client, f"{project}/merge_requests?state={state}", "x-total", "per_page")
@@ -76,23 +76,23 @@ def _listed(client: ForgeClient, path: str, header: str, size: str) -> int:
     """Return how long a list is: as a header says, else by its pages."""
     number = 0
     for page in range(1, MOST_PAGES + 1):
-        told = client.get(f"{path}&{size}={_PAGE}&page={page}")
-        if not isinstance(told.document, list):
+        reported = client.get(f"{path}&{size}={_PAGE}&page={page}")
+        if not isinstance(reported.document, list):
             raise ForgeError(f"{path} answers with no list", "Is it a forge of this kind?")
-        if (total := told.headers.get(header, "")).isdigit():
+        if (total := reported.headers.get(header, "")).isdigit():
             return int(total)
-        number += len(told.document)
-        if len(told.document) < _PAGE:
+        number += len(reported.document)
+        if len(reported.document) < _PAGE:
             return number
     raise ForgeError(f"{path} has more than {MOST_PAGES * _PAGE:,} entries and says not how many")
 
 
-def _count(told: Told, key: str) -> int:
-    return _whole(told.document if isinstance(told.document, dict) else {}, key)
+def _count(reported: Reported, key: str) -> int:
+    return _whole(reported.document if isinstance(reported.document, dict) else {}, key)
 
 
-def _inside(told: Told, *keys: str) -> dict[str, object]:
-    found = told.document
+def _inside(reported: Reported, *keys: str) -> dict[str, object]:
+    found = reported.document
     for key in keys:
         found = found.get(key) if isinstance(found, dict) else None
     return found if isinstance(found, dict) else {}

@@ -35,7 +35,7 @@ integration mostly has one commit of it.
   commits that do not have that one behind them count for the folder that the package was in before, also those of
   branches beside it. Whoever has that folder today got it later. A package that came from another repository begins
   there.
-- **Ages are told at the date of the head**, not today's: the same commit has the same ages on every day.
+- **Ages are taken at the date of the head**, not today's: the same commit has the same ages on every day.
   `--as-of 2026-01-31` (or `as_of` below `[process]`) tells them at another time; the time stands with the run.
 - Dates are those of the committers' clocks. Commits dated before a parent of theirs are counted as `skewed`, with the
   worst difference, in the JSON report and on the page of history; no age is below 0.

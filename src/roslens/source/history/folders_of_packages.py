@@ -1,4 +1,4 @@
-"""In which folder each package lay at each commit: told by the moves that are behind the commit, and not by dates.
+"""In which folder each package lay at each commit: by the moves that are behind the commit, and not by dates.
 
 A commit of a branch beside the one that moved a package stands above or below the move in git's order, as dates have
 it; in its tree the package is where it was.

@@ -26,14 +26,14 @@ ReadLog = Callable[[RepositoryHead], CommitLog]
 
 
 class Histories(msgspec.Struct, frozen=True):
-    """Repositories whose history can be told, and what is told of the others.
+    """Repositories whose history can be determined, and what is reported of the others.
 
     Attributes:
         root: of the workspace.
         heads: of these repositories.
-        failures: what cannot be told, and why.
-        as_of_s: the time that ages are told at, in seconds since 1970; None for that of each head.
-        forge: what forges told, where they were asked.
+        failures: what cannot be determined, and why.
+        as_of_s: the time at which ages are taken, in seconds since 1970; None for that of each head.
+        forge: what forges reported, where they were asked.
     """
 
     root: str
@@ -44,7 +44,7 @@ class Histories(msgspec.Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """A key of all that shapes what is told."""
+        """A key of all that shapes what is reported."""
         return key_of([one for head in self.heads for one in _shaping(head)], self.failures, self.as_of_s, self.forge)
 
     def measure(
@@ -54,7 +54,7 @@ class Histories(msgspec.Struct, frozen=True):
         complexity: Mapping[str, float],
         read: ReadLog,
     ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
-        """Return what the histories say, and what of it could not be told.
+        """Return what the histories say, and what of it could not be determined.
 
         Args:
             packages: folder of each package below the root of the workspace.
@@ -82,8 +82,8 @@ class Histories(msgspec.Struct, frozen=True):
                 complexity=complexity,
                 as_of_s=self.as_of_s,
             )
-            if self.forge is not None and (told := self.forge.counts.get(head.top)) is not None:
-                one = msgspec.structs.replace(one, values={**one.values, **told.values()})
+            if self.forge is not None and (reported := self.forge.counts.get(head.top)) is not None:
+                one = msgspec.structs.replace(one, values={**one.values, **reported.values()})
             found.append(one)
         return tuple(found), tuple(failures)
 
@@ -111,7 +111,7 @@ def histories_of(workspace: Workspace, *, as_of_s: float | None = None, ask: Ask
 
     Args:
         workspace: with its packages.
-        as_of_s: the time that ages are told at, in seconds since 1970; None for that of each head.
+        as_of_s: the time at which ages are taken, in seconds since 1970; None for that of each head.
         ask: asks forges for repositories, by folder and place below the root; None asks nobody.
     """
     folders = (found.folder for found in workspace.packages)
@@ -124,13 +124,17 @@ def histories_of(workspace: Workspace, *, as_of_s: float | None = None, ask: Ask
             failures.append(unreadable(path, str(error)))
             continue
         if not head.head:
-            failures.append(_untold(path, f'repository "{path}" has no commit yet', "a history", "Commit something"))
+            failures.append(
+                _unreported(path, f'repository "{path}" has no commit yet', "a history", "Commit something")
+            )
         elif head.is_shallow:
             failures.append(_shallow(path))
         else:
             heads.append(head)
-    told = ask([(head.top, place_of(workspace.root, head.top)) for head in heads]) if ask is not None else None
-    return Histories(workspace.root, tuple(heads), (*failures, *(told.failures if told else ())), as_of_s, told)
+    reported = ask([(head.top, place_of(workspace.root, head.top)) for head in heads]) if ask is not None else None
+    return Histories(
+        workspace.root, tuple(heads), (*failures, *(reported.failures if reported else ())), as_of_s, reported
+    )
 
 
 def log_reader(cache: Cache) -> ReadLog:
@@ -174,7 +178,7 @@ def place_of(root: str, top: str) -> str:
 
 def unreadable(path: str, said: str) -> Failure:
     """Return the failure of a repository whose history git cannot read."""
-    return _untold(
+    return _unreported(
         path,
         f'the history of repository "{path}" cannot be read: {said}',
         "a repository that git can read",
@@ -185,7 +189,7 @@ def unreadable(path: str, said: str) -> Failure:
 def without_contents(path: str, *, has_changes: bool) -> Failure:
     """Return the failure of a clone in which objects are missing."""
     lacks = "churn and hotspots" if has_changes else "process metrics of packages and files"
-    return _untold(
+    return _unreported(
         path,
         f'repository "{path}" lacks objects of its history, as a partial clone does: {lacks} are not known',
         "a clone with all objects",
@@ -194,14 +198,14 @@ def without_contents(path: str, *, has_changes: bool) -> Failure:
 
 
 def _shallow(path: str) -> Failure:
-    return _untold(
+    return _unreported(
         path,
-        f'repository "{path}" is a shallow clone: its older commits are missing, so no process metric is told',
+        f'repository "{path}" is a shallow clone: its older commits are missing, so no process metric is reported',
         "a clone with all commits",
         "git fetch --unshallow (in GitHub's workflows: actions/checkout with fetch-depth: 0)",
     )
 
 
-def _untold(path: str, what: str, expected: str, advice: str) -> Failure:
+def _unreported(path: str, what: str, expected: str, advice: str) -> Failure:
     entity = str(EntityId(EntityKind.REPOSITORY, path))
     return Failure("history", what, expected, advice, entity=entity, partial=True)

@@ -37,8 +37,8 @@ def measure_history(
         packages: folder below the root of the repository by package id; a file belongs to the innermost.
         files: path below the root of the workspace by path below that of the repository, of files to measure.
         complexity: of all functions of a file together, by path below the root of the workspace.
-        as_of_s: the time that ages are told at, in seconds since 1970; None for the head's own.
-        parts: of the commits of this log or of a later one, where several heads of one are told of.
+        as_of_s: the time at which ages are taken, in seconds since 1970; None for the head's own.
+        parts: of the commits of this log or of a later one, where several heads of one log are asked for.
     """
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s

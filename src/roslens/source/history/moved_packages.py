@@ -1,4 +1,4 @@
-"""Where packages were before they were moved: told by their manifests, which git finds again under another folder."""
+"""Where packages were before they were moved, by their manifests, which git finds again under another folder."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What each commit of a log changed of each package: worked out once, for all past revisions that are told of it."""
+"""What each commit of a log changed of each package: worked out once, for all past revisions that ask for it."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ class PastCache(Cache):
         return dict(self._known_stats())
 
     def put_stats(self, stats: Mapping[str, FileStat], *, now_s: float) -> None:  # noqa: ARG002 - as above
-        """Remember what a look at files told."""
+        """Remember what a look at files reported."""
         self._known_stats().update(stats)
 
     def forget(self, paths: Iterable[str]) -> None:

@@ -17,7 +17,7 @@ from roslens.source.keys import key_of
 
 
 class PastOfCommit(msgspec.Struct, frozen=True):
-    """The history behind one commit, told of its repository and packages; files have theirs in a run of the head.
+    """The history behind one commit, of its repository and packages; files have theirs in a run of the head.
 
     Attributes:
         log: of a later head that has the commit behind it.
@@ -37,7 +37,7 @@ class PastOfCommit(msgspec.Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """A key of all that shapes what is told."""
+        """A key of all that shapes what is reported."""
         return key_of(self.place, self.commit, self.released)
 
     def tell(

@@ -26,7 +26,7 @@ class PastOfState(msgspec.Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """A key of all that shapes what is told."""
+        """A key of all that shapes what is reported."""
         return key_of([one.key for one in self.parts], self.failures)
 
     def tell(
@@ -36,5 +36,7 @@ class PastOfState(msgspec.Struct, frozen=True):
         complexity: Mapping[str, float],
     ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
         """Return what the histories say, and what they cannot say."""
-        told = [one.tell(packages, files, complexity) for one in self.parts]
-        return tuple(one for found, _ in told for one in found), tuple(one for _, found in told for one in found)
+        reported = [one.tell(packages, files, complexity) for one in self.parts]
+        return tuple(one for found, _ in reported for one in found), tuple(
+            one for _, found in reported for one in found
+        )

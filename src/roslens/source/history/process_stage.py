@@ -34,7 +34,7 @@ class Past(Protocol):
         files: Mapping[str, Sequence[SourceFile]],
         complexity: Mapping[str, float],
     ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
-        """Return what they say of the packages, by folder, and files; and what could not be told."""
+        """Return what they say of the packages, by folder, and files; and what could not be determined."""
 
 
 LookBack = Callable[[Workspace, Cache], Past]
@@ -62,29 +62,29 @@ class PastOfWorkspace(msgspec.Struct, frozen=True):
         files: Mapping[str, Sequence[SourceFile]],
         complexity: Mapping[str, float],
     ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
-        """Return what they say, and what could not be told."""
+        """Return what they say, and what could not be determined."""
         return self.histories.measure(packages, files, complexity, log_reader(self.cache))
 
 
-class Told(NamedTuple):
+class Reported(NamedTuple):
     """What histories say of a run, and what they cannot say."""
 
     process: tuple[RepositoryProcess, ...]
     failures: tuple[Failure, ...]
 
 
-def with_process(whole: WorkspaceResult, told: Told) -> WorkspaceResult:
+def with_process(whole: WorkspaceResult, reported: Reported) -> WorkspaceResult:
     """Return the result with process metrics."""
     values = {package: dict(known) for package, known in whole.package_values.items()}
-    for one in told.process:
+    for one in reported.process:
         for package, known in one.packages.items():
             values.setdefault(package, {}).update(known)
     return msgspec.structs.replace(
         whole,
         package_values=values,
-        failures=(*whole.failures, *told.failures),
+        failures=(*whole.failures, *reported.failures),
         quantities=(*whole.quantities, *BOUNDABLE.values()),
-        process=told.process,
+        process=reported.process,
     )
 
 

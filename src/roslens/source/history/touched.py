@@ -26,7 +26,7 @@ class Touched:
         Args:
             kind: of the entity.
             commits: newest first, each with the changes of files of the entity.
-            as_of_s: the time that ages are told at, in seconds since 1970.
+            as_of_s: the time at which ages are taken, in seconds since 1970.
             head_s: when the head was committed.
         """
         self.kind = kind

@@ -16,6 +16,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.result import TellingInclude
 from roslens.model.source import Language, Location, Package, SourceFile
+from roslens.model.words.plural import plural
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
@@ -27,8 +28,7 @@ from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
 
 MOST_LINES = 8
-"""Of a file with more places that cannot be parsed, the first ones are told, and how many more there are."""
-
+"""Of a file with more places that cannot be parsed, the first ones are reported, and how many more there are."""
 
 _ADVICE = {
     "cpp": "The rest of the file is measured; if a macro of yours stands here, name it under [macros] in roslens.toml",
@@ -104,11 +104,14 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
     callbacks: set[str] = set()
     kept: dict[tuple[str, str], KnownFile] = {}
     for file, analysis in _analyses(task, known, before, lowered, new, failures):
+        if analysis.encoding is not None:
+            failures.append(_placed(analysis.encoding, file, task.package))
+            if not analysis.encoding.partial:
+                # What is no text has no lines, comments or places: nothing else can be said of it.
+                continue
         if analysis.suppressions:
             suppressions[file.path] = analysis.suppressions
         failures.extend(_faults(file, task.package, analysis))
-        if analysis.encoding is not None:
-            failures.append(_placed(analysis.encoding, file, task.package))
         failures.extend(_placed(failure, file, task.package) for failure in analysis.matched.failures)
         hits[file.path] = analysis.matched.hits
         callbacks.update(analysis.callbacks)
@@ -235,7 +238,7 @@ def _looked_at(
 def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
     from roslens.source.extract.ir.program_codec import pack
 
-    # What cannot be lowered is tried again, and told, by who asks for the graph.
+    # What cannot be lowered is tried again, and reported, by who asks for the graph.
     with suppress(Exception), time_budget(SOURCE_FILE_S):
         new[key] = pack(parsed.program())
 
@@ -266,15 +269,20 @@ def _broken(file: SourceFile, package: Package, error: Exception) -> Failure:
 
 
 def _faults(file: SourceFile, package: Package, analysis: FileAnalysis) -> Iterator[Failure]:
-    """Yield what of a file could not be parsed: one failure, however many places there are."""
+    """Yield what of a file could not be parsed: one failure, however many places there are.
+
+    Zero bytes, which are reported as such, are no places.
+    """
     faults = analysis.facts.faults
+    if analysis.encoding is not None:
+        faults = tuple(fault for fault in faults if fault.text.strip("\0 "))
     if not faults:
         return
     first = faults[0]
     what = f"cannot parse `{first.text}`"
     if len(faults) > 1:
         lines = ", ".join(str(fault.line) for fault in faults[1:MOST_LINES])
-        more = f" and {len(faults) - MOST_LINES} more places" if len(faults) > MOST_LINES else ""
+        more = f" and {plural(len(faults) - MOST_LINES, 'more place')}" if len(faults) > MOST_LINES else ""
         what = f"cannot parse {len(faults)} places: `{first.text}` here, then from line {lines}{more}"
     yield Failure(
         tool="syntax",

@@ -33,7 +33,7 @@ def telling_includes(
     """Return what own files of a package include or import that tells its role, each once, by kind.
 
     Args:
-        files: with what a parse told of each.
+        files: with what a parse reported of each.
         own: names of the package's own folder of headers, or module of Python: they tell nothing.
     """
     found: dict[tuple[str, str], TellingInclude] = {}

@@ -1,8 +1,8 @@
 """What section V of the 2016 paper says of its corpus, each statement beside what its own raw data says.
 
 Constraints that claim something hold or do not; where the section gives figures, the figures of the data stand here and
-nothing is claimed. All are told in our words; Santos, Cunha, Macedo and Lourenço, A Framework for Quality Assessment of
-ROS Repositories, IROS 2016, section V.
+nothing is claimed. All are reported in our words; Santos, Cunha, Macedo and Lourenço, A Framework for Quality
+Assessment of ROS Repositories, IROS 2016, section V.
 """
 
 from __future__ import annotations
@@ -57,9 +57,9 @@ def _findings(corpus: Corpus, rules: Sequence[RuleTotal]) -> Statement:
     """The corpus counts breaches of the model, and all others as coding rules, other models' limits among them."""
     model, others = (int(sum(one.values.get(key, 0) for one in corpus.packages)) for key in ("rqv", "rcv"))
     found = f"{model:,} of the quality model, {others:,} of all other rules, {model + others:,} together"
-    told = sum(one.count for one in rules if one.kind == "metric")
-    if rules and told != model:
-        found += f"; the table of rules has {told:,} of the quality model"
+    reported = sum(one.count for one in rules if one.kind == "metric")
+    if rules and reported != model:
+        found += f"; the table of rules has {reported:,} of the quality model"
     return Statement(_SECTION, "How often rules are broken in all.", found, None)
 
 
@@ -71,13 +71,13 @@ def _roles(corpus: Corpus) -> Statement:
 
 def _order(corpus: Corpus, rules: Sequence[RuleTotal]) -> Statement:
     counted = int(sum(one.values.get("rqv", 0) for one in corpus.packages))
-    told = ", ".join(
+    reported = ", ".join(
         f"{METRIC_RULES[one.rule]} {one.count} (in {one.packages})" for one in rules if one.kind == "metric"
     )
     return Statement(
         _SECTION,
         "How the findings of the quality model divide among its rules, and in how many packages.",
-        f"{counted:,} findings: {told or _NO_RULES}",
+        f"{counted:,} findings: {reported or _NO_RULES}",
         None,
     )
 
@@ -104,8 +104,8 @@ def _by_role(rules: Sequence[RuleTotal], rule: str) -> Statement:
 def _coding(rules: Sequence[RuleTotal]) -> Statement:
     says = "Which coding rules are broken most."
     coding = [one for one in rules if one.kind == "coding"][:_MOST_CODING]
-    told = ", ".join(f"{one.rule} {one.count:,} (in {one.packages})" for one in coding)
-    return Statement(_SECTION, says, told or "no table of coding rules was given", None)
+    reported = ", ".join(f"{one.rule} {one.count:,} (in {one.packages})" for one in coding)
+    return Statement(_SECTION, says, reported or "no table of coding rules was given", None)
 
 
 def _without_findings(corpus: Corpus) -> Statement:

@@ -3,7 +3,7 @@
 The three roles are those of the 2016 study, whose authors gave one to each of 180 packages by hand. Each mark of a
 package (role_marks.py) speaks for and against each role with a fixed weight; the largest sum decides. Weights are those
 of a multinomial logistic regression over the 180 packages, drawn to what the marks mean (`python benchmarks/roles.py`,
-which also says how well packages are told of repositories that the weights were not made from).
+which also says how well it holds for packages of repositories that the weights were not made from).
 """
 
 from __future__ import annotations

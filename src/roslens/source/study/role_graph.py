@@ -19,7 +19,7 @@ _COMMANDS = frozenset(
         "geometry_msgs/TwistStamped", "trajectory_msgs/JointTrajectory",
     }
 )  # fmt: skip
-"""Types by which a robot is told to move."""
+"""Types by which a robot is commanded to move."""
 
 _DONE = frozenset({"control_msgs", "move_base_msgs", "moveit_msgs", "nav2_msgs"})
 """Packages of interfaces for what a robot is asked to do."""
@@ -77,7 +77,9 @@ def marks_of_graph(spoken: Spoken | None) -> Mapping[str, str]:
         "graph_measures": f'its nodes publish "{measures[0]}" and take nothing of the kind'
         if measures and not uses
         else "",
-        "graph_obeys": f'its nodes are told to move by "{obeys[0]}" and tell nobody' if obeys and not commands else "",
+        "graph_obeys": f'its nodes are commanded to move by "{obeys[0]}" and command nobody'
+        if obeys and not commands
+        else "",
         "graph_commands": f'its nodes tell others to move by "{commands[0]}"' if commands and not obeys else "",
         "graph_asks": f'its nodes ask for "{asks[0]}"' if asks else "",
     }

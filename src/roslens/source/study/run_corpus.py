@@ -30,7 +30,7 @@ def corpus_of_runs(
     """Return the corpus of runs; what histories say is of repositories, all else of packages.
 
     Args:
-        runs: each with the name of its distribution, by which several can be told apart.
+        runs: each with the name of its distribution, by which several can be distinguished.
         models: whose bounds are thresholds.
         role_of: says which role a package has.
         wanted: keys of quantities; none for sizes, findings, and whatever the models bound.
@@ -56,9 +56,9 @@ def corpus_of_runs(
     if not any(one.values for one in packages):
         raise UsageError("no package with a value", expected="packages with source", advice="Check other folders")
     measured = {key for one in packages for key in one.values}
-    told = {key for one in repositories for key in one.values}
-    columns = tuple(column_of(one, models) for one in chosen if one.key in measured - told)
-    process = (known[key] for key in known if key in told and (not wanted or key in wanted))
+    reported = {key for one in repositories for key in one.values}
+    columns = tuple(column_of(one, models) for one in chosen if one.key in measured - reported)
+    process = (known[key] for key in known if key in reported and (not wanted or key in wanted))
     return Corpus(
         KIND,
         tuple(name for name, _ in runs),

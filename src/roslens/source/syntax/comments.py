@@ -65,7 +65,7 @@ _PYTHON_PARTS = re.compile(
     rb"""([\#"'](?:(?<=\#)[^\n\x02]*|(?<=")(?:"".*?(?:\"{3}|\Z)|[^"\n]*"?)|(?<=')(?:''.*?(?:'{3}|\Z)|[^'\n]*'?)))""",
     re.DOTALL,
 )
-"""One class of first bytes, told apart behind it: the search for the next part is what takes the time."""
+"""One class of first bytes, distinguished behind it: the search for the next part is what takes the time."""
 _TRIPLE_QUOTES = (b'"""', b"'''")
 _NOTHING_FOLLOWS = re.compile(rb"[ \t]*(?:[\n#]|\Z)")
 _REST_OF_LINE = re.compile(rb"[ \t]*(\n|\Z)")

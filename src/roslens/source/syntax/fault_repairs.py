@@ -1,8 +1,8 @@
-"""What is tried where a C++ file still does not parse: macros told by where they stand, near the places alone.
+"""What is tried where a C++ file still does not parse: macros recognised by where they stand, near the places alone.
 
 Three names in a row, a name in capitals behind parameters, words in the parentheses of a macro that are no expressions:
 at a place that does not parse they can be nothing but macros. Each kind is tried by itself and kept where it leaves
-fewer faults, so that what parses stays as it is. A macro that was told so at one place is one in the whole file.
+fewer faults, so that what parses stays as it is. A macro that was recognised at one place is one in the whole file.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class _Text:
 
 
 def repaired_near_faults(source: bytes, tree: Tree) -> tuple[bytes, Tree]:
-    """Return source and tree with fewer faults, where macros can be told near them; every byte keeps its place."""
+    """Return source and tree with fewer faults, where macros are recognised near them; every byte keeps its place."""
     repair = _Repair(_Text(source), tree)
     for _ in range(_ROUNDS):
         before = repair.fewest

@@ -1,4 +1,4 @@
-"""Lines of code, comment and blank lines, told apart exactly as cloc does.
+"""Lines of code, comment and blank lines, distinguished exactly as cloc does.
 
 cloc (https://github.com/AlDanial/cloc, measured against 1.96) knows no grammar: it drops blank lines, then runs a
 few textual filters and calls what is left code; comment lines are the rest. To be equal for every file, what
@@ -53,15 +53,15 @@ def count_lines(content: bytes, syntax: str) -> Lines:
     if syntax == "cpp" and not continued:
         rest = _removed(_CPP_COMMENT, text)
         if not _is_continued(rest):
-            return _told_apart(text.count(b"\n"), _count_filled(text), _count_filled(rest))
+            return _distinguished(text.count(b"\n"), _count_filled(text), _count_filled(rest))
     lines = text.split(b"\n")
     lines.pop()
     filled = _without_blanks(lines) if continued else list(filter(bytes.strip, lines))
     code = _continued_cpp_code(filled) if syntax == "cpp" else _python_code(text, filled)
-    return _told_apart(len(lines), len(filled), code)
+    return _distinguished(len(lines), len(filled), code)
 
 
-def _told_apart(physical: int, filled: int, code: int) -> Lines:
+def _distinguished(physical: int, filled: int, code: int) -> Lines:
     return Lines(physical, code, filled - code, physical - filled)
 
 

@@ -13,6 +13,7 @@ class AmentFlake8(AmentLinter):
     text = "Style and mistakes of Python, with the settings of ROS 2."
     languages = ("python", "launch_python")
     check = "flake8"
+    get = f"pip install ros-ament-flake8 flake8, or {AmentLinter.get}"
 
 
 plugin = AmentFlake8()

@@ -13,6 +13,7 @@ class AmentPep257(AmentLinter):
     text = "Docstrings of Python, with the settings of ROS 2."
     languages = ("python", "launch_python")
     check = "pep257"
+    get = f"pip install ros-ament-pep257 pydocstyle, or {AmentLinter.get}"
 
 
 plugin = AmentPep257()

@@ -62,7 +62,7 @@ class ClangTidy(Tool):
         Option(
             "database", "list", "compile_commands.json files, below the workspace; empty: those in build folders.", []
         ),
-        Option("headers", "str", "Regular expression of the headers in which findings are told.", ".*"),
+        Option("headers", "str", "Regular expression of the headers in which findings are reported.", ".*"),
     )
 
     def shapes(self, file: SourceFile) -> bool:
@@ -125,8 +125,8 @@ class ClangTidy(Tool):
 
     def read(self, ended: Ended, request: Request) -> Reading:
         """Read findings from standard output; a file that does not compile is a finding, too."""
-        told = ended.stderr.decode("utf-8", "replace")
-        if "no checks enabled" in told.lower():
+        reported = ended.stderr.decode("utf-8", "replace")
+        if "no checks enabled" in reported.lower():
             raise ToolError("has no checks to run: set [options.clang_tidy] checks, or Checks in .clang-tidy")
         found: list[ToolFinding] = []
         wrong: list[str] = []
@@ -139,7 +139,7 @@ class ClangTidy(Tool):
                     if check != "-warnings-as-errors":
                         place = (path, int(match["line"]), int(match["column"]))
                         found.append(ToolFinding(*place, check, match["message"], level="warning"))
-        failed = [match["path"] for match in map(_FAILED.match, told.splitlines()) if match]
+        failed = [match["path"] for match in map(_FAILED.match, reported.splitlines()) if match]
         if ended.code and not found and not wrong and not failed:
             raise unreadable(ended.stdout + ended.stderr, "diagnostics of Clang")
         reason = wrong[0] if wrong else "no reason given"

@@ -65,10 +65,10 @@ class Cpplint(Tool):
 
     def read(self, ended: Ended, request: Request) -> Reading:
         """Read findings from standard error, and from standard output which files were done."""
-        told = ended.stderr.decode("utf-8", "replace")
-        lines = (told + "\n" + ended.stdout.decode("utf-8", "replace")).splitlines()
+        reported = ended.stderr.decode("utf-8", "replace")
+        lines = (reported + "\n" + ended.stdout.decode("utf-8", "replace")).splitlines()
         done = {match["path"] for match in map(_DONE.match, lines) if match}
-        found, rest = lines_that_match(_FINDING, told)
+        found, rest = lines_that_match(_FINDING, reported)
         skipped: dict[str, str] = {}
         strange: list[str] = []
         for line in rest:

@@ -12,7 +12,7 @@ from roslens.source.tools.running.run_tool import Ended
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
 
 DISABLE = ("C", "R", "I", "import-error", "no-name-in-module", "no-member")
-"""Taste, and what cannot be told where the packages of a robot are not importable."""
+"""Taste, and what cannot be determined where the packages of a robot are not importable."""
 
 
 class _Message(msgspec.Struct, frozen=True, rename="camel"):

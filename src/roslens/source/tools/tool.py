@@ -135,7 +135,7 @@ class Tool(ABC):
 
     @property
     def manifest(self) -> Manifest:
-        """What the plug-in seam is told."""
+        """What the plug-in seam is given."""
         return Manifest(
             name=self.name,
             interface=INTERFACE_VERSION,

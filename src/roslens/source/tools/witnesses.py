@@ -51,11 +51,11 @@ def all_equivalents() -> tuple[Equivalent, ...]:
     """Return the rows of the data file, then one for each other native rule that names checks of tools as clauses."""
     from roslens.source.rules.table import native_rules
 
-    told = {rule for row in equivalents() for rule in row.rules}
+    reported = {rule for row in equivalents() for rule in row.rules}
     rows = [
         Equivalent(rule.title, (rule.id, *peers))
         for rule in native_rules().values()
-        if rule.id not in told and (peers := tuple(dict.fromkeys(_peers(rule.clauses))))
+        if rule.id not in reported and (peers := tuple(dict.fromkeys(_peers(rule.clauses))))
     ]
     return (*equivalents(), *rows)
 
@@ -141,7 +141,7 @@ def _join(
         here = [(rank, indexes[turn]) for rank, indexes in ordered.items() if turn < len(indexes)]
         (_, first), *others = here
         if others:
-            told = [rule for rank, index in others for rule in (rules[rank], *witnesses.get(index, ()))]
-            witnesses[first] = (*witnesses.get(first, ()), *told)
+            reported = [rule for rank, index in others for rule in (rules[rank], *witnesses.get(index, ()))]
+            witnesses[first] = (*witnesses.get(first, ()), *reported)
             gone.update(index for _, index in others)
             yield first, tuple(findings[index] for _, index in others)

@@ -1,4 +1,4 @@
-"""Files of libraries that projects copy, told by what the comments at their beginning say.
+"""Files of libraries that projects copy, recognised by what the comments at their beginning say.
 
 A file that was copied keeps its head, whatever folder it lies in and however it was named there. A head tells a copy
 where it has the title of a library, or the name of an author of nothing else that is copied. What a file is merely
@@ -44,6 +44,12 @@ _HEADS: dict[bytes, tuple[bytes, ...]] = {
     b"inih": (b"inih -- simple .INI file parser",),
     b"Dorian": (b"Dorian Galvez-Lopez",),  # DBoW2, DLib
     b"Benjamin": (b"Benjamin Peterson",),  # six
+    b"Karsten": (b"Karsten Ahnert",),  # Boost.odeint
+    b"Arash": (b"Arash Partow",),  # ExprTk
+    b"CImg": (b"component of the CImg Library project",),
+    b"Simon": (b"Simon Ninon",),  # cpp_redis, tacopie
+    b"Kiyoshi": (b"Kiyoshi Matsui",),  # mcpp
+    b"PCAN-Basic": (b"PCAN-Basic Example", b"PCAN-Basic API"),
 }
 """Heads of libraries by a word of each: to split a head takes half as long as to look for all of them."""
 

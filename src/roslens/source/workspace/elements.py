@@ -78,7 +78,7 @@ class Document(msgspec.Struct, frozen=True):
 def read_elements(content: bytes) -> Document:
     """Read a document; a fault ends the reading but what was read before it stays.
 
-    Text that is not UTF-8, although it claims or has to be, is read as Latin-1 and told as a fault; an encoding
+    Text that is not UTF-8, although it claims or has to be, is read as Latin-1 and reported as a fault; an encoding
     that expat does not know likewise.
     """
     faults: list[Fault] = []

@@ -1,6 +1,6 @@
 """In which encoding a source file is, and what is odd about its bytes.
 
-Analysers work on bytes and get on with any of this; what they could not read properly has to be told.
+Analysers work on bytes and get on with any of this; what they could not read properly has to be reported.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.source import Location
+from roslens.model.words.plural import plural
 
 _UTF8_BOM = b"\xef\xbb\xbf"
 _UTF16_BOMS = (b"\xff\xfe", b"\xfe\xff")
@@ -48,7 +49,7 @@ def encoding_of(content: bytes) -> Encoding:
 
 
 def encoding_failure(path: str, content: bytes) -> Failure | None:
-    """Return what has to be told about the bytes of a source file; nothing for ASCII, UTF-8 and Latin-1.
+    """Return what has to be reported about the bytes of a source file; nothing for ASCII, UTF-8 and Latin-1.
 
     Latin-1 is analysed as well as UTF-8. A file with some zero bytes is still analysed; one that is UTF-16 or binary
     cannot be.
@@ -66,7 +67,7 @@ def encoding_failure(path: str, content: bytes) -> Failure | None:
         advice = "Rename it, or add it to `ignore` below [workspace] in roslens.toml."
         return Failure("workspace", what, "source text", advice, where, entity)
     if encoding.zero_bytes:
-        what = f"the file holds {encoding.zero_bytes} zero bytes"
+        what = f"the file holds {plural(encoding.zero_bytes, 'zero byte')}"
         advice = "Remove them; the rest of the file was analysed."
         return Failure("workspace", what, "source text", advice, where, entity, partial=True)
     return None

@@ -5,14 +5,16 @@ from __future__ import annotations
 import msgspec
 
 from roslens.model.source import Location
-from roslens.source.workspace.elements import read_elements
+from roslens.source.workspace.elements import Element, read_elements
+from roslens.source.workspace.placeholder import has_placeholder
 from roslens.source.workspace.validity import LOSING, faults_of
 
 
 class Mistake(msgspec.Struct, frozen=True):
     """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, and what a message says, with the place.
 
-    Of what is doubled ``other`` is the tag of the element that says the same.
+    Of what is doubled ``other`` is the tag of the element that says the same. ``left_open`` says that a placeholder
+    stands there, so that what reads the manifest in the end reads something else.
     """
 
     kind: str
@@ -21,6 +23,7 @@ class Mistake(msgspec.Struct, frozen=True):
     advice: str
     location: Location
     other: str = ""
+    left_open: bool = False
 
 
 def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
@@ -36,10 +39,22 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
         return ()
     # What was open where the reading ended may have been going to say more.
     torn = {fault.offset for fault in document.faults}
+    # Between elements there is no text, but the statements of a template language.
+    is_template = has_placeholder(root.text())
     return tuple(
         Mistake(
-            one.kind, one.what, one.expected, one.advice, Location(path, *document.place(one.element.start)), one.other
+            one.kind,
+            one.what,
+            one.expected,
+            one.advice,
+            Location(path, *document.place(one.element.start)),
+            one.other,
+            is_template or _is_left_open(one.element),
         )
         for one in faults_of(root, complete=not document.faults)
         if one.kind not in LOSING and (one.element is root or one.element.end not in torn)
     )
+
+
+def _is_left_open(element: Element) -> bool:
+    return has_placeholder(element.text()) or any(map(has_placeholder, element.attributes.values()))

@@ -153,6 +153,7 @@ _SIGNED = re.compile(
           (?:file|code|source|header|module|class|script|document|message|interface)
           (?:\ (?:is|was|has\ been))? \s+ (?:an?\s+)? (?:auto-?\s?|automatically\s+|machine[- ])? generated\b)
       )
+    | ^[^\w\n]{0,12} Microsoft\ Visual\ C\+\+\ generated\b
     | (?i:do\ not\ (?:edit|modify|change)) [^\n]* (?i:generated)
     | (?i:generated) [^\n]* \n? [^\n]* (?i:do\ not\ (?:edit|modify|change))
     """,

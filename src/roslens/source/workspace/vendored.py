@@ -1,4 +1,4 @@
-"""Folders of a package that hold the work of others, told by what comes with it.
+"""Folders of a package that hold the work of others, recognised by what comes with it.
 
 A folder with a licence of its own, a version in its name, the name of a library that is often copied, the headers of
 another package of ROS, or all that a project of its own has. The folder of the package itself is none, whatever it is
@@ -12,18 +12,21 @@ import re
 from collections.abc import Mapping, Sequence, Set
 from functools import lru_cache
 
-_LICENCE = re.compile(r"(?:licen[cs]es?|copying|unlicense)(?:[-_.][\w.-]*)?", re.IGNORECASE)
-_NO_LICENCE = (".py", ".h", ".hpp", ".cpp", ".c", ".cmake", ".xml")
+_LICENCE = re.compile(r"(?:licen[cs]es?|copying|copyright|l?gpl|unlicense)(?:[-_.][\w.-]*)?", re.IGNORECASE)
+_NO_LICENCE = (".py", ".h", ".hh", ".hpp", ".cpp", ".cc", ".cxx", ".c", ".cmake", ".xml")
 _VERSIONED = re.compile(r"[a-z][a-z0-9_+]{2,}[-_]?v?\d+(?:\.\d+)+(?:[-_.]?\w+)?", re.IGNORECASE)
 _UPSTREAM = re.compile(
     r"nlohmann|rapidjson|jsoncpp|json11|rapidxml|pugixml|tinyxml2?|tinyobjloader|miniz|zlib|lz4|zstd|catch2|doctest"
     r"|pybind11|spdlog|fmtlib|eigen3|glm|imgui|implot|nanoflann|(?:rt)?flann|sol2|luajit|qwt|qcustomplot|cppzmq|libzmq"
     r"|magic_enum|robin_hood|concurrentqueue|readerwriterqueue|cli11|cxxopts|exprtk|muparserx?|minitrace|flatbuffers"
     r"|backward[-_]cpp|rxcpp|kissfft|sqlite3|libuv|cpp-httplib|civetweb|websocketpp|jwt-cpp|polyclipping|delaunator"
-    r"|absl|abseil-cpp|quadprog(?:pp|\+\+)?|protobuf|or-tools|ortools|glad|optional-lite|span-lite|libb64",
+    r"|absl|abseil-cpp|quadprog(?:pp|\+\+)?|protobuf|or-tools|ortools|glad|deepspeech|optional-lite|span-lite|libb64"
+    r"|libcvd|stlsoft|unixstl|winstl",
     re.IGNORECASE,
 )
-_LAID_OUT = re.compile(r"(?:.*?/)?eigen(?=/(?:eigen/)?src/core/)", re.IGNORECASE)
+_LAID_OUT = re.compile(
+    r"(?:.*?/)?(?:eigen(?=/(?:eigen/)?src/core/)|mavlink(?=/(?:v[12]\.0/)?mavlink_helpers\.h))", re.IGNORECASE
+)
 """A folder whose name says little and whose inside says whose it is."""
 _OF_ROS = frozenset((
     "std_msgs", "sensor_msgs", "geometry_msgs", "nav_msgs", "diagnostic_msgs", "visualization_msgs", "trajectory_msgs",
@@ -43,7 +46,7 @@ _OF_A_PROJECT = re.compile(
 """What a project has that is released by itself, and hardly a folder of a package."""
 _BINARY = re.compile(r".+\.(?:a|so(?:\.\d+)*|lib|dll|dylib)")
 _SOURCES = re.compile(r".+\.(?:c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|tpp|cu|cuh|py)")
-_OWN = frozenset(("", "src", "include", "scripts", "launch", "msg", "srv", "action", "test", "nodes"))
+_OWN = frozenset(("", "src", "include", "scripts", "launch", "msg", "srv", "action", "test", "nodes", "doc", "docs"))
 """Folders that packages have, and the package itself: they are its own whatever licence lies there."""
 _MOST = 0.5
 
@@ -74,6 +77,20 @@ def vendored_folders(package: str, paths: Sequence[str], name: str = "") -> tupl
             found.add(folder)
     found = {folder for folder in found if any(path.startswith(folder) for path in sources)}
     return tuple(sorted(one for one in found if not any(one != other and one.startswith(other) for other in found)))
+
+
+def named_folders(paths: Sequence[str], packages: Sequence[str] = ()) -> tuple[str, ...]:
+    """Return the folders outside of packages whose names say that they are of others, each with ``/`` at its end.
+
+    A licence or a project says nothing there: the whole repository has one. Nor does the name of a folder with packages
+    in it, which may well have a version: ``robot_v0.2``.
+
+    Args:
+        paths: of all files outside of packages, below the workspace root.
+        packages: folders of all packages.
+    """
+    named = {f"{one}/" for path in paths for one in _named(path.rpartition("/")[0], "")}
+    return tuple(sorted(one for one in named if not any(package.startswith(one) for package in packages)))
 
 
 @lru_cache(maxsize=4096)

@@ -17,7 +17,7 @@ QUANTITY = Quantity(
     "instead of the head's",
     source="plain difference of committer dates",
     limits="Dates are those of the committers' clocks; commits that are dated before a parent of theirs are counted in "
-    "what is told of the repository. Told at the head's date and not today's, so that a commit always has one age.",
+    "what is reported of the repository. Taken at the head's date, not today's, so that a commit always has one age.",
     decimals=1,
 )
 

@@ -13,7 +13,7 @@ profile     languages    decisions
 ``mccabe``  Python       as the ``mccabe`` checker in ruff (C901): statements only, nested functions included
 =========== ============ ======================================================================================
 
-Where they differ, and how often, is told in ``docs/reference/metrics/disagreements.md``.
+Where they differ, and how often, is in ``docs/reference/metrics/disagreements.md``.
 """
 
 from __future__ import annotations

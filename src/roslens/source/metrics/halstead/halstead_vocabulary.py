@@ -16,7 +16,7 @@ QUANTITY = Quantity(
     better=Better.NEITHER,
     formula="n = n1 + n2, distinct operators plus distinct operands",
     source="Halstead, Elements of Software Science, 1977",
-    limits="See halstead_length for what is an operator. Names are told apart by spelling, not by what they mean.",
+    limits="See halstead_length for what is an operator. Names are distinguished by spelling, not by what they mean.",
     decimals=1,
 )
 

@@ -1,4 +1,4 @@
-"""Macros of a project that stand for whole statements, told from calls by what is missing: the semicolon.
+"""Macros of a project that stand for whole statements, distinguished from calls by what is missing: the semicolon.
 
 ``NAME(arguments)`` that begins with capitals, alone on its lines, between statements and without a semicolon can be
 nothing but a macro. It is blanked like those of the preset; a call that goes on in the next line stays.

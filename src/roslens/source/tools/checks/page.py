@@ -42,7 +42,7 @@ docs` writes it anew.
 - A tool that is named and missing, too old, of an unknown version, or unable to look at the workspace is a failure
   that says why and what to do: "not run, because …". Where `all` asked for it, it is a remark.
 - A tool that crashes, hangs, prints too much or what cannot be read loses nothing of the others. The files that it
-  failed on are found by halves, told, and tried again by the next run.
+  failed on are found by halves, reported, and tried again by the next run.
 - It looks at own code and tests, not at generated and vendored code. Comments by which its users silence it hold, and
   so do those of roslens: `NOLINT(runtime/int)`, `noqa: F401`, `roslens: ignore[cpplint.runtime/int] reason`.
 - Nothing of the workspace runs: settings that would load code (`init-hook` of pylint, plug-ins of the compiler) are
@@ -167,8 +167,8 @@ def _row(shown: str, check: Check) -> str:
 def _levels(levels: dict[str, str]) -> str:
     if not levels:
         return ""
-    told = ", ".join(f"{theirs} → {ours}" for theirs, ours in levels.items())
-    return f"\nSeverities of the tool: {told}.\n"
+    reported = ", ".join(f"{theirs} → {ours}" for theirs, ours in levels.items())
+    return f"\nSeverities of the tool: {reported}.\n"
 
 
 def _code(text: str) -> str:

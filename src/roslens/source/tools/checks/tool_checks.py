@@ -104,7 +104,7 @@ def tags_of(tool: str, check: str) -> tuple[str, ...]:
 
 
 def rule_of(tool: str, check: str, titles: Mapping[str, str] | None = None) -> RuleInfo:
-    """Return what readers are told of a check; ``titles`` are known to the tool's own output."""
+    """Return what readers see of a check; ``titles`` are known to the tool's own output."""
     checks = checks_of(tool)
     known = checks.of(check)
     family, _, rest = check.partition("-")

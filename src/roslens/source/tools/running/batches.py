@@ -88,8 +88,8 @@ class Batches:
                 if path in paths:
                     failed.setdefault(f"skipped the file: {why}", []).append(path)
             trouble.extend(result.trouble)
-        told = tuple((why, tuple(sorted(paths))) for why, paths in sorted(failed.items()))
-        return Looked(findings, told, tuple(dict.fromkeys(trouble)))
+        reported = tuple((why, tuple(sorted(paths))) for why, paths in sorted(failed.items()))
+        return Looked(findings, reported, tuple(dict.fromkeys(trouble)))
 
     def _results(self, shares: Sequence[tuple[str, ...]]) -> Iterator[tuple[tuple[str, ...], Reading | ToolError]]:
         with ThreadPoolExecutor(self._jobs, thread_name_prefix=f"roslens-{self._tool.name}") as pool:

@@ -1,4 +1,4 @@
-"""Layout in one line a package: what a formatter mends at one stroke is not told line by line."""
+"""Layout in one line a package: what a formatter mends at one stroke is not reported line by line."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
 from roslens.model.source import Package
+from roslens.model.words.plural import plural
 
 LAYOUT = "layout"
 """Tag of the findings that are folded."""
@@ -63,7 +64,7 @@ def _one(held: Sequence[Finding], package: Package, gated: bool) -> Finding:
     return Finding(
         RULE.id,
         RULE.severity,
-        f"{len(held)} layout findings{place}{files}: run {advice}",
+        f"{plural(len(held), 'layout finding')}{place}{files}: run {advice}",
         package.manifest.path,
         entity=entity,
         tags=RULE.tags,

@@ -47,11 +47,11 @@ def version_of(tool: Tool, program: Program, runner: ToolRunner, root: str) -> s
         ToolError: it does not say, or is older than any that was tried.
     """
     ended = runner.run([program.path, *tool.version_words], folder=root, time_limit_s=VERSION_LIMIT_S)
-    told = (ended.stdout + b"\n" + ended.stderr)[:65536].decode("utf-8", "replace")
-    match = re.search(tool.version_pattern, told)
+    reported = (ended.stdout + b"\n" + ended.stderr)[:65536].decode("utf-8", "replace")
+    match = re.search(tool.version_pattern, reported)
     if match is None:
         call = " ".join((tool.program, *tool.version_words))
-        raise ToolError(f"is of an unknown version: `{call}` says {' '.join(told.split())[:80]!r}")
+        raise ToolError(f"is of an unknown version: `{call}` says {' '.join(reported.split())[:80]!r}")
     return match[1]
 
 

@@ -54,7 +54,7 @@ def with_tool_edits(
         paths = sorted({one.path for one in findings if one.rule.startswith(begin) and one.path in files})
         for some in _parts(paths, tool.fixes_at_once):
             try:
-                for fix in _told(tool, some, files, root, settings, runner or ToolRunner()):
+                for fix in _reported(tool, some, files, root, settings, runner or ToolRunner()):
                     known[rule_id(tool.name, fix.check), fix.path, fix.line, fix.column] = _made_for(fix.edits, files)
             except (ToolError, OSError) as error:
                 failures.append(_failure(tool, error))
@@ -67,7 +67,7 @@ def _parts(paths: Sequence[str], most: int) -> Iterator[Sequence[str]]:
         yield paths[start : start + most]
 
 
-def _told(
+def _reported(
     tool: Tool,
     paths: Sequence[str],
     files: Mapping[str, SourceFile],

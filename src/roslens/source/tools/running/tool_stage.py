@@ -17,6 +17,7 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.finding import RuleInfo
 from roslens.model.source import Location, SourceFile
+from roslens.model.words.plural import plural
 from roslens.plugins.options import resolve_options
 from roslens.plugins.outcome import Outcome
 from roslens.source.keys import analyser_version, key_of
@@ -254,7 +255,7 @@ class ToolStage:
             if why := tool.uncovered(file):
                 reasons[self._owner[file.path], why].append(file.path)
         for (package, why), paths in sorted(reasons.items()):
-            more = f" (and {len(paths) - 1} more files of the package)" if len(paths) > 1 else ""
+            more = f" (and {plural(len(paths) - 1, 'more file')} of the package)" if len(paths) > 1 else ""
             what = f"{tool.name} did not look at the file: it {why}{more}"
             place = Location(paths[0])
             self._left_out[package].append(Failure(tool.name, what, "", "", place, "", package, partial=True))
@@ -275,7 +276,7 @@ class ToolStage:
 
 def _failed(tool: Tool, why: str, paths: Sequence[str], package: str) -> Failure:
     first = paths[0]
-    more = f" (and {len(paths) - 1} more files of the package)" if len(paths) > 1 else ""
+    more = f" (and {plural(len(paths) - 1, 'more file')} of the package)" if len(paths) > 1 else ""
     return Failure(
         tool.name,
         f"{tool.name} {why}{more}",

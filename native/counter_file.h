@@ -11,7 +11,7 @@
 // Whether there is a file and this process may write it. A child of a fork may not: its parent counts in it.
 extern atomic_bool counter_file_open;
 
-// Make the file, once. Errors are told on standard error, once, and leave it closed.
+// Make the file, once. Errors are reported on standard error, once, and leave it closed.
 void open_counter_file(void);
 
 // Write in words what this library does.

@@ -324,7 +324,7 @@ void count_taken(
     }
     const bool numbered =
       believed && real_rmw.numbers && !of->filtered && info->publication_sequence_number != SEQUENCE_NUMBER_UNSUPPORTED;
-    // Without an identifier the numbers of several publishers cannot be told apart.
+    // Without an identifier the numbers of several publishers cannot be distinguished.
     if (numbered && memcmp(gid, nobody, GID_BYTES) != 0) {
       sequence_feed(&one->numbers, info->publication_sequence_number, now);
       what.numbers = &one->numbers;

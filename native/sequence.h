@@ -1,4 +1,4 @@
-// Which messages of a publisher are lost, told from the numbers it gives them.
+// Which messages of a publisher are lost, by the numbers it gives them.
 
 #ifndef ROSLENS_SEQUENCE_H
 #define ROSLENS_SEQUENCE_H

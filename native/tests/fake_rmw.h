@@ -1,4 +1,4 @@
-// What the fake middleware is told by a test, beside the functions of rmw.
+// What the fake middleware is given by a test, beside the functions of rmw.
 
 #ifndef FAKE_RMW_H
 #define FAKE_RMW_H

@@ -30,7 +30,7 @@ def messages(draw: Random, seconds: float, unruly: float) -> Iterator[tuple[floa
         at += max(1 + jitter * (draw.random() - 0.5), 0.01) / hertz
 
 
-def told(draw: Random, publisher: str, observer: Observer, seconds: float) -> Iterator[tuple[float, Tally]]:
+def reported(draw: Random, publisher: str, observer: Observer, seconds: float) -> Iterator[tuple[float, Tally]]:
     """Yield what an observer tells of a connection, each with when it comes."""
     unruly = draw.choice([0.0, 0.1, 0.2, 0.6])
     stream, report = list(messages(draw, seconds, unruly)), draw.choice([0.1, 0.2, 0.2, 0.33])

@@ -1,7 +1,7 @@
 """An alarm comes at most one window and 0.2 s after the fault began, on whichever way its news comes.
 
-Messages of a scripted fault are told as observers tell them: what a node counted in a stretch, so much later. Only the
-time that the machine takes is left out.
+Messages of a scripted fault are reported as observers tell them: what a node counted in a stretch, so much later. Only
+the time that the machine takes is left out.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pytest
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
+from roslens.judge.reference.expectation import Details, Expectation, Reference, Selector
 from roslens.live.adapters.ros1.__main__ import GATHER_S
 from roslens.live.adapters.ros2.__main__ import COUNT_EVERY_S as BESIDE_S
 from roslens.live.agent.work import COUNT_EVERY_S
@@ -91,11 +91,11 @@ def tally(way: Way, sent: list[Message], start: float, end: float) -> Tally:
 
 def alarm(way: Way, key: str, range_: str, sent: list[Message], begin: float) -> float:
     """Return seconds from the begin of the fault to the first alarm."""
-    told = (
-        Expectation(Told("c.rate"), Selector(EntityKind.TOPIC, "/scan"), "rate", Range.parse("13..35")),
-        Expectation(Told("c.it"), Selector(EntityKind.CONNECTION, "/scan"), key, Range.parse(range_)),
+    reported = (
+        Expectation(Details("c.rate"), Selector(EntityKind.TOPIC, "/scan"), "rate", Range.parse("13..35")),
+        Expectation(Details("c.it"), Selector(EntityKind.CONNECTION, "/scan"), key, Range.parse(range_)),
     )
-    monitor = Monitor(Reference("test", expectations=told), start=0.0)
+    monitor = Monitor(Reference("test", expectations=reported), start=0.0)
     for number in range(1, round((begin + 2) / way.every)):
         start, end = (number - 1) * way.every, number * way.every
         now = end + way.after

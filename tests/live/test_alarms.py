@@ -28,7 +28,7 @@ def test_from_bad_to_fine_is_one_alarm_the_worst_state_counts():
         verdict(20, State.OK, since=19.5),
         verdict(30, State.HIGH, since=29.0),
     )
-    assert [(one.since, one.told, one.until, one.worst.state) for one in alarms] == [
+    assert [(one.since, one.reported, one.until, one.worst.state) for one in alarms] == [
         (9.5, 10, 19.5, State.ABSENT),
         (29.0, 30, float("inf"), State.HIGH),
     ]

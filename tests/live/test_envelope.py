@@ -7,7 +7,7 @@ import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from live.random_traffic import of, told
+from live.random_traffic import of, reported
 from live.time_line import reference
 
 from roslens.live.rate import evaluator as evaluator_file
@@ -70,7 +70,7 @@ def said(streams, *, every, by_columns):
     """Return changes, and values whenever somebody looks; and how often a connection rested."""
     monitor = Monitor(RULES, start=0.0)
     records = sorted((one for stream in streams for one in stream), key=lambda one: one[0])
-    told, values, place, resting = [], [], 0, 0
+    reported, values, place, resting = [], [], 0, 0
     for tick in range(1, round(records[-1][0] * 10) + 20):
         now = tick / 10
         came = []
@@ -82,11 +82,11 @@ def said(streams, *, every, by_columns):
         else:
             for tally in came:
                 monitor.add_tally(tally)
-        told += [(now, str(v.entity), v.expectation, v.state, round(v.since, 3)) for v in monitor.tick(now)]
+        reported += [(now, str(v.entity), v.expectation, v.state, round(v.since, 3)) for v in monitor.tick(now)]
         resting += sum(one.envelope is not None for one in monitor._world.connections.values())
         if tick % every == 0:
             values += [(now, str(v.entity), v.expectation, v.state, v.value) for v in monitor.standing()]
-    return told, values, resting
+    return reported, values, resting
 
 
 def both(streams, monkeypatch):
@@ -120,7 +120,7 @@ def test_unruly_traffic_is_told_of_the_same(seed, monkeypatch):
     draw = Random(seed)
     observers = draw.choice([[Observer.INSIDE], [Observer.INSIDE, Observer.TAP]])
     streams = [
-        list(told(draw, f"/p{number}", observer, 7.0))
+        list(reported(draw, f"/p{number}", observer, 7.0))
         for number in range(draw.choice([1, 1, 2]))
         for observer in observers
     ]

@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 from live.time_line import reference, tallies
 
+from roslens.live.join.session import Session
 from roslens.live.rate.monitor import Monitor
 from roslens.model.verdict import State
+from roslens.model.wire import VERSION, Frame
 
 RATE = {"id": "rate", "name": "/scan", "quantity": "rate", "range": "15..30", "grace": 0.5}
 LONG = {"id": "long", "name": "/scan", "quantity": "rate", "range": "1..30", "window": 6, "grace": 0.5}
@@ -104,3 +106,25 @@ def test_what_came_is_due_at_once_though_nothing_has_to_be_judged():
     (_, tally), *_ = tallies(row(**{"from": 5, "to": 6}))
     monitor.add_tally(tally)
     assert monitor.next_due(5.0) == 5.0
+
+
+def told(session, now, *records, looked=0.0):
+    session.take([Frame(VERSION, "ros2", 0, now, list(records), [], [], None, [], looked=looked)])
+    session.look(now)
+
+
+def test_an_observer_that_does_not_say_that_it_has_looked_is_not_looked_after_at_every_tick():
+    session = Session(reference({"expect": [RATE]}), start=0.0)
+    for at, tally in tallies(row()):
+        told(session, at, tally)
+    (connection,) = session.monitor._world.connections.values()
+    looks = set()
+    for step in range(51, 301):
+        told(session, step / 10)
+        looks.add(connection.looked)
+    assert len([one for one in looks if one > 20]) <= 11
+    assert [one.state for one in session.monitor.standing()] == [State.OK]
+    # Within a second it is noticed that it has looked, and saw nothing.
+    for step in range(301, 320):
+        told(session, step / 10, looked=step / 10)
+    assert [one.state for one in session.monitor.standing()] == [State.ABSENT]

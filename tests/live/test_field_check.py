@@ -20,18 +20,18 @@ def reference(*lines):
 
 
 class Watch:
-    """A monitor that is told messages and looked at every half second."""
+    """A monitor that is given messages and looked at every half second."""
 
     def __init__(self, *lines):
         self.monitor = Monitor(reference(*lines), start=0.0)
-        self.told = []
+        self.reported = []
 
     def look(self, now, *messages):
         """Take messages (time, topic, fields), look, and return what changed by topic and id."""
         for time, topic, fields in messages:
             self.monitor.add_field(topic, time, fields)
         found = {(one.entity.name, one.expectation): one for one in self.monitor.tick(now)}
-        self.told += found.values()
+        self.reported += found.values()
         return {key: one.state for key, one in found.items()}
 
 
@@ -59,9 +59,9 @@ def test_a_step_is_seen_though_the_messages_around_it_are_fine():
     assert watch.look(1.0, *off, (0.9, "/encoder", {"ticks": 16})) == {
         ("/encoder", "r.field.encoder.ticks.change"): State.HIGH
     }
-    told = watch.told[-1]
-    assert (told.value, told.quantity, told.evidence) == (390.0, "change of ticks", "from 10 to 400")
-    assert told.since == pytest.approx(0.7)
+    reported = watch.reported[-1]
+    assert (reported.value, reported.quantity, reported.evidence) == (390.0, "change of ticks", "from 10 to 400")
+    assert reported.since == pytest.approx(0.7)
     assert watch.look(1.5, (1.4, "/encoder", {"ticks": 18})) == {("/encoder", "r.field.encoder.ticks.change"): State.OK}
 
 
@@ -70,7 +70,7 @@ def test_a_value_that_is_wrong_in_one_message_between_two_looks_is_seen():
     assert watch.look(0.5, *((at, "/battery", {"volts": volts}) for at, volts in ((0.1, 12), (0.2, 3), (0.3, 12)))) == {
         ("/battery", "r.field.battery.volts.value"): State.LOW
     }
-    assert watch.told[-1].value == 3
+    assert watch.reported[-1].value == 3
     assert watch.look(1.0) == {("/battery", "r.field.battery.volts.value"): State.OK}
 
 
@@ -87,7 +87,7 @@ def test_a_counter_that_stands_while_the_robot_drives():
     driving = [(1.1, "/cmd_vel", {"linear.x": 0.4}), (1.2, "/encoder", {"ticks": 9}), (1.3, "/encoder", {"ticks": 9})]
     assert watch.look(1.5, *driving)[key] is not State.LOW
     assert watch.look(2.0, *((1.3 + at / 10, "/encoder", {"ticks": 9}) for at in range(1, 7))) == {key: State.LOW}
-    assert watch.told[-1].value == 0
+    assert watch.reported[-1].value == 0
 
 
 def test_messages_that_are_wrong_in_turn_are_not_wrong_for_long():
@@ -115,9 +115,9 @@ def test_two_fields_of_a_message_and_of_two_topics_are_compared():
         ("/wheels", "r.field.wheels.left.difference"): State.LOW,
         ("/front", "r.axles.difference"): State.HIGH,
     }
-    told = {one.entity.name: one for one in watch.told[-2:]}
-    assert (told["/wheels"].value, told["/wheels"].quantity) == (-3.5, "left - right")
-    assert (told["/front"].value, told["/front"].quantity) == (85, "ticks - /rear ticks")
+    reported = {one.entity.name: one for one in watch.reported[-2:]}
+    assert (reported["/wheels"].value, reported["/wheels"].quantity) == (-3.5, "left - right")
+    assert (reported["/front"].value, reported["/front"].quantity) == (85, "ticks - /rear ticks")
 
 
 def test_without_the_other_field_a_difference_is_unknown():

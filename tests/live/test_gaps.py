@@ -1,10 +1,10 @@
-"""Gaps shortly after one another are told one by one, each from when it began."""
+"""Gaps shortly after one another are reported one by one, each from when it began."""
 
 import pytest
 from live.time_line import Played
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
+from roslens.judge.reference.expectation import Details, Expectation, Reference, Selector
 from roslens.live.replay.replay import SHORTEST_STEP_S, STEP_S, usual_step
 from roslens.live.window.bucket import Bucket
 from roslens.model.entity import EntityKind
@@ -33,18 +33,18 @@ def highs(played):
     [({"report": 0.1}, 0.01), ({"report": 0.1, "onset": False}, 0.05), ({"report": 0.05, "onset": False}, 0.03)],
 )
 def test_five_gaps_are_five_alarms(traffic, within):
-    told = highs(Played(line(**traffic)))
-    assert [verdict.since for verdict in told] == [pytest.approx(begun, abs=within) for begun, _ in GAPS]
+    reported = highs(Played(line(**traffic)))
+    assert [verdict.since for verdict in reported] == [pytest.approx(begun, abs=within) for begun, _ in GAPS]
 
 
 def test_the_clock_of_the_observer_does_not_matter():
-    told = highs(Played(line(report=0.1, offset=5000.0)))
-    assert [verdict.since for verdict in told] == [pytest.approx(begun, abs=0.01) for begun, _ in GAPS]
+    reported = highs(Played(line(report=0.1, offset=5000.0)))
+    assert [verdict.since for verdict in reported] == [pytest.approx(begun, abs=0.01) for begun, _ in GAPS]
 
 
 def test_tallies_further_apart_still_hold_each_gap_they_tell_of():
-    told = highs(Played(line(report=0.5)))
-    assert [verdict.since for verdict in told][:3] == [pytest.approx(begun, abs=0.01) for begun, _ in GAPS[:3]]
+    reported = highs(Played(line(report=0.5)))
+    assert [verdict.since for verdict in reported][:3] == [pytest.approx(begun, abs=0.01) for begun, _ in GAPS[:3]]
 
 
 def test_no_gap_is_missed_when_several_tallies_come_at_once():
@@ -71,7 +71,7 @@ def test_the_greatest_gap_of_two_buckets_keeps_its_beginning():
 )
 def test_a_recording_is_looked_at_as_often_as_bounds_on_gaps_ask(bounds, expected):
     constraints = [
-        Expectation(Told(str(bound)), Selector(EntityKind.TOPIC, "/a"), "largest_gap", Range(None, bound))
+        Expectation(Details(str(bound)), Selector(EntityKind.TOPIC, "/a"), "largest_gap", Range(None, bound))
         for bound in bounds
     ]
     assert usual_step(Reference("test", expectations=tuple(constraints))) == expected

@@ -84,8 +84,8 @@ def held(seed):
             time, _, what, value = events.pop(0)
             for one in three:
                 one.take(time, what, value)
-        for one, told in zip(three, said, strict=True):
-            told += [(v.entity, v.expectation, v.state, v.since, v.cause) for v in one.monitor.tick(now)]
+        for one, reported in zip(three, said, strict=True):
+            reported += [(v.entity, v.expectation, v.state, v.since, v.cause) for v in one.monitor.tick(now)]
         if draw.random() < 0.8:
             known = sorted(partly.monitor.world.topics)
             looked_at = {name for name in known if draw.random() < 0.4} | {"/nothing"}
@@ -100,8 +100,8 @@ def held(seed):
             alike = {topic for topic in looked_at if begins(partly, topic) == begins(wholly, topic)}
             assert values(found.view, alike) == values(view, alike), f"seed {seed} at {now:.2f} s"
             mine, whole = (
-                [one for one in told if topic_of(one.entity) not in looked_at - alike]
-                for told in (found.standing, verdicts)
+                [one for one in reported if topic_of(one.entity) not in looked_at - alike]
+                for reported in (found.standing, verdicts)
             )
             assert judged(mine, alike) == judged(whole, alike), f"seed {seed} at {now:.2f} s"
             assert [(one.entity, one.expectation, one.state, one.since, one.cause) for one in found.standing] == [

@@ -127,14 +127,14 @@ def test_a_wrong_key_is_named_on_both_sides(listener, agent_of):
 
 
 def test_a_wrong_key_is_told_once_however_often_it_is_tried(listener, agent_of):
-    told = []
+    reported = []
     for _ in range(2):
         said = []
         agent = agent_of(listener.port, key=b"another key of thirty-two bytes.", said=said)
         records = until(listener, [agent], lambda records, said=said: failures(records) and said)
-        told += failures(records)
-    assert len(told) == 2
-    assert len(set(told)) == 1
+        reported += failures(records)
+    assert len(reported) == 2
+    assert len(set(reported)) == 1
 
 
 def test_garbage_does_not_disturb_the_others(listener, agent_of):

@@ -6,7 +6,7 @@ from random import Random
 
 import msgspec
 import pytest
-from live.random_traffic import told
+from live.random_traffic import reported
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.rate.monitor import Monitor
@@ -67,7 +67,7 @@ def history(draw: Random):
         publisher, observer = draw.choice(NODES), draw.choice([Observer.INSIDE, Observer.TAP])
         topic, subscriber = draw.choice(TOPICS), draw.choice(["", "/listener", "/second"])
         voice = draw.choice(["", "", f"base/{number % 2}"])
-        for time, tally in told(draw, publisher, observer, SECONDS * draw.choice([0.3, 1.0])):
+        for time, tally in reported(draw, publisher, observer, SECONDS * draw.choice([0.3, 1.0])):
             tally = msgspec.structs.replace(tally, topic=topic, subscriber=subscriber)
             found.append((time, number, "tally", (tally, voice)))
     for _ in range(draw.randint(2, 8)):
@@ -91,7 +91,7 @@ def history(draw: Random):
 
 
 class Watched:
-    """A monitor that is told a history."""
+    """A monitor that is given a history."""
 
     def __init__(self) -> None:
         self.monitor = Monitor(reference(REFERENCE), start=0.0)

@@ -13,14 +13,14 @@ def sample(name, kind=EntityKind.PROCESS, **values):
     return Sample(EntityId(kind, name), 5.0, values)
 
 
-def told(samples):
+def reported(samples):
     return [(str(one.entity), one.values) for one in samples]
 
 
 def test_each_node_of_a_process_gets_its_values():
     join = NodeProcesses()
     join.add_graph("ros2", graph(("/b", "base", 10), ("/a", "base", 10), ("/c", "arm", 10), ("/d", "", 0)))
-    assert told(join.of(sample("base/10", cpu=5.0))) == [
+    assert reported(join.of(sample("base/10", cpu=5.0))) == [
         ("node:/a", {"cpu": 5.0, "restarts": 0.0}),
         ("node:/b", {"cpu": 5.0, "restarts": 0.0}),
     ]
@@ -34,7 +34,7 @@ def test_coming_back_elsewhere_is_a_restart():
     join = NodeProcesses()
     for pid in (10, 10, 12, 12, 15):
         join.add_graph("ros2", graph(("/a", "base", pid)))
-    assert told(join.of(sample("base/15"))) == [("node:/a", {"restarts": 2.0})]
+    assert reported(join.of(sample("base/15"))) == [("node:/a", {"restarts": 2.0})]
     assert join.of(sample("base/10")) == []
 
 
@@ -42,8 +42,8 @@ def test_two_observers_see_two_parts():
     join = NodeProcesses()
     join.add_graph("ros1", graph(("/a", "base", 10)))
     join.add_graph("ros2", graph(("/b", "base", 11)))
-    assert [name for name, _ in told(join.of(sample("base/10")))] == ["node:/a"]
-    assert [name for name, _ in told(join.of(sample("base/11")))] == ["node:/b"]
+    assert [name for name, _ in reported(join.of(sample("base/10")))] == ["node:/a"]
+    assert [name for name, _ in reported(join.of(sample("base/11")))] == ["node:/b"]
 
 
 def test_what_came_and_went_long_ago_is_forgotten():

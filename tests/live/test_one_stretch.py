@@ -38,8 +38,8 @@ def test_no_message_is_left_out_and_no_time_told_twice(reads):
     one, until, counted = OneStretch(), 0.0, 0
     for number, read in enumerate(reads):
         end = number + 1.0
-        for told in one.of(tally(max(end - 1 - back, 0.0), end, count) for back, count in read):
-            assert until <= told.start <= told.end
-            until = told.end
-            counted += told.count
+        for reported in one.of(tally(max(end - 1 - back, 0.0), end, count) for back, count in read):
+            assert until <= reported.start <= reported.end
+            until = reported.end
+            counted += reported.count
     assert counted == sum(count for read in reads for _, count in read)

@@ -146,12 +146,14 @@ BITS = {"sensor": "aaaa", "brain": "bbbb", "arm": "cccc"}
     st.sets(HOSTS),
 )
 def test_a_place_is_true_or_unknown_however_pids_collide(processes, agents, counting, addresses):
-    """With agents that tell their addresses or what counts; whatever is not told, nothing wrong is said."""
+    """With agents that tell their addresses or what counts; whatever is not reported, nothing wrong is said."""
     of = [(f"/n{at}", BITS[host], pid) for at, (host, pid) in enumerate(processes)]
-    told = [(host, pid) for host, pid in processes if host in agents]
+    reported = [(host, pid) for host, pid in processes if host in agents]
     counted = [(f"/n{at}", host, pid) for at, (host, pid) in enumerate(processes) if host in agents & counting]
     known = addresses | (agents - counting)
-    whole = evident(*of, processes=told, counting=counted, identities=[(host, BITS[host]) for host in known & agents])
+    whole = evident(
+        *of, processes=reported, counting=counted, identities=[(host, BITS[host]) for host in known & agents]
+    )
     placed = found(Places().place(whole))
     for at, (host, pid) in enumerate(processes):
         expected = {("", 0), (host, 0), (host, pid)} if host not in agents else {(host, pid)}

@@ -18,7 +18,7 @@ TEXT = "kind: reference\nname: {}\nconstraints:\n  - topic: /{}\n    rate: 5..15
 
 def subjects(value, name="/roslens/reference"):
     reference = load_reference(parameter_documents(name, value, WHERE), BY_KEY)
-    return sorted(one.told.id for one in reference.expectations)
+    return sorted(one.details.id for one in reference.expectations)
 
 
 @pytest.mark.parametrize(

@@ -111,7 +111,7 @@ def test_a_run_asks_all_sources_and_closes_them(session):
         sources,
         wall=lambda: float(next(clock)),
         stopped=lambda _: len(steps) == 3,
-        told=steps.append,
+        report=steps.append,
     )
     assert [one.what for step in steps for one in step.failures] == ["second", "first"]
     assert all(source.closed for source in sources)
@@ -151,11 +151,11 @@ NEVER_SEEN = {"topic:/scan", "topic:/map", "host:base"}
 @pytest.mark.parametrize("starts", [0.25, 4.0, 25.0, 1000.0])
 @pytest.mark.parametrize("there", [True, False])
 def test_grace_counts_from_when_observers_see(starts, there):
-    clock, told = [0.0], []
+    clock, reported = [0.0], []
     session = Session(load_reference([GivenText("rover.yaml", ALWAYS.encode())], BY_KEY), start=0.0)
     source = Starting(clock, starts, Graph("ros2", nodes=(Node("/lidar"),) if there else ()))
-    run(session, [source], wall=lambda: clock[0], stopped=lambda now: now > 70.0, told=told.append)
-    bad = {str(one.entity): step.time for step in told for one in step.changes if one.state.bad}
+    run(session, [source], wall=lambda: clock[0], stopped=lambda now: now > 70.0, report=reported.append)
+    bad = {str(one.entity): step.time for step in reported for one in step.changes if one.state.bad}
     assert bad.keys() == NEVER_SEEN if there and starts < 70.0 else {*NEVER_SEEN, "node:/lidar"}
     # Who never says anything is not waited for for ever.
     begins = min(starts, BEGIN_S)
@@ -163,7 +163,7 @@ def test_grace_counts_from_when_observers_see(starts, there):
 
 
 class Watcher(Scripted):
-    """A source that remembers which processes it was told of."""
+    """A source that remembers which processes it was notified of."""
 
     def __init__(self):
         super().__init__([])
@@ -182,7 +182,7 @@ def test_who_samples_processes_is_told_which_hold_nodes(session):
         [Scripted([frame(1.0, graph=one) for one in graphs]), watcher],
         wall=lambda: 1.0,
         stopped=lambda _: len(steps) == 4,
-        told=steps.append,
+        report=steps.append,
     )
     assert watcher.named == [("base", {7}), ("arm", {8}), ("base", {9})]
 
@@ -190,11 +190,11 @@ def test_who_samples_processes_is_told_which_hold_nodes(session):
 def test_sources_are_closed_whatever_happens(session):
     source = Scripted([])
 
-    def told(_):
+    def reported(_):
         raise RuntimeError
 
     with pytest.raises(RuntimeError):
-        run(session, [source], wall=lambda: 0.0, stopped=lambda _: False, told=told)
+        run(session, [source], wall=lambda: 0.0, stopped=lambda _: False, report=reported)
     assert source.closed
 
 
@@ -215,8 +215,8 @@ constraints:
         cpu = Sample(EntityId(EntityKind.NODE, "/a"), second + 1.0, {"cpu": 90.0 if second >= 2 else 10.0})
         session.take([frame(second + 1.0, tallies=[tally(float(second), 4)], samples=[cpu])])
         steps.append(session.look(second + 1.0))
-    told = [(str(one.entity), one.state, one.cause) for step in steps for one in step.changes if one.state.bad]
-    assert told == [("topic:/scan", State.LOW, ""), ("node:/a", State.HIGH, "")]
+    reported = [(str(one.entity), one.state, one.cause) for step in steps for one in step.changes if one.state.bad]
+    assert reported == [("topic:/scan", State.LOW, ""), ("node:/a", State.HIGH, "")]
     found = [(str(one.entity), one.cause) for step in steps for one in step.causes]
     assert found == [("topic:/scan", "node:/a")]
 
@@ -230,10 +230,10 @@ ENDS = (
 
 def counted(second, *, host="arm", sender="arm/agent", place="arm's", publisher=BY_GID + GID, latency=0.001):
     moments = Moments(10, 10 * latency, 10 * latency * latency, latency, latency)
-    told = msgspec.structs.replace(
+    reported = msgspec.structs.replace(
         tally(second), publisher=publisher, subscriber="/b", latency=moments, host=host, observer=Observer.INSIDE
     )
-    return frame(second + 1.0, sender=sender, tallies=[told], counted_at=place)
+    return frame(second + 1.0, sender=sender, tallies=[reported], counted_at=place)
 
 
 def clock(host, offset, time):

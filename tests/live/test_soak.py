@@ -175,8 +175,8 @@ def test_the_monitor():
         tool = f"node:/_ros2cli_{number // 2}"
         events = [Event(now, Change.APPEARED if number % 2 == 0 else Change.VANISHED, tool)]
         failures = [Failure("ros2", "one that is said each time")]
-        told = Frame(VERSION, "base/ros2", number, now, tallies, samples, events, graph(number), failures)
-        session.take([decode_frame(encode_frame(told)[4:])])
+        reported = Frame(VERSION, "base/ros2", number, now, tallies, samples, events, graph(number), failures)
+        session.take([decode_frame(encode_frame(reported)[4:])])
         session.look(now)
 
     assert_level(turn, ROUNDS // 2)

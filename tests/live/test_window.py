@@ -18,7 +18,7 @@ def following(draw: Random, many: int):
     """Yield tallies that follow each other, and rounds, as a connection with an envelope gets them."""
     until, spacing, last = draw.choice([0.0, 100.0, 1e9]), 0.2, 0.0
     usual = draw.choice([0.02, 0.1, 0.2, 0.5])
-    holes, sizes, told = draw.random() < 0.5, draw.choice([0.0, 0.0, 0.3]), draw.choice([0.0, 0.5, 1.0])
+    holes, sizes, reported = draw.random() < 0.5, draw.choice([0.0, 0.0, 0.3]), draw.choice([0.0, 0.5, 1.0])
     slow = draw.choice([1, 1, 8])
     for number in range(many):
         hole = draw.choice([0.0, 0.0, -5e-7, 0.5 * spacing, 0.99 * spacing]) if holes else 0.0
@@ -34,7 +34,7 @@ def following(draw: Random, many: int):
             "/a", "/p", "/s", start, end, count, -1 if draw.random() < sizes else draw.randint(0, 999),
             first if draw.random() > 0.02 else 0.0, last if draw.random() > 0.02 else 0.0, of(gaps), of(some),
             of(some) if draw.random() < 0.2 else NOTHING, draw.choice([-1, 0, 2]), Observer.INSIDE, "", of(some),
-            last_before if draw.random() < told else 0.0,
+            last_before if draw.random() < reported else 0.0,
         )  # fmt: skip
         spacing = max(end - until, 0.9 * spacing)
         until = end

@@ -3,7 +3,7 @@
 A time line is a YAML mapping: ``expect`` (sentences), ``presence``, ``traffic`` (stretches of regular messages),
 ``samples``, ``graphs``, ``events``, ``calls`` and ``then``: the state that has to hold at an instant.
 
-``voices`` are observers that speak every so often: what names one as its ``voice`` is told by it. While one is
+``voices`` are observers that speak every so often: what names one as its ``voice`` is reported by it. While one is
 ``stopped`` it tells nothing and afterwards all at once; what it tells while its line is ``cut`` comes afterwards, one
 frame after the other. While the monitor is ``away``, which has a row of its own, it looks at nothing; afterwards it
 takes ``reads`` of what waits with each tick.
@@ -20,6 +20,7 @@ import yaml
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import (
     AgeChain,
+    Details,
     Expectation,
     FieldCheck,
     FieldCondition,
@@ -30,7 +31,6 @@ from roslens.judge.reference.expectation import (
     StateCheck,
     StateOf,
     Timing,
-    Told,
 )
 from roslens.live.join.session import Step
 from roslens.live.rate.monitor import Monitor
@@ -52,9 +52,9 @@ def moments(values: list[float]) -> Moments:
     return Moments(len(values), sum(values), sum(v * v for v in values), min(values), max(values))
 
 
-def told(row: dict[str, Any]) -> Told:
+def details(row: dict[str, Any]) -> Details:
     timing = {_TIMINGS[key]: float(row[key]) for key in _TIMINGS if key in row}
-    return Told(id=row["id"], severity=Severity(row.get("severity", "warning")), timing=Timing(**timing))
+    return Details(id=row["id"], severity=Severity(row.get("severity", "warning")), timing=Timing(**timing))
 
 
 def selector(row: dict[str, Any]) -> Selector:
@@ -68,7 +68,7 @@ def reference(line: dict[str, Any]) -> Reference:
         name="test",
         expectations=tuple(
             Expectation(
-                told(row),
+                details(row),
                 selector(row),
                 row["quantity"],
                 Range.parse(row["range"]),
@@ -78,7 +78,7 @@ def reference(line: dict[str, Any]) -> Reference:
         ),
         presences=tuple(
             Presence(
-                told(row),
+                details(row),
                 selector(row),
                 PresenceMode(row["mode"]),
                 selector(row["while"]) if "while" in row else None,
@@ -87,13 +87,13 @@ def reference(line: dict[str, Any]) -> Reference:
         ),
         field_checks=tuple(
             FieldCheck(
-                told(row), row["topic"], row["field"], Range.parse(row["range"]), condition=conditions(row.get("if"))
+                details(row), row["topic"], row["field"], Range.parse(row["range"]), condition=conditions(row.get("if"))
             )
             for row in line.get("fields", ())
         ),
         states=tuple(
             StateCheck(
-                told(row),
+                details(row),
                 selector(row),
                 StateOf(row["of"]),
                 tuple(row.get("allowed", ())),
@@ -103,7 +103,7 @@ def reference(line: dict[str, Any]) -> Reference:
             for row in line.get("states", ())
         ),
         chains=tuple(
-            AgeChain(told(row), tuple(row["topics"]), Range.parse(row["range"])) for row in line.get("chains", ())
+            AgeChain(details(row), tuple(row["topics"]), Range.parse(row["range"])) for row in line.get("chains", ())
         ),
     )
 
@@ -186,19 +186,19 @@ class Voice:
         self.stopped = row.get("stopped", ())
         self.looks = row.get("looks", True)
 
-    def told(self, at: float) -> float:
+    def reported(self, at: float) -> float:
         """Return when it tells what it sees at an instant."""
         return next((end for begin, end in self.stopped if begin <= at < end), at)
 
     def delivered(self, at: float) -> float:
         """Return when what it sees at an instant is delivered."""
-        told = self.told(at)
-        waited = [end + 0.02 * (told - begin) / self.every for begin, end in self.cut if begin <= told]
-        return max((told, *waited))
+        reported = self.reported(at)
+        waited = [end + 0.02 * (reported - begin) / self.every for begin, end in self.cut if begin <= reported]
+        return max((reported, *waited))
 
     def frames(self, until: float) -> list[tuple[float, float]]:
         """Return when frames are delivered, each with up to when it has looked on its own clock."""
-        times = dict.fromkeys(self.told(round(n * self.every, 6)) for n in range(1, round(until / self.every) + 1))
+        times = dict.fromkeys(self.reported(round(n * self.every, 6)) for n in range(1, round(until / self.every) + 1))
         return [(self.delivered(at), at + self.offset if self.looks else 0.0) for at in times]
 
 

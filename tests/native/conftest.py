@@ -73,7 +73,7 @@ def built(build, tmp_path_factory):
 
 
 class Node:
-    """A program that does with the middleware what it is told, and whose counters can be read."""
+    """A program that does with the middleware what it is asked for, and whose counters can be read."""
 
     def __init__(self, built, counters, *, sanitized=False, release="", scope="local", environment=None):
         self.counters = counters

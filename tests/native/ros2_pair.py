@@ -25,7 +25,7 @@ def cpu():
     return used.ru_utime + used.ru_stime
 
 
-def told(**counted):
+def reported(**counted):
     sys.stdout.write(json.dumps(counted) + "\n")
     sys.stdout.flush()
     sys.stdin.read()
@@ -55,7 +55,7 @@ def talk(node):
     served = node.count_clients(f"{node.get_name()}/get_parameters")
     while served and node.count_clients(f"{node.get_name()}/get_parameters") and time.monotonic() - begin < PATIENCE:
         rclpy.spin_once(node, timeout_sec=0.05)
-    told(typed=MESSAGES, raw=MESSAGES // 2, size=size, typed_size=typed_size, cpu=used)
+    reported(typed=MESSAGES, raw=MESSAGES // 2, size=size, typed_size=typed_size, cpu=used)
 
 
 def listen(node):
@@ -85,7 +85,7 @@ def listen(node):
         answers += future.done()
     if client:
         node.destroy_client(client)
-    told(typed=taken[TYPED], raw=taken[RAW], size=taken["size"], answers=answers, cpu=used)
+    reported(typed=taken[TYPED], raw=taken[RAW], size=taken["size"], answers=answers, cpu=used)
 
 
 rclpy.init()

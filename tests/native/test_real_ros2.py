@@ -53,14 +53,14 @@ class Pair:
             )
             for role in ("listener", "talker")
         }  # fmt: skip
-        self.told = {}
+        self.reported = {}
         self.counted_by = {}
 
     def __enter__(self):
         for role, node in self.nodes.items():
             line = node.stdout.readline()
             assert line, node.stderr.read()
-            self.told[role] = json.loads(line)
+            self.reported[role] = json.loads(line)
         return self
 
     def __exit__(self, *_):
@@ -103,7 +103,7 @@ def test_counts_are_those_of_the_nodes(built, python, tmp_path):
     with Pair(python, tmp_path, {"LD_PRELOAD": str(built.hook)}) as pair:
         found = pair.slots()
         tallies = joined(reader.read(4e9), lambda gid: "/talker", "here")
-    talker, listener = pair.told["talker"], pair.told["listener"]
+    talker, listener = pair.reported["talker"], pair.reported["listener"]
     assert {key: one.messages for key, one in found.items()} == {
         (PUBLISHED, "/typed", "/talker"): talker["typed"],
         (PUBLISHED, "/raw", "/talker"): talker["raw"],
@@ -150,7 +150,7 @@ def test_beside_the_library_the_hook_in_python_counts_nothing_and_nothing_is_mis
         **{(kind, "/talker/get_parameters"): CALLS for kind in (REQUESTED, HEARD, ASKED, REPLIED)},
     }
     assert (pair.counted_by[TAKEN], pair.counted_by[HEARD]) == (b"preload", b"preload")
-    talker = pair.told["talker"]
+    talker = pair.reported["talker"]
     sent, taken = found[PUBLISHED, "/typed", "/talker"], found[TAKEN, "/typed", "/listener"]
     assert sent.size == taken.size == talker["typed_size"]
     assert taken.moments[2][0] == 0  # it is a header, and has none

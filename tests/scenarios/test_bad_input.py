@@ -100,13 +100,17 @@ def test_odd_bytes_stop_nothing(roslens, robot):
     (source / "latin1.cpp").write_bytes("// caf\u00e9\nint a() { return 1; }\n".encode("latin-1"))
     (source / "bom.py").write_bytes(b"\xef\xbb\xbfdef a():\n    return 1\n")
     (source / "crlf.cpp").write_bytes(b"int c()\r\n{\r\n  return 1;\r\n}\r\n")
-    (source / "zero.cpp").write_bytes(b"int z() { return 1; }\n\0\0\0\n")
+    (source / "zero.cpp").write_bytes(b"int z() { return 1; }\nint y() { return 1; }\n\0\0\0\n")
+    (source / "binary.cpp").write_bytes(b"int b() { return 1; }\n\0\0\0\n")
     (source / "empty.cpp").write_bytes(b"")
     (source / "loop").symlink_to(source)
     done, report = checked(roslens, robot)
     measured = {entity["path"] for entity in report["entities"] if entity["kind"] == "file"}
     assert {f"odd/src/{name}" for name in ("latin1.cpp", "bom.py", "crlf.cpp", "zero.cpp", "empty.cpp")} <= measured
-    assert done.code in (CLEAN, NOT_ANALYSED)
+    assert "odd/src/binary.cpp" not in measured
+    (binary,) = (one for one in report["failures"] if one["path"] == "odd/src/binary.cpp")
+    assert binary["what"] == "the file is binary, 3 of 26 bytes are zero"
+    assert done.code == NOT_ANALYSED
 
 
 @pytest.mark.heavy

@@ -228,7 +228,7 @@ EVERY = (*CASES, *OBSERVED)
 def run_quiet(watched: Watched, case: Case, needed: set[Key]) -> Row:
     """Strikes who observes, and notes what was told: the robot is fine all the time."""
     watched.wait_until_ok(needed)
-    first, began = len(watched.told), time.time()
+    first, began = len(watched.reported), time.time()
     with case.begin(watched) as fault:
         time.sleep(case.lasts)
         load = os.getloadavg()[0]
@@ -236,11 +236,11 @@ def run_quiet(watched: Watched, case: Case, needed: set[Key]) -> Row:
     ok: float | None = None
     with contextlib.suppress(BedError):
         watched.wait_until_ok(needed)
-        after = [one.time for one in watched.told[first:] if one.state == "ok" and one.time > fault.ended]
+        after = [one.time for one in watched.reported[first:] if one.state == "ok" and one.time > fault.ended]
         ok = max(after, default=fault.ended) - fault.ended
     time.sleep(HELD)
     watched.read()
-    fresh = watched.told[first:]
+    fresh = watched.reported[first:]
     silent = [one for one in fresh if one.entity.startswith("observer:") and one.state == "unknown"]
     named = [one for one in silent if case.observer and one.entity.startswith(case.observer)]
     following = [one for one in fresh if one.bad and one.key in case.also]
@@ -266,7 +266,7 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
     """Breaks the robot, mends it, and notes what was told; the robot has to be fine before and is afterwards."""
     right = case.right[watched.generation]
     watched.wait_until_ok(needed)
-    first, failed = len(watched.told), len(watched.failures)
+    first, failed = len(watched.reported), len(watched.failures)
     began = time.time()
     with case.begin(watched) as fault:
         until = time.monotonic() + ALARM_LIMIT
@@ -281,9 +281,9 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
     ok: float | None = None
     with contextlib.suppress(BedError):
         watched.wait_until_ok(needed)
-        ended = max((one.time for one in watched.told[first:] if one.key in watched.alarmed), default=fault.ended)
+        ended = max((one.time for one in watched.reported[first:] if one.key in watched.alarmed), default=fault.ended)
         ok = max(ended - fault.ended, 0.0)
-    bad = [one for one in watched.told[first:] if one.bad and one.key not in right]
+    bad = [one for one in watched.reported[first:] if one.bad and one.key not in right]
     entities = {entity for entity, _ in right}
     # A fault that is mended by the time it is told may have no cause left: only what is told of it counts.
     following = [one for one in bad if one.cause in entities or one.entity in entities or one.key in case.also]
@@ -302,7 +302,7 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
 
 def _alarm(watched: Watched, right: frozenset[Key], says: str, first: int, failed: int) -> tuple[float, str] | None:
     watched.read()
-    for one in watched.told[first:]:
+    for one in watched.reported[first:]:
         if one.bad and one.key in right:
             return one.time, f"{one.entity} {one.quantity} {one.state}"
     for moment, text in watched.failures[failed:] if says else ():

@@ -59,7 +59,7 @@ class Watched:
         faked_clock: A host whose nodes and agent run under faketime.
 
     Attributes:
-        told: Every change of a verdict so far.
+        reported: Every change of a verdict so far.
         failures: What could not be done, by the monitor's words, with the wall clock time at which it was read.
     """
 
@@ -69,7 +69,7 @@ class Watched:
         self.robot: Robot
         self.monitor: Process
         self.agents: dict[str, Process] = {}
-        self.told: list[Told] = []
+        self.reported: list[Told] = []
         self.failures: list[tuple[float, str]] = []
         self._faked = [faked_clock] if faked_clock else []
         self._read = 0
@@ -112,7 +112,7 @@ class Watched:
             self._read = log.tell()
         *lines, self._rest = (self._rest + text).split("\n")
         fresh = [one for line in lines if line.startswith("{") and (one := self._line(json.loads(line)))]
-        self.told += fresh
+        self.reported += fresh
         return fresh
 
     def _line(self, line: dict[str, Any]) -> Told | None:
@@ -126,7 +126,7 @@ class Watched:
     def standing(self) -> dict[tuple[str, str], Told]:
         """The last that was told of each sentence."""
         self.read()
-        return {one.key: one for one in self.told}
+        return {one.key: one for one in self.reported}
 
     def wait(self, what: str, done: Callable[[], bool], limit: float) -> None:
         """Waits until `done()`; raises BedError after `limit` seconds with how everything stands."""
@@ -152,7 +152,8 @@ class Watched:
             if time.time() - max(standing[key].time for key in needed) < GRACE:
                 return False
             # The last change that ended an alarm; what only became known does not count.
-            return time.time() - max((one.time for one in self.told if one.key in self.alarmed), default=0.0) >= CALM
+            alarms = (one.time for one in self.reported if one.key in self.alarmed)
+            return time.time() - max(alarms, default=0.0) >= CALM
 
         try:
             self.wait("all is ok", ok, limit)
@@ -165,9 +166,9 @@ class Watched:
     @property
     def silent(self) -> list[Told]:
         """When it was told that nothing is heard of an observer."""
-        return [one for one in self.told if one.entity.startswith("observer:") and one.state == "unknown"]
+        return [one for one in self.reported if one.entity.startswith("observer:") and one.state == "unknown"]
 
     @property
     def alarmed(self) -> set[tuple[str, str]]:
         """What was bad at any time."""
-        return {one.key for one in self.told if one.bad}
+        return {one.key for one in self.reported if one.bad}

@@ -10,8 +10,8 @@ from roslens.live.agent.clock_offset import ClockOffset
 def exchange(offset, there, back, at=100.0):
     """Return the four times of an exchange over a line with these delays; our clock is ahead by ``offset``."""
     received = at - offset + there
-    told = received + 0.0001
-    return at, received, told, told + offset + back
+    reported = received + 0.0001
+    return at, received, reported, reported + offset + back
 
 
 @given(st.floats(-10, 10), st.floats(0, 0.2), st.floats(0, 0.2))

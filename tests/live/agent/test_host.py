@@ -104,13 +104,13 @@ def snmp(sent, again):
 
 
 def test_segments_that_were_sent_again_are_counted_over_five_seconds(sampler, tmp_path):
-    told = []
+    reported = []
     for second, counts in enumerate(
         [(1000, 10), (1100, 10), (1200, 16), (1300, 16), (1400, 16), (1500, 16), (1600, 16)]
     ):
         write(tmp_path, snmp(*counts))
-        told.append(sampler.sample(10.0 + second).values.get("resent"))
-    assert told == [None, 0.0, 3.0, 2.0, 1.5, 1.2, 1.2]
+        reported.append(sampler.sample(10.0 + second).values.get("resent"))
+    assert reported == [None, 0.0, 3.0, 2.0, 1.5, 1.2, 1.2]
     write(tmp_path, snmp(5, 0))
     assert "resent" not in sampler.sample(20.0).values
 

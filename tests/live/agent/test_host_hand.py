@@ -40,14 +40,14 @@ class Scene:
 
     def __init__(self, folder):
         self.folder = folder
-        self.told = queue.SimpleQueue()
+        self.reported = queue.SimpleQueue()
         self.announced = []
         self.held = ""
         self.records = ProcessRecords()
         self.hand = HostHand(
             ALLOW,
             self.records,
-            self.told.put,
+            self.reported.put,
             announce=self.announced.append,
             output=folder / "nodes",
             held=lambda: self.held,
@@ -68,7 +68,7 @@ class Scene:
 
     def ask(self, kind, node="/driver", pid=0, beside=(), **arguments):
         self.hand.begin(HostRequest("r/1.1", kind, node, pid, beside, arguments))
-        return self.told.get(timeout=WAIT_S)
+        return self.reported.get(timeout=WAIT_S)
 
     def printed(self):
         end = time.monotonic() + WAIT_S

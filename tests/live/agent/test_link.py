@@ -16,7 +16,7 @@ from roslens.live.agent.link import (
     read_frame,
     read_pids,
     read_times,
-    told_time,
+    reported_time,
 )
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.traffic.sample import Sample
@@ -174,9 +174,9 @@ def test_a_short_key_is_refused():
 
 
 def test_times():
-    assert read_times(told_time(asked_time(1.5), 2.0, 3.0)) == (1.5, 2.0, 3.0)
+    assert read_times(reported_time(asked_time(1.5), 2.0, 3.0)) == (1.5, 2.0, 3.0)
     with pytest.raises(LinkError, match="expected 8"):
-        told_time(b"x", 1.0, 2.0)
+        reported_time(b"x", 1.0, 2.0)
     with pytest.raises(LinkError, match="expected 24"):
         read_times(b"x")
 

@@ -52,7 +52,7 @@ def sampler(machine):
     made.close()
 
 
-def told(events):
+def reported(events):
     return [(event.change.value, event.entity) for event in events]
 
 
@@ -61,7 +61,7 @@ def test_processes_of_ros_are_found_by_what_they_were_called_with_and_what_they_
     machine.start(11, "bash\0", started=0)
     machine.start(12, "camera_driver\0", "7f00 r-xp /opt/ros/lib/libroscpp.so\n")
     machine.start(13, "/usr/bin/python3\0/usr/bin/rosmaster\0--core\0")
-    assert told(sampler.find(1.0)) == [
+    assert reported(sampler.find(1.0)) == [
         ("appeared", "process:base/10"),
         ("appeared", "process:base/12"),
         ("appeared", "process:base/13"),
@@ -75,14 +75,14 @@ def test_a_young_program_is_looked_at_again(machine, sampler):
     machine.start(10, "camera\0", started=99_950)
     assert sampler.find(1.0) == []
     machine.start(10, "camera\0", "librmw_fastrtps_cpp.so", started=99_950)
-    assert told(sampler.find(2.0)) == [("appeared", "process:base/10")]
+    assert reported(sampler.find(2.0)) == [("appeared", "process:base/10")]
 
 
 def test_what_is_known_to_hold_nodes_is_watched_whatever_it_looks_like(machine, sampler):
     machine.start(10, "python3\0talker.py\0")
     assert sampler.find(1.0) == []
     sampler.name([10, 11])
-    assert told(sampler.find(2.0)) == [("appeared", "process:base/10")]
+    assert reported(sampler.find(2.0)) == [("appeared", "process:base/10")]
 
 
 def test_values(machine, sampler):
@@ -152,7 +152,7 @@ def test_an_end_is_told_once(machine, sampler):
     sampler.find(1.0)
     machine.stop(10)
     assert sampler.sample(1.5) == []
-    assert told(sampler.find(2.0)) == [("vanished", "process:base/10")]
+    assert reported(sampler.find(2.0)) == [("vanished", "process:base/10")]
     assert sampler.find(3.0) == []
     assert sampler.ended(10, 3.0) is None
 
@@ -163,7 +163,7 @@ def test_a_number_that_is_used_again_is_another_process(machine, sampler):
     machine.stop(10)
     machine.start(10, started=900)
     assert sampler.sample(1.5) == []
-    assert told(sampler.find(2.0)) == [("vanished", "process:base/10"), ("appeared", "process:base/10")]
+    assert reported(sampler.find(2.0)) == [("vanished", "process:base/10"), ("appeared", "process:base/10")]
 
 
 def test_hostile_names(machine, sampler):

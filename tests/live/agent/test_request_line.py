@@ -52,14 +52,14 @@ class Hand:
 class Scene:
     def __init__(self, keys):
         self.keys = keys
-        self.said, self.told, self.written = [], [], []
+        self.said, self.reported, self.written = [], [], []
         self.monitor = FarAgents(("127.0.0.1", 0), read_monitor(keys / "monitor"), self.said.append)
         self.agents = []
 
     def agent(self, host="arm", keys=None, name=None):
         hand = Hand()
         address = ("127.0.0.1", self.monitor.port)
-        line = RequestLine(name or host, address, read_agent((keys or self.keys) / host), self.told.append)
+        line = RequestLine(name or host, address, read_agent((keys or self.keys) / host), self.reported.append)
         hand.line = line
         refused = lambda request, why: line.tell(Done(request.id, False, True, why))  # noqa: E731
         line.start(RequestGate(hand, self.written.append, refused))
@@ -121,9 +121,9 @@ def test_an_agent_that_calls_itself_otherwise_believes_nothing(scene):
 def test_an_agent_of_another_enrolment_is_not_let_in(scene, tmp_path):
     enrol(tmp_path, "arm")
     scene.agent("arm", tmp_path)
-    wait_until(lambda: scene.said and scene.told)
+    wait_until(lambda: scene.said and scene.reported)
     assert scene.monitor.hosts() == ()
-    assert "certificate verify failed" in scene.told[0].lower() or "CERTIFICATE_VERIFY_FAILED" in scene.told[0]
+    assert "certificate verify failed" in scene.reported[0].lower() or "CERTIFICATE_VERIFY_FAILED" in scene.reported[0]
     assert "is not connected" in scene.monitor.ask("arm", REQUEST)
 
 

@@ -31,14 +31,14 @@ def test_calls_a_second_and_times_of_server_and_client():
 
 def rates(times, until, every=0.15):
     """What is said each second of calls at these times that are read every so often."""
-    calls, said, read, told = CallTimes(), [], 0.0, 1.0
+    calls, said, read, reported = CallTimes(), [], 0.0, 1.0
     waiting = list(times)
     while read < until:
         read += every
         while waiting and waiting[0] <= read:
             calls.add([called(slots.ASKED, 1, waiting.pop(0))])
-        if read >= told:
-            told += 1.0
+        if read >= reported:
+            reported += 1.0
             said += [one.values.get("calls") for one in calls.samples(read)] or [None]
     return said
 

@@ -132,12 +132,12 @@ def test_another_rospy_is_left_as_it_is(parts):
 
 
 @pytest.mark.parametrize(
-    ("sums", "told"),
+    ("sums", "reported"),
     [((0, 0, 0, 0), (0, 0, 0)), ((4, 4.0, 4.0, 1.0), (1, 0, 1)), ((2, 4.0, 10.0, 3.0), (2, 1, 3)),
      ((1, 1e12, 1e24, 1e12), (2**31 - 1, 0, 2**31 - 1))],
 )  # fmt: skip
-def test_mean_deviation_and_greatest(sums, told):
-    assert ros1_statistics._three(*sums) == told
+def test_mean_deviation_and_greatest(sums, reported):
+    assert ros1_statistics._three(*sums) == reported
 
 
 def test_it_reads_as_old_python():

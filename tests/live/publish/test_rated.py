@@ -1,7 +1,7 @@
 import math
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Reference, Selector, Told
+from roslens.judge.reference.expectation import AgeChain, Details, Expectation, FieldCheck, Reference, Selector
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals
 from roslens.live.system.connection_name import connection_id
 from roslens.model.acting.outgoing import ConnectionStatistics, RatedSignal
@@ -12,9 +12,9 @@ from roslens.model.verdict import State, Verdict
 SCAN = EntityId(EntityKind.TOPIC, "/scan")
 REFERENCE = Reference(
     "r",
-    expectations=(Expectation(Told("r.rate"), Selector(EntityKind.TOPIC), "rate", Range(25, 35)),),
-    field_checks=(FieldCheck(Told("r.volts"), "/battery", "volts", Range(3)),),
-    chains=(AgeChain(Told("r.age"), ("/a", "/b"), Range(maximum=0.2)),),
+    expectations=(Expectation(Details("r.rate"), Selector(EntityKind.TOPIC), "rate", Range(25, 35)),),
+    field_checks=(FieldCheck(Details("r.volts"), "/battery", "volts", Range(3)),),
+    chains=(AgeChain(Details("r.age"), ("/a", "/b"), Range(maximum=0.2)),),
 )
 
 

@@ -3,7 +3,7 @@ from itertools import pairwise
 import pytest
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
+from roslens.judge.reference.expectation import Details, Expectation, Reference, Selector
 from roslens.live.publish.turns import MOST_AT_ONCE, Turns
 from roslens.live.system.connection_name import connection_id
 from roslens.model.entity import EntityId, EntityKind
@@ -67,9 +67,9 @@ def test_a_storm_of_changes_is_gathered():
     one = turns(watched)
     one.take((), 100.0)
     frames = [one.take([verdict(A if step % 2 else B)], 100.1 + step / 1000) for step in range(200)]
-    told = [frame for frame in frames if frame]
-    assert len(told) == 2
-    assert names(told[1]) == ["roslens: node /a", "roslens: node /b"]
+    reported = [frame for frame in frames if frame]
+    assert len(reported) == 2
+    assert names(reported[1]) == ["roslens: node /a", "roslens: node /b"]
 
 
 def test_of_an_entity_that_is_no_more_nothing_is_said_and_nobody_looks_again():
@@ -103,8 +103,8 @@ def test_more_than_fits_is_told_in_several_messages():
 
 def test_bounds_are_those_of_the_reference_that_holds_now():
     def held(high):
-        told = Told("r.cpu")
-        return Reference("r", expectations=(Expectation(told, Selector(EntityKind.NODE), "cpu", Range(0, high)),))
+        details = Details("r.cpu")
+        return Reference("r", expectations=(Expectation(details, Selector(EntityKind.NODE), "cpu", Range(0, high)),))
 
     holds = [held(80.0)]
     one = turns(Watched(verdict(A)), lambda: holds[-1], diagnostics=False, rated=True)

@@ -33,7 +33,7 @@ class Scene:
         found, self.due = self.due, []
         return found
 
-    def told(self, decision_id, outcome):
+    def reported(self, decision_id, outcome):
         self.outcomes.append((decision_id, outcome.result, outcome.text))
 
     def checks(self):
@@ -214,9 +214,9 @@ def test_a_hold_stops_what_is_under_way_and_a_release_frees_what_was_given_up():
     scene.hold = ""
     scene.step(decision(4))
     assert scene.begun[-1][0] == "r/4.0"
-    told = [(what, fields["text"]) for what, fields in scene.entries if what in ("held", "released")]
-    assert told[0] == ("held", "by ann: the gripper")
-    assert told[-1] == ("released", "restarted again from now on: node:/driver")
+    reported = [(what, fields["text"]) for what, fields in scene.entries if what in ("held", "released")]
+    assert reported[0] == ("held", "by ann: the gripper")
+    assert reported[-1] == ("released", "restarted again from now on: node:/driver")
 
 
 def test_that_the_monitor_is_unwell_is_told_once():
@@ -231,4 +231,4 @@ def test_what_nobody_tells_of_has_failed():
     scene = Scene()
     scene.step(decision())
     scene.step(seconds=1000.0)
-    assert "nobody told" in scene.outcomes[-1][2]
+    assert "nobody reported" in scene.outcomes[-1][2]

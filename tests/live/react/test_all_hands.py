@@ -25,17 +25,17 @@ ENDS = (
 
 
 class Line:
-    """A process that acts in one ROS, of which only what it is told is kept."""
+    """A process that acts in one ROS, of which only its orders are kept."""
 
     def __init__(self, generation):
         self.generation = generation
-        self.told, self.paths, self.prepared, self.replies = [], [], [], []
+        self.reported, self.paths, self.prepared, self.replies = [], [], [], []
 
     def prepare(self, id_, kind, target, arguments):
         self.prepared.append((id_, kind))
 
     def do(self, id_, kind, target, arguments):
-        self.told.append((kind, target))
+        self.reported.append((kind, target))
         if kind == "record":
             self.paths.append((id_, arguments["path"]))
 
@@ -58,7 +58,7 @@ class Scene:
         target = EntityId(EntityKind.NODE, node) if node else None
         arguments = {"name": "speed", "value": 1} if node else {"topic": "/stop", "type": "std_msgs/Bool"}
         self.hands.do(Decision("r/1.1", "r", "node:/x", 0, ActionCall(kind, target, arguments), 1.0))
-        return [len(one.told) for one in self.lines], [one.text for one in self.hands.poll()]
+        return [len(one.reported) for one in self.lines], [one.text for one in self.hands.poll()]
 
 
 @pytest.mark.parametrize(("node", "asked"), [("/old", [1, 0]), ("/new", [0, 1])])

@@ -41,7 +41,7 @@ def decided(line: dict[str, Any]) -> list[Decision]:
     for step in Played(line).steps:
         decisions = reactor.look(step, step.time)
         for one in decisions:
-            reactor.told(one.id, Outcome(Result.DONE))
+            reactor.reported(one.id, Outcome(Result.DONE))
         found += decisions
     return found
 

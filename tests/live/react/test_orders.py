@@ -4,9 +4,9 @@ import threading
 
 import pytest
 
+from roslens.live.act.order_line import serve
 from roslens.live.act.orders import Orders
 from roslens.live.act.ros import ActionError
-from roslens.live.act.told_line import serve
 from roslens.model.acting.order import VERSION, Order, OrderReader, Reply, Verb, encode_order
 
 WAIT_S = 20.0
@@ -14,7 +14,7 @@ STOP = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
 
 
 class ScriptedRos:
-    """A ROS system that keeps what it is told, and answers what a test says."""
+    """A ROS system that keeps what it is asked for, and answers what a test says."""
 
     def __init__(self, generation=2, answers=None, subscribers=1):
         self.generation = generation
@@ -103,12 +103,12 @@ def test_what_repeats_ends_when_it_is_cleared_and_when_all_is_stopped(act):
 
 
 def test_a_call_whose_answer_says_so_failed(act):
-    told = {"service": "/enable", "type": "std_srvs/SetBool"}
-    assert act(answers={"/enable": {"success": True, "message": "yes"}}).order("call", **told).done
-    found = act(answers={"/enable": {"success": False, "message": "hot"}}).order("call", **told)
+    reported = {"service": "/enable", "type": "std_srvs/SetBool"}
+    assert act(answers={"/enable": {"success": True, "message": "yes"}}).order("call", **reported).done
+    found = act(answers={"/enable": {"success": False, "message": "hot"}}).order("call", **reported)
     assert (found.done, "message: hot" in found.text) == (False, True)
-    assert act(answers={"/enable": {}}).order("call", **told).text == "/enable answered without fields"
-    assert "nobody offers" in act().order("call", **told).text
+    assert act(answers={"/enable": {}}).order("call", **reported).text == "/enable answered without fields"
+    assert "nobody offers" in act().order("call", **reported).text
 
 
 def test_notices_go_where_they_are_asked_for(act):
@@ -127,14 +127,14 @@ def test_notices_go_where_they_are_asked_for(act):
 
 def test_what_was_said_is_kept_from_the_beginning_and_written_when_it_is_asked_for(act):
     acting = act()
-    told = {"topics": ["/scan", "/tf*"], "before": 5.0, "after": 0.0}
-    assert acting.order("record", verb=Verb.PREPARE, **told).done
-    assert acting.order("record", **told, path="/x/r.mcap").text == "recorded"
+    reported = {"topics": ["/scan", "/tf*"], "before": 5.0, "after": 0.0}
+    assert acting.order("record", verb=Verb.PREPARE, **reported).done
+    assert acting.order("record", **reported, path="/x/r.mcap").text == "recorded"
     assert acting.ros.did == [
         ("record", ("/scan", "/tf*"), 5.0, "", 0.0),
         ("record", ("/scan", "/tf*"), 5.0, "/x/r.mcap", 0.0),
     ]
-    assert "up to 120 s each" in acting.order("record", verb=Verb.PREPARE, **{**told, "after": 1000.0}).text
+    assert "up to 120 s each" in acting.order("record", verb=Verb.PREPARE, **{**reported, "after": 1000.0}).text
 
 
 @pytest.mark.parametrize("value", [{"a": 1}, [1, "a"], None])
@@ -160,15 +160,15 @@ def test_components_are_unloaded_by_their_number_and_not_loaded_twice(act):
     assert acting.order("unload", "/ns/b", container="/box").done
     assert acting.ros.did[-1][2] == {"unique_id": 5}
     assert "box holds /a, /ns/b" in acting.order("unload", "/c", container="/box").text
-    told = {"container": "/box", "package": "demo", "plugin": "demo::B", "namespace": "/ns"}
+    reported = {"container": "/box", "package": "demo", "plugin": "demo::B", "namespace": "/ns"}
     acting = act(answers={list_nodes: held, "/box/_container/load_node": {**answers, "full_node_name": "/ns/c"}})
-    assert "already" in acting.order("load", **told, name="b").text
-    found = acting.order("load", **told, name="c", parameters={"rate": [1, 2.5]})
+    assert "already" in acting.order("load", **reported, name="b").text
+    found = acting.order("load", **reported, name="c", parameters={"rate": [1, 2.5]})
     assert found.text == "loaded /ns/c into /box"
     (parameter,) = acting.ros.did[-1][2]["parameters"]
     assert parameter["value"] == {"type": 8, "double_array_value": [1.0, 2.5]}
     refused = {list_nodes: held, "/box/_container/load_node": {"success": False, "error_message": "no such class"}}
-    assert "no such class" in act(answers=refused).order("load", **told, name="d").text
+    assert "no such class" in act(answers=refused).order("load", **reported, name="d").text
 
 
 def test_what_is_not_done_through_ros_and_not_in_this_generation_is_refused(act):
@@ -184,16 +184,16 @@ def test_an_error_of_ros_is_the_reason_of_the_failure(act):
 
 
 def test_the_line_carries_orders_and_replies_and_ends_at_what_is_none():
-    told_read, told = os.pipe()
+    told_read, reported = os.pipe()
     replies, replies_write = os.pipe()
     ros = ScriptedRos()
     thread = threading.Thread(target=serve, args=(told_read, replies_write, lambda say: Orders(ros, say)))
     thread.start()
-    os.write(told, encode_order(Order(VERSION, "a", Verb.DO, "notify", "", {"text": "x", "to": ["rosout"]})))
+    os.write(reported, encode_order(Order(VERSION, "a", Verb.DO, "notify", "", {"text": "x", "to": ["rosout"]})))
     (reply,) = OrderReader(Reply).feed(os.read(replies, 65536))
     assert (reply.id, reply.done) == ("a", True)
-    os.write(told, b"\xff" * 100)
+    os.write(reported, b"\xff" * 100)
     thread.join(WAIT_S)
     assert not thread.is_alive()
-    for one in (told_read, told, replies, replies_write):
+    for one in (told_read, reported, replies, replies_write):
         os.close(one)

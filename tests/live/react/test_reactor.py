@@ -98,10 +98,10 @@ class Ran:
                 result = outcomes[len(self.decisions) % len(outcomes)]
                 self.decisions.append(decision)
                 self.outcomes[decision.id] = result
-                reactor.told(decision.id, Outcome(result))
+                reactor.reported(decision.id, Outcome(result))
             self.checks += reactor.checks()
 
-    def told(self) -> list[tuple[Any, ...]]:
+    def reported(self) -> list[tuple[Any, ...]]:
         return [(one.at_s, one.reaction, one.entity, one.step, one.because) for one in self.decisions]
 
 
@@ -152,7 +152,7 @@ def test_no_order_matters(happened, outcomes, chance: random.Random):
     reactions = list(REACTIONS)
     chance.shuffle(reactions)
     steps = [Step(one.time, tuple(chance.sample(one.changes, len(one.changes)))) for one in steps_of(happened)]
-    assert Ran(steps, outcomes, reactions).told() == Ran(steps_of(happened), outcomes).told()
+    assert Ran(steps, outcomes, reactions).reported() == Ran(steps_of(happened), outcomes).reported()
 
 
 @given(happenings, results)
@@ -251,11 +251,11 @@ def test_what_was_asked_for_long_ago_may_not_hold_any_more():
 def test_an_answer_ends_what_was_asked():
     reactor = ready()
     (decision,) = look(reactor, 6.1, bad(6.1))
-    reactor.told(decision.id, Outcome(Result.ASKED))
+    reactor.reported(decision.id, Outcome(Result.ASKED))
     look(reactor, 6.2, verdict("topic:/t", State.OK, "", 6.2))
     assert reactor.checks() == []
-    reactor.told(decision.id, Outcome(Result.DONE))
-    reactor.told("nobody/1.0", Outcome(Result.DONE))
+    reactor.reported(decision.id, Outcome(Result.DONE))
+    reactor.reported("nobody/1.0", Outcome(Result.DONE))
     look(reactor, 6.3)
     assert [(one.decision, one.verification) for one in reactor.checks()] == [(decision.id, Verification.GONE)]
 
@@ -263,7 +263,7 @@ def test_an_answer_ends_what_was_asked():
 def test_other_reactions_take_the_place_of_these():
     reactor = ready()
     (decision,) = look(reactor, 6.1, bad(6.1))
-    reactor.told(decision.id, Outcome(Result.DONE))
+    reactor.reported(decision.id, Outcome(Result.DONE))
     reactor.replace([one for one in REACTIONS if one.name != "r.tree"])
     look(reactor, 6.2, verdict("topic:/t", State.OK, "", 6.2))
     assert [one.verification for one in reactor.checks()] == [Verification.GONE]
@@ -298,7 +298,7 @@ def stopped(reactions):
     for number in range(1, 60):
         look(reactor, number / 10)
     (found,) = look(reactor, 6.0, verdict("topic:/t", State.ABSENT, "", 6.0))
-    reactor.told(found.id, Outcome(Result.DONE))
+    reactor.reported(found.id, Outcome(Result.DONE))
     return reactor, found
 
 

@@ -33,12 +33,12 @@ def test_agents_tell_what_nodes_on_their_hosts_count():
         lidar.kill()
         key = ("node:/lidar", "presence")
         watched.wait("the crash is told", lambda: watched.standing()[key].bad, 5.0)
-        told = next(one for one in watched.told if one.key == key and one.bad)
-        assert told.time - began < 0.5
-        assert {one.entity for one in watched.told if one.bad and one.quantity == "presence" and one.time > began} == {
-            "node:/lidar"
-        }
-        assert not [one for one in watched.told if "gid:" in one.entity]
+        reported = next(one for one in watched.reported if one.key == key and one.bad)
+        assert reported.time - began < 0.5
+        assert {
+            one.entity for one in watched.reported if one.bad and one.quantity == "presence" and one.time > began
+        } == {"node:/lidar"}
+        assert not [one for one in watched.reported if "gid:" in one.entity]
 
 
 REFERENCE = """

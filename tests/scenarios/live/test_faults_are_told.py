@@ -1,4 +1,4 @@
-"""The robot of the test bed, watched as users do it: what breaks is told, in time, and nothing else is."""
+"""The robot of the test bed, watched as users do it: what breaks is reported, in time, and nothing else is."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.real
 
 REASONS = {"ros1": robot_ros1.why_not, "ros2": robot_ros2.why_not}
 UNSEEN = {("ros1", "5 % loss on the sensor's link")}
-"""TCP sends again what is lost, mostly before a message is late enough to be told: docs/faults.md."""
+"""TCP sends again what is lost, mostly before a message is late enough to be reported: docs/faults.md."""
 QUICK = ("lidar crashes", "rate of the lidar drops, 25 to 10 Hz")
 
 
@@ -24,7 +24,7 @@ def generation(request):
 
 
 def missed(rows):
-    """Return the rows of faults that were not told, told late, or told for ever."""
+    """Return the rows of faults that were not reported, reported late, or reported for ever."""
     wanted = [row for row in rows if (row.generation, row.name) not in UNSEEN]
     return [row for row in wanted if row.alarm is None or row.alarm > row.allowed or row.ok is None]
 

@@ -113,11 +113,11 @@ def watch(words, environment, folder, least):
     began = time.time()
     with out.open("w") as lines:
         process = subprocess.Popen(command, env=environment, stdout=lines, start_new_session=True)
-    cost, wanted, told, line = Cost(process.pid), entities(), out.open(), ""
+    cost, wanted, reported, line = Cost(process.pid), entities(), out.open(), ""
     try:
         while process.poll() is None:
             cost.look()
-            while piece := told.readline():
+            while piece := reported.readline():
                 line += piece
                 if not line.endswith("\n"):  # the rest is being written
                     break
@@ -131,7 +131,7 @@ def watch(words, environment, folder, least):
         process.send_signal(signal.SIGINT)
         process.wait(60)
     finally:
-        told.close()
+        reported.close()
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait(20)

@@ -74,8 +74,8 @@ def judged(found, besides):
         states = {one["entity"]: one["state"] for one in lines if one["is"] == "verdict"}
         assert {"topic:/chatter": "ok", "node:/talker": "ok"}.items() <= states.items()
         assert nodes - besides == {"/talker"}
-        told = [one["entity"] for one in lines if one["is"] == "event" and "roslens" in one["entity"]]
-        assert told == []
+        reported = [one["entity"] for one in lines if one["is"] == "event" and "roslens" in one["entity"]]
+        assert reported == []
 
 
 @pytest.mark.nightly

@@ -1,4 +1,4 @@
-"""How a process is made to end: asked first, then told, and killed only by the actions that say so."""
+"""How a process is made to end: by SIGINT, then SIGTERM, and by SIGKILL only where the action says so."""
 
 from __future__ import annotations
 

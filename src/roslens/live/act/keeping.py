@@ -30,7 +30,7 @@ class Topic(msgspec.Struct, frozen=True):
         language: of the definition: ``ros1msg`` or ``ros2msg``.
         definition: with all that it holds; empty where nobody knows.
         encoding: ``ros1`` or ``cdr``.
-        more: what else is told of the channel.
+        more: what else is reported of the channel.
     """
 
     name: str

@@ -81,8 +81,8 @@ class Orders:
         if self._ros.generation not in kind.ros:
             raise ActionError(f"{order.kind} does not exist in ROS {self._ros.generation}")
         module = import_module(f"roslens.live.act.actions.{kind.key}")
-        told = kind.filled(order.arguments)
-        asked = _Asked(order.id, order.target, told, lambda every, again: self._repeat(order.id, every, again))
+        reported = kind.filled(order.arguments)
+        asked = _Asked(order.id, order.target, reported, lambda every, again: self._repeat(order.id, every, again))
         if order.verb is Verb.PREPARE:
             module.prepare(self._ros, asked)
             return "ready"
@@ -96,7 +96,7 @@ class Orders:
 
         def go_on() -> None:
             while not ended.wait(every_s):
-                with suppress(Exception):  # the next one may pass; what became of the first was told
+                with suppress(Exception):  # the next one may pass; what became of the first was reported
                     again()
 
         threading.Thread(target=go_on, name=f"repeats {key}", daemon=True).start()

@@ -62,7 +62,7 @@ class Asked(Protocol):
 
     @property
     def arguments(self) -> Mapping[str, Any]:
-        """What it is told, defaults filled in."""
+        """Its arguments, defaults filled in."""
 
     def repeat(self, every_s: float, again: Callable[[], object]) -> None:
         """Do something again and again until what the action was done about is gone."""

@@ -100,7 +100,7 @@ class Child:
         name: of the adapter, for messages.
         command: what to run.
         environment: to run it in.
-        downlink: what is written to its standard input; None where it is told nothing.
+        downlink: what is written to its standard input; None where nothing is.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class Child:
         self._reader = FrameReader()
         self._partial = b""
         self._lines: deque[str] = deque(maxlen=_LINES)
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
         self._pause = FIRST_PAUSE_S
         self._begun = 0.0
         self._due = float("-inf")
@@ -192,9 +192,9 @@ class Child:
         self._partial = self._partial[-_PIECE:]
         lines = [text for line in whole if (text := line.decode("utf-8", "replace").strip())]
         self._lines.extend(lines)
-        fresh = [line for line in dict.fromkeys(lines) if "error" in line.lower() and line not in self._told]
-        if len(self._told) < 100:
-            self._told.update(fresh)
+        fresh = [line for line in dict.fromkeys(lines) if "error" in line.lower() and line not in self._reported]
+        if len(self._reported) < 100:
+            self._reported.update(fresh)
             return [Failure(self._name, line, partial=True) for line in fresh[:_LINES]]
         return []
 
@@ -211,7 +211,7 @@ class Child:
         self._due = now + pause
         last = f": {self._lines[-1]}" if self._lines else ""
         return Failure(
-            self._name, f"{what}{last}", "a process that runs until it is told to stop",
+            self._name, f"{what}{last}", "a process that runs until it is stopped",
             f"It is started again in {pause:g} s", detail="\n".join(self._lines),
         )  # fmt: skip
 

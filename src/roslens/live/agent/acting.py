@@ -28,7 +28,7 @@ class Acting:
     """Takes requests until it is closed.
 
     Attributes:
-        records: how the processes of nodes were started; to be told which processes hold nodes.
+        records: how the processes of nodes were started; to learn which processes hold nodes.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class Acting:
         hand = HostHand(
             read_allow_list(enrolment.allow),
             self.records,
-            self._told,
+            self._reported,
             announce=self._announce,
             output=output,
             held=held,
@@ -60,10 +60,10 @@ class Acting:
         self._line.close()
 
     def _announce(self, request: HostRequest) -> None:
-        told = msgspec.to_builtins(request)
-        self._journal.add("announced", self._wall(), decision=request.id, request=told)
+        reported = msgspec.to_builtins(request)
+        self._journal.add("announced", self._wall(), decision=request.id, request=reported)
 
-    def _told(self, done: Done) -> None:
+    def _reported(self, done: Done) -> None:
         result = "done" if done.done else "refused" if done.refused else "failed"
         self._journal.add(
             "outcome",

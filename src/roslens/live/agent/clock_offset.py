@@ -1,7 +1,7 @@
 """How far the clock of a host is ahead of the monitor's, and how wrong that may be.
 
-Of four times (asked, received, told, answered; the first and last on our clock, the others on theirs) the offset is
-((received - asked) + (told - answered)) / 2 and its error at most half the round trip (RFC 5905, section 8).
+Of four times (asked, received, reported, answered; the first and last on our clock, the others on theirs) the offset is
+((received - asked) + (reported - answered)) / 2 and its error at most half the round trip (RFC 5905, section 8).
 The exchanges with the shortest round trips met the fewest queues: their mean is taken.
 """
 
@@ -29,11 +29,11 @@ class ClockOffset:
     def __init__(self) -> None:
         self._exchanges: deque[tuple[float, float]] = deque(maxlen=WINDOW)
 
-    def add(self, asked: float, received: float, told: float, answered: float) -> None:
+    def add(self, asked: float, received: float, reported: float, answered: float) -> None:
         """Take an exchange; one that cannot be, an answer before its question for one, is left out."""
-        trip = (answered - asked) - (told - received)
-        ahead = -((received - asked) + (told - answered)) / 2
-        if math.isfinite(trip) and math.isfinite(ahead) and trip >= 0 and told >= received:
+        trip = (answered - asked) - (reported - received)
+        ahead = -((received - asked) + (reported - answered)) / 2
+        if math.isfinite(trip) and math.isfinite(ahead) and trip >= 0 and reported >= received:
             # What contradicts the newest by more than both can be wrong is of before a clock was set.
             agreeing = [one for one in self._exchanges if abs(one[1] - ahead) <= (one[0] + trip) / 2 + _GROWN_APART_S]
             self._exchanges = deque([*agreeing, (trip, ahead)], maxlen=WINDOW)

@@ -52,7 +52,7 @@ class HostHand:
     Args:
         allow: what may be done.
         records: how the processes of nodes were started.
-        told: called with what became of each request, in any thread.
+        reported: called with what became of each request, in any thread.
         announce: called with each request before it is carried out; what it raises keeps it from being done.
         output: folder for what restarted nodes print; None for nowhere.
         held: why nothing may be done now; empty where it may.
@@ -60,13 +60,13 @@ class HostHand:
     """
 
     def __init__(
-        self, allow: AllowList, records: ProcessRecords, told: Callable[[Done], None], *,
+        self, allow: AllowList, records: ProcessRecords, reported: Callable[[Done], None], *,
         announce: Callable[[HostRequest], None] = lambda _: None, output: Path | None = None,
         held: Callable[[], str] = str, steady: Callable[[], float] = time.monotonic,
     ) -> None:  # fmt: skip
         self._allow = allow
         self._records = records
-        self._told = told
+        self._reported = reported
         self._announce = announce
         self._output = output
         self._held = held
@@ -98,7 +98,7 @@ class HostHand:
             if not why:
                 self._busy.add(key)
         if why:
-            self._told(Done(request.id, False, True, why))
+            self._reported(Done(request.id, False, True, why))
             return
         threading.Thread(target=self._carry_out, args=(request, key), name=f"does {request.id}", daemon=True).start()
 
@@ -232,7 +232,7 @@ class HostHand:
         finally:
             with self._lock:
                 self._busy.discard(key)
-        self._told(Done(request.id, done, refused, text, self._steady() - began))
+        self._reported(Done(request.id, done, refused, text, self._steady() - began))
 
     def _reap(self) -> None:
         with self._lock:

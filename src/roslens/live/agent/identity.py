@@ -66,7 +66,7 @@ def identities(addresses: Iterable[bytes], host_name: str) -> tuple[str, ...]:
 
 
 def own_identities() -> tuple[str, ...]:
-    """Return the bits of this host; nothing where they cannot be told."""
+    """Return the bits of this host; nothing where they cannot be determined."""
     try:
         return identities(own_addresses(), socket.gethostname())
     except (OSError, AttributeError):

@@ -215,7 +215,7 @@ def asked_time(sent: float) -> bytes:
     return _ONE_TIME.pack(sent)
 
 
-def told_time(body: bytes, received: float, sent: float) -> bytes:
+def reported_time(body: bytes, received: float, sent: float) -> bytes:
     """Return the body of the ``t`` message that answers a ``T``.
 
     Raises:

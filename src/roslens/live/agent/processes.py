@@ -112,7 +112,7 @@ class ProcessSampler:
         return events
 
     def ended(self, pid: int, now: float) -> Event | None:
-        """Say that a process ended, as its handle told; None where it is not watched."""
+        """Say that a process ended, as its handle reported; None where it is not watched."""
         return self._gone(pid, now) if pid in self._watched else None
 
     def handles(self) -> dict[int, int]:

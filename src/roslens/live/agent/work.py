@@ -56,7 +56,7 @@ class Agent:
         """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
 
         ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with,
-        ``spent`` the CPU time that the agent has taken. ``seen`` is told which processes hold nodes.
+        ``spent`` the CPU time that the agent has taken. ``seen`` learns which processes hold nodes.
 
         Raises:
             LinkError: the key is too short.
@@ -84,7 +84,7 @@ class Agent:
         self._wait_s = SHORTEST_WAIT_S
         self._due = {"sample": 0.0, "find": 0.0, "connect": 0.0, "time": 0.0, "count": 0.0}
         self._count_every_s = COUNT_EVERY_S
-        self._graph_told: Graph | None = None
+        self._graph_reported: Graph | None = None
         self._named: frozenset[int] = frozenset()
         self._reason = ""
 
@@ -161,7 +161,7 @@ class Agent:
         for place, tallies in counters.read(wall):
             if tallies:
                 self._tell(tallies=tallies, counted_at=place)
-        # With this all of it is told: what is in none of these frames was silent until now.
+        # With this all of it is reported: what is in none of these frames was silent until now.
         self._tell(looked=wall)
         took = self._spent() - begun
         self._count_every_s = min(max(COUNT_EVERY_S, took / COUNT_SHARE), COUNT_AT_LEAST_EVERY_S)
@@ -191,11 +191,11 @@ class Agent:
         samples, events, tallies = list(samples), list(events), list(tallies)
         if not samples and not events and not tallies and not looked:
             return
-        if graph is None and (events or self._graph_told is None):
+        if graph is None and (events or self._graph_reported is None):
             graph = self._graph()
-        elif graph == self._graph_told:
+        elif graph == self._graph_reported:
             graph = None
-        self._graph_told = graph or self._graph_told
+        self._graph_reported = graph or self._graph_reported
         failures: list[Failure] = self._counters.failures() if self._counters is not None else []
         frame = Frame(
             VERSION, f"{self._name}/agent", self._sequence, self._wall(), tallies, samples, events, graph, failures,
@@ -225,7 +225,7 @@ class Agent:
             self._socket.close()
         self._socket, self._channel = None, None
         self._sending.clear()
-        self._graph_told = None
+        self._graph_reported = None
         if reason and reason != self._reason:
             self._say(reason)
         self._reason = reason
@@ -272,7 +272,7 @@ class Agent:
             self._sending += body
         elif letter == "ready":
             self._wait_s = SHORTEST_WAIT_S
-            self._graph_told = None
+            self._graph_reported = None
             self._say(f"connected to {self._address[0]}:{self._address[1]}")
             self._reason = "connected"
         elif letter == "t":

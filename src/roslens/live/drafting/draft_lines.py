@@ -7,8 +7,8 @@ none. A topic that leaves its band oftener than `alarms_allowed` comes with even
 - ``rate``: from three quarters to nine fifths of the median of the windows. Without a third of its messages, or with
   twice as many, a topic is outside.
 - ``largest_gap``: a little more than the longest gap that may well come again, which is the one after as many as
-  `alarms_allowed`: what comes once is what one wants to be told of. Never less than four periods, nor than a hiccup:
-  eight times that gap, but at least a quarter of a second and at most so long that a second of silence is told.
+  `alarms_allowed`: what comes once is what one wants to hear of. Never less than four periods, nor than a hiccup:
+  eight times that gap, but at least a quarter of a second and at most so long that a second of silence is reported.
 """
 
 from __future__ import annotations

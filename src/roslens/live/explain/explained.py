@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 
 import msgspec
 
@@ -14,7 +14,7 @@ from roslens.live.standing.standing import Standing
 from roslens.live.system.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.verdict import Link, State
+from roslens.model.verdict import State
 
 _GRAVEST = Severity.ERROR.rank + 1
 """A node that is gone or stopped is a fact: nothing that was measured of its host explains it."""
@@ -62,7 +62,7 @@ class Explained:
         weights: dict[EntityId, int] = {}
         for one in self._bad:
             since[one.entity] = min(since.get(one.entity, one.state.since), one.state.since)
-            weights[one.entity] = max(weights.get(one.entity, 0), one.told.severity.rank)
+            weights[one.entity] = max(weights.get(one.entity, 0), one.details.severity.rank)
         gone = dict(self._gone()) if self._bad else {}
         stopped = dict(self._world.stopped(now)) if self._bad else {}
         for node, at in (*gone.items(), *stopped.items()):
@@ -73,37 +73,40 @@ class Explained:
         for one in self._bad:
             self._wrong.setdefault(one.entity, []).append(one)
 
-        def upstream(entity: EntityId) -> Iterator[EntityId]:
-            return self._upstream(entity, since, gone, now)
+        absent = {one.entity for one in self._bad if one.state.state is State.ABSENT}
+        asked: dict[EntityId, tuple[EntityId, ...]] = {}
+
+        def upstream(entity: EntityId) -> tuple[EntityId, ...]:
+            if entity not in asked:
+                asked[entity] = tuple(self._upstream(entity, since, gone, absent, now))
+            return asked[entity]
 
         def evidence(before: EntityId, entity: EntityId) -> str:
             return self._evidence(before, entity, gone, stopped, now)
 
         causes = first_causes(since, self._fine, upstream, weights, until)
         causes = {entity: cause for entity, cause in causes.items() if self._can_break(cause, entity)}
-        changed = self._told(causes, upstream, evidence)
+        changed = self._reported(causes, upstream, evidence)
         changed += self._blamed(causes, {**stopped, **gone}, gone, now)
         self._lead(causes)
         return changed
 
-    def _told(
+    def _reported(
         self,
         causes: Mapping[EntityId, EntityId],
         upstream: Callable[[EntityId], Iterable[EntityId]],
         evidence: Callable[[EntityId, EntityId], str],
     ) -> list[Standing]:
         changed = []
-        ways: dict[EntityId, tuple[Link, ...]] = {}
         for one in self._bad:
             known = causes.get(one.entity)
             cause = str(known) if known is not None else ""
             if cause != one.cause:
                 one.cause, one.why = cause, ()
-                if known is not None:
-                    if one.entity not in ways:
-                        ways[one.entity] = links(one.entity, known, upstream, evidence)
-                    one.why = ways[one.entity]
                 changed.append(one)
+        ways = links({one.entity: causes[one.entity] for one in changed if one.cause}, upstream, evidence)
+        for one in changed:
+            one.why = ways.get(one.entity, ())
         return changed
 
     def _can_break(self, cause: EntityId, fault: EntityId) -> bool:
@@ -127,7 +130,7 @@ class Explained:
             return "is stopped"
         if entity.kind is EntityKind.HOST:
             return why_host(self._wrong.get(entity, ()), before, self._world, now)
-        standing = sorted(self._wrong.get(entity, ()), key=lambda one: (-one.told.severity.rank, one.told.id))
+        standing = sorted(self._wrong.get(entity, ()), key=lambda one: (-one.details.severity.rank, one.details.id))
         return f"{standing[0].quantity} is {standing[0].state.state.value}" if standing else ""
 
     def _blamed(
@@ -140,23 +143,26 @@ class Explained:
         """Begin and end what is said of nodes that are gone or stopped, where no constraint says it."""
         judged = {one.entity for one in self._bad if one.quantity in ("presence", "stopped")}
         blamed = {cause for cause in causes.values() if cause in faulty and cause not in judged}
+        gravity: dict[EntityId, list[Severity]] = {}
+        for one in self._bad:
+            if one.entity in causes:
+                gravity.setdefault(causes[one.entity], []).append(one.details.severity)
         changed: list[Standing] = []
         for node in sorted(blamed):
-            told = msgspec.structs.replace(GONE if node in gone else STOPPED, severity=self._gravity(causes, node))
+            details = msgspec.structs.replace(
+                GONE if node in gone else STOPPED, severity=severity_of(gravity.get(node, ()))
+            )
             fault = self._faults.get(node)
-            if fault is None or fault.told.id != told.id:
-                fault = self._faults[node] = NodeFault(node, told, faulty[node], now)
+            if fault is None or fault.details.id != details.id:
+                fault = self._faults[node] = NodeFault(node, details, faulty[node], now)
                 changed.append(fault)
-            fault.told = told
+            fault.details = details
         for node in sorted(self._faults.keys() - blamed):
             fault = self._faults.pop(node)
             fault.leads_to = ""
             fault.end(now, there=node not in faulty)
             changed.append(fault)
         return changed
-
-    def _gravity(self, causes: Mapping[EntityId, EntityId], node: EntityId) -> Severity:
-        return severity_of(one.told.severity for one in self._bad if causes.get(one.entity) == node)
 
     def _lead(self, causes: Mapping[EntityId, EntityId]) -> None:
         """Say of each first cause what it leads to."""
@@ -169,25 +175,27 @@ class Explained:
                 states[one.entity] = one.state.state
         for one in (*self._bad, *self._faults.values()):
             own = [one.entity] if one.entity.kind is EntityKind.TOPIC else []
-            led = chain_of(self._world, [*own, *followers.get(one.entity, ())], states)
-            one.leads_to = led if one.entity in followers and one.entity not in causes else ""
+            first = one.entity in followers and one.entity not in causes
+            one.leads_to = chain_of(self._world, [*own, *followers[one.entity]], states) if first else ""
 
     def _upstream(
-        self, entity: EntityId, since: Mapping[EntityId, float], gone: Mapping[EntityId, float], now: float
+        self,
+        entity: EntityId,
+        since: Mapping[EntityId, float],
+        gone: Mapping[EntityId, float],
+        absent: Container[EntityId],
+        now: float,
     ) -> Iterator[EntityId]:
         """Yield what an entity depends on, as far as that may explain what is wrong with it."""
         for one in self._world.upstream(entity):
             faults = self._wrong.get(one) if one.kind is EntityKind.HOST else None
             if faults and not why_host(faults, entity, self._world, now):
                 continue
-            if entity in gone and not self._absent(one):
+            if entity in gone and one not in absent:
                 continue
             if entity.kind is EntityKind.TOPIC and one in gone and not self._left_lately(entity, one, since, gone):
                 continue
             yield one
-
-    def _absent(self, entity: EntityId) -> bool:
-        return any(one.entity == entity and one.state.state is State.ABSENT for one in self._bad)
 
     def _left_lately(
         self, topic: EntityId, node: EntityId, since: Mapping[EntityId, float], gone: Mapping[EntityId, float]

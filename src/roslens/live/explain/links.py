@@ -1,16 +1,16 @@
-"""The way from a fault to its first cause, link by link, each with what shows it."""
+"""The ways from faults to their first causes, link by link, each with what shows it."""
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import pairwise
 
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Link
 
-MOST_VISITED = 2_000
-"""Entities that are looked at for one way; of a larger graph the ends are told alone."""
+MOST_VISITED = 50_000
+"""Entities that are looked at for all ways together; of a larger graph both ends alone are reported."""
 
 _RELATIONS = {
     (EntityKind.TOPIC, EntityKind.NODE): "is published by",
@@ -25,37 +25,86 @@ _RELATIONS = {
 
 
 def links(
-    fault: EntityId,
-    cause: EntityId,
+    causes: Mapping[EntityId, EntityId],
     upstream: Callable[[EntityId], Iterable[EntityId]],
     evidence: Callable[[EntityId, EntityId], str],
-) -> tuple[Link, ...]:
-    """Return the shortest way from a fault to its cause.
+) -> dict[EntityId, tuple[Link, ...]]:
+    """Return the shortest way from each fault to its cause; of several the one whose steps sort first.
+
+    What many faults have in common is looked at once: where everything breaks at once, each of them would otherwise
+    search the whole graph.
 
     Args:
-        fault: that is explained.
-        cause: that explains it.
-        upstream: what an entity depends on, as far as that may explain what is wrong with it.
-        evidence: what is wrong with the second entity, as far as the first is concerned; empty for nothing.
+        causes: of each fault what explains it.
+        upstream: what an entity depends on, as far as that may explain what is wrong with it; asked once for each.
+        evidence: what is wrong with the second entity, as far as the first is concerned; empty for nothing. Asked
+            once for each pair.
     """
-    came: dict[EntityId, EntityId] = {}
-    waiting = deque([fault])
-    while waiting and cause not in came and len(came) < MOST_VISITED:
+    nearer, further = _graph(causes, upstream)
+    faults: dict[EntityId, list[EntityId]] = {}
+    for fault, cause in causes.items():
+        faults.setdefault(cause, []).append(fault)
+    known: dict[tuple[EntityId, EntityId], Link] = {}
+
+    def link(before: EntityId, after: EntityId, relation: str) -> Link:
+        if (before, after) not in known:
+            known[before, after] = Link(str(after), relation, evidence(before, after))
+        return known[before, after]
+
+    found: dict[EntityId, tuple[Link, ...]] = {}
+    for cause, explained in faults.items():
+        distances = _distances(cause, further, explained)
+        for fault in explained:
+            if fault not in distances or fault == cause:
+                found[fault] = (Link(str(cause), "is explained by", evidence(fault, cause)),)
+                continue
+            way = [fault, *_steps(fault, nearer, distances)]
+            found[fault] = tuple(
+                link(before, after, _RELATIONS.get((before.kind, after.kind), "depends on"))
+                for before, after in pairwise(way)
+            )
+    return found
+
+
+_Ends = dict[EntityId, list[EntityId]]
+
+
+def _graph(faults: Iterable[EntityId], upstream: Callable[[EntityId], Iterable[EntityId]]) -> tuple[_Ends, _Ends]:
+    """Return what each entity that can be reached depends on, in order, and what depends on each."""
+    nearer: _Ends = {}
+    further: _Ends = {}
+    waiting = deque(faults)
+    while waiting and len(nearer) < MOST_VISITED:
         entity = waiting.popleft()
-        for one in sorted(upstream(entity)):
-            if one not in came and one != fault:
-                came[one] = entity
+        if entity in nearer:
+            continue
+        nearer[entity] = sorted(upstream(entity))
+        for one in nearer[entity]:
+            further.setdefault(one, []).append(entity)
+            waiting.append(one)
+    return nearer, further
+
+
+def _distances(cause: EntityId, further: _Ends, faults: Collection[EntityId]) -> dict[EntityId, int]:
+    """Return how many steps there are to the cause, of all that is no further than the furthest of the faults."""
+    distances, missing = {cause: 0}, set(faults) - {cause}
+    waiting = deque([cause])
+    while waiting and missing:
+        entity = waiting.popleft()
+        for one in further.get(entity, ()):
+            if one not in distances:
+                distances[one] = distances[entity] + 1
+                missing.discard(one)
                 waiting.append(one)
-    if cause not in came:
-        return (Link(str(cause), "is explained by", evidence(fault, cause)),)
-    way = [cause]
-    while way[-1] != fault:
-        way.append(came[way[-1]])
-    way.reverse()
-    return tuple(
-        Link(str(after), _RELATIONS.get((before.kind, after.kind), "depends on"), evidence(before, after))
-        for before, after in pairwise(way)
-    )
+    return distances
+
+
+def _steps(fault: EntityId, nearer: _Ends, distances: Mapping[EntityId, int]) -> Iterator[EntityId]:
+    """Yield what lies between a fault and its cause, and the cause."""
+    at = fault
+    for distance in range(distances[fault] - 1, -1, -1):
+        at = next(one for one in nearer[at] if distances.get(one) == distance)
+        yield at
 
 
 def links_text(entity: EntityId | str, way: Iterable[Link]) -> str:

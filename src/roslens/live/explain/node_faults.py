@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from roslens.judge.reference.expectation import Told
+from roslens.judge.reference.expectation import Details
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.world import World
@@ -12,8 +12,8 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.verdict import State
 
-GONE = Told("roslens.gone")
-STOPPED = Told("roslens.stopped")
+GONE = Details("roslens.gone")
+STOPPED = Details("roslens.stopped")
 LEFT_S = 10.0
 """A publisher that left explains what went wrong with a topic that others publish on within so many seconds."""
 LASTING_S = 60.0
@@ -22,13 +22,13 @@ _SHOWN = 3
 
 
 class NodeFault(Standing):
-    """That a node is gone or stopped: told while it explains something that is wrong."""
+    """That a node is gone or stopped: reported while it explains something that is wrong."""
 
     __slots__ = ()
 
-    def __init__(self, node: EntityId, told: Told, since: float, now: float) -> None:
-        gone = told.id == GONE.id
-        super().__init__(node, told, "presence" if gone else "stopped", "", since)
+    def __init__(self, node: EntityId, details: Details, since: float, now: float) -> None:
+        gone = details.id == GONE.id
+        super().__init__(node, details, "presence" if gone else "stopped", "", since)
         self.state.forget(since, State.ABSENT if gone else State.HIGH)
         self.state.since, self.state.time = since, now
         self.state.due = NEVER

@@ -25,7 +25,7 @@ LONGEST_S = 60.0
 ENOUGH = 4
 """So many times between calls make a rate, where they are not more than the longest apart."""
 MOST_SERVICES = 10_000
-"""Further ones are not told: names come from files that others may write."""
+"""Further ones are not reported: names come from files that others may write."""
 
 
 class CallRate:

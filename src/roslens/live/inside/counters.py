@@ -18,7 +18,7 @@ from roslens.model.traffic.tally import Observer, Tally
 _LOOK_S = 0.9
 """How long what changes rarely need not be looked at again."""
 _BRISK_S = 60.0
-"""What was silent for longer need not be told to be so at every read."""
+"""What was silent for longer need not be reported at every read."""
 _UNUSUAL = 1.2
 """Nor need what was silent for less than so many usual times between messages."""
 
@@ -46,10 +46,10 @@ class _Known:
         self.lost = 0
         self.until = self.due = 0.0
 
-    def told(self, now: float) -> None:
-        """Note that it was told up to ``now``, and when it has to be told next if nobody writes it.
+    def reported(self, now: float) -> None:
+        """Note that it was reported up to ``now``, and when it has to be reported next if nobody writes it.
 
-        That nothing came is told at every read once it is longer than is usual, and else, or after long, at times.
+        That nothing came is reported at every read once it is longer than is usual, and else, or after long, at times.
         """
         self.until = now
         self.due = now + _LOOK_S
@@ -70,8 +70,8 @@ class Called(NamedTuple):
 class CounterReader:
     """Reads all counter files of a folder, again and again.
 
-    What had been counted before the first read is not told: nobody knows when it happened. What has been silent for
-    long is told once a second, however often is read.
+    What had been counted before the first read is not reported: nobody knows when it happened. What has been silent for
+    long is reported once a second, however often is read.
 
     Args:
         folder: where the files are.
@@ -201,19 +201,19 @@ class CounterReader:
             known.due = float("inf")
         else:
             found.append(_still(pid, of, min(known.until, now), now))
-            known.told(now)
+            known.reported(now)
 
     def _changed(
         self, pid: int, known: _Known, before: Snapshot | None, after: Snapshot, now: float, found: list[Counted] | None
     ) -> None:
-        """Tell what was counted; what was counted nobody knows when is told to nobody (None)."""
-        start, told = min(known.until, now), known.lost
-        known.lost = max(told, lost_by(after, int(now * 1e9)))
+        """Report what was counted; what was counted at an unknown time is not reported (None)."""
+        start, reported = min(known.until, now), known.lost
+        known.lost = max(reported, lost_by(after, int(now * 1e9)))
         known.snapshot = after
-        known.told(now)
+        known.reported(now)
         if found is None:
             return
-        tally = difference(before, after, start, now, told)
+        tally = difference(before, after, start, now, reported)
         if after.kind > slots.ANSWERED:
             self._called.append(Called(pid, after.kind, tally))
         else:
@@ -234,8 +234,8 @@ class CounterReader:
 
     def _watch(self, file: OpenedFile) -> None:
         trouble = file.trouble()
-        if trouble and trouble != file.told:
-            file.told = trouble
+        if trouble and trouble != file.reported:
+            file.reported = trouble
             self._failures.append(
                 Failure(
                     "inside",

@@ -60,8 +60,8 @@ class OpenedFile:
         started: when it did, in seconds since the epoch.
         host: name of its host.
         known: what the reader keeps of each slot.
-        told: what the reader last told of the file's troubles.
-        strange: whether it told that the file has kinds of traffic that it does not know.
+        reported: what the reader last reported of the file's troubles.
+        strange: whether it reported that the file has kinds of traffic that it does not know.
     """
 
     def __init__(self, path: Path, handle: int) -> None:
@@ -79,7 +79,7 @@ class OpenedFile:
         self.started: float = header[6] * 1e-9
         self.host = text_at(header[9], 0)
         self.known: list[Any] = []
-        self.told = ""
+        self.reported = ""
         self.strange = False
 
     @property

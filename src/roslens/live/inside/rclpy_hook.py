@@ -64,7 +64,7 @@ def _unexpected(function: Any, *names: str) -> str:
 
 
 def _replaceable(owner: Any, name: str, *names: str) -> Callable[..., Any] | None:
-    """Return a method that is as expected; None, with what it is told to readers, where it is not."""
+    """Return a method that is as expected; None, which is reported, where it is not."""
     function: Any = getattr(owner, name, None)
     wrong = _unexpected(function, *names)
     if wrong:
@@ -96,7 +96,7 @@ class _Arrivals:
             slot = HOOK.slot(TAKEN, bytes(gid or b""), self.topic, self._node, now=now)
             if slot is not None:
                 self._slots.append(slot)
-            # Without an identifier the numbers of several publishers cannot be told apart.
+            # Without an identifier the numbers of several publishers cannot be distinguished.
             found = self._known[gid] = (slot, Sequence() if gid else None)
         return found
 
@@ -130,9 +130,16 @@ def _age(message: Any, received: int) -> int | None:
     return received - stamp.sec * 1_000_000_000 - stamp.nanosec if stamp.sec else None
 
 
+def _slotted_age(message: Any, received: int) -> int | None:
+    """Return the same where a class keeps its fields in slots: each property in front of one costs a call."""
+    stamp = message._header._stamp  # noqa: SLF001 - see above
+    return received - stamp._sec * 1_000_000_000 - stamp._nanosec if stamp._sec else None  # noqa: SLF001
+
+
 def _counted(take: Callable[[Any, bool], Any], arrivals: _Arrivals) -> Callable[[Any, bool], Any]:
     """Return what takes a message and counts it; what is used for each message is in variables around it."""
-    topic, stamped, slotted = arrivals.topic, arrivals.stamped, arrivals.slotted
+    topic, stamped = arrivals.topic, arrivals.stamped
+    age_of = _slotted_age if arrivals.slotted else _age
     current, time_ns = _CURRENT, time.time_ns
     last_gid: bytes | None = b"no publisher yet"
     arrived: Any = None
@@ -144,42 +151,43 @@ def _counted(take: Callable[[Any, bool], Any], arrivals: _Arrivals) -> Callable[
         arrived = slot.arrived if slot is not None else None
         last_gid = gid
 
+    def count(message: Any, info: Any) -> None:
+        now = time_ns()
+        current.given = (topic, now)
+        gid = info["publisher_gid"]["data"] if "publisher_gid" in info else None
+        if gid != last_gid:
+            change(gid, now)
+        if arrived is None:
+            return
+        received = info["received_timestamp"] or now
+        sent = info["source_timestamp"]
+        latency = received - sent if sent else None
+        age = age_of(message, received) if stamped else None
+        size = len(message) if type(message) is bytes else -1
+        arrived(now, received, latency, age, size, sequence and _followed(sequence, info, now))
+
     def take_message(kind: Any, raw: bool) -> Any:
         taken = take(kind, raw)
-        if taken is None:
-            return taken
-        try:
-            message, info = taken
-            now = time_ns()
-            current.given = (topic, now)
-            gid = info["publisher_gid"]["data"] if "publisher_gid" in info else None
-            if gid != last_gid:
-                change(gid, now)
-            if arrived is None:
-                return taken
-            of = sequence
-            if of is not None:
-                number = info.get("publication_sequence_number", _NO_NUMBER)
-                if number == of.following:
-                    of.following = number + 1
-                elif number == _NO_NUMBER:
-                    of = None
-                else:
-                    of.feed(number, now)
-            received = info["received_timestamp"] or now
-            sent = info["source_timestamp"]
-            latency = received - sent if sent else None
-            if slotted:
-                stamp = message._header._stamp  # noqa: SLF001 - the property in front of it costs a call
-                age = received - stamp._sec * 1_000_000_000 - stamp._nanosec if stamp._sec else None  # noqa: SLF001
-            else:
-                age = _age(message, received) if stamped else None
-            arrived(now, received, latency, age, len(message) if type(message) is bytes else -1, of)
-        except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
-            HOOK.stop(error)
+        if taken is not None:
+            try:
+                count(*taken)
+            except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
+                HOOK.stop(error)
         return taken
 
     return take_message
+
+
+def _followed(sequence: Sequence, info: Any, now: int) -> Sequence | None:
+    """Return what follows the numbers of a publisher, if that of a message brings news of losses."""
+    number = info.get("publication_sequence_number", _NO_NUMBER)
+    if number == sequence.following:
+        sequence.following = number + 1
+    elif number == _NO_NUMBER:
+        return None
+    else:
+        sequence.feed(number, now)
+    return sequence if sequence.touched else None
 
 
 class _Subscription:
@@ -266,20 +274,23 @@ def _departures(publisher: Any, now: int) -> Callable[[int, int], None]:
     asked = ""
     answered: Callable[[int, int], None] | None = None
 
-    def count(now: int, size: int) -> None:
+    def ask(name: str, now: int) -> None:
         nonlocal asked, answered
+        if name not in answers:
+            answers[name] = HOOK.slot(ANSWERED, b"", topic, node, name, now)
+        of = answers[name]
+        asked, answered = name, of.answered if of is not None else None
+        if of is not None and of not in slots:
+            slots.append(of)
+
+    def count(now: int, size: int) -> None:
         if departed is not None:
             departed(now, now, None, None, size, None)
         given = current.given
         if given is not None:
             name, taken = given
             if name != asked:
-                if name not in answers:
-                    of = answers[name] = HOOK.slot(ANSWERED, b"", topic, node, name, now)
-                    if of is not None:
-                        slots.append(of)
-                of = answers[name]
-                asked, answered = name, of.answered if of is not None else None
+                ask(name, now)
             if answered is not None and now >= taken:
                 answered(now, now - taken)
 

@@ -2,8 +2,8 @@
 
 Takes the place of ``rospy.impl.statistics.SubscriberStatisticsLogger`` behind the same topic, ``/statistics``, and the
 same message, so that whoever reads it need not know. Differences: a message costs the same however many came; what is
-told is told by a timer, so silence is told too, once a second, and windows never stretch; a gap of sequence numbers
-counts all messages in it; the gap before the first message of a window belongs to that window.
+reported is reported by a timer, so silence is reported too, once a second, and windows never stretch; a gap of sequence
+numbers counts all messages in it; the gap before the first message of a window belongs to that window.
 
 Runs inside the user's node: in any Python from 3.8 on, with nothing but the standard library and rospy.
 """
@@ -80,7 +80,7 @@ class LightLogger:
         self.topic = subscriber.name
         self.connections: dict[str, Connection] = {}
         self._subscriber = subscriber
-        self._told: dict[str, tuple[float, ...]] = {}
+        self._reported: dict[str, tuple[float, ...]] = {}
         if self.topic in _LEFT_OUT:
             self.callback = self._ignore  # type: ignore[method-assign]
         else:
@@ -107,7 +107,7 @@ class LightLogger:
         seen = self.connections.get(publisher)
         if seen is None:
             seen = self.connections[publisher] = Connection()
-            self._told[publisher] = (0, stat_bytes, 0, 0, 0.0, 0.0, 0, 0.0, 0.0)
+            self._reported[publisher] = (0, stat_bytes, 0, 0, 0.0, 0.0, 0, 0.0, 0.0)
         gap = now - seen.last
         if seen.count and gap >= 0:
             seen.intervals += 1
@@ -138,14 +138,14 @@ class LightLogger:
         there = self._publishers()
         for publisher, seen in list(self.connections.items()):
             sums = seen.sums()
-            before = self._told.get(publisher, (0.0,) * len(sums))
-            self._told[publisher] = sums
+            before = self._reported.get(publisher, (0.0,) * len(sums))
+            self._reported[publisher] = sums
             longest, seen.longest = seen.longest, 0.0
             oldest, seen.oldest = seen.oldest, float("-inf")
             found.append((publisher, [new - old for new, old in zip(sums, before)], longest, oldest))  # noqa: B905
             if sums[0] == before[0] and publisher not in there:
                 self.connections.pop(publisher, None)
-                self._told.pop(publisher, None)
+                self._reported.pop(publisher, None)
         return found
 
     def _publishers(self) -> set[str]:
@@ -195,7 +195,7 @@ class Teller:
                     return
                 self._tell()
         except Exception as error:  # noqa: BLE001 - a node must run whatever becomes of its observer
-            sys.stderr.write("roslens: the traffic of this node is no longer told: %s\n" % error)  # noqa: UP031
+            sys.stderr.write("roslens: the traffic of this node is no longer reported: %s\n" % error)  # noqa: UP031
 
     @staticmethod
     def _ended() -> bool:

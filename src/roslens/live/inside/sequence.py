@@ -1,4 +1,4 @@
-"""Which messages of a publisher are lost, told from the numbers it gives them."""
+"""Which messages of a publisher are lost, by the numbers it gives them."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ makes both the next even number; a reader that finds them different, or odd, rea
 Counters only grow, so that any number of readers can take differences at their own pace and none needs to write. Least
 and greatest cannot be had from a difference: they lie in a ring of 32 banks, of which the writer takes the next every
 0.27 s in which there is traffic. A reader takes the extremes of the banks begun since its last read, and of the bank
-that was current then those that changed: each extreme is told once, to every reader that reads at least every 8.5 s.
+that was current then those that changed: each extreme is reported once to each reader that reads at least every 8.5 s.
 
 A later version may give slots more words, before their last one, and the header further values behind its own: who
 knows this version reads such a file by what it knows, with the length of a slot that the header says. What changes the
@@ -89,8 +89,7 @@ _NOTHING_YET = _NEITHER * 4
 _SHAPE = struct.Struct("@2q")
 _RARE = struct.Struct("@4q")
 """What seldom changes goes into the piece as bytes that were packed before: each number costs as much as a write."""
-_write_counters = struct.Struct("@q16sq32sqddqdd").pack_into
-_write_aged = struct.Struct("@q16sq32sqddqddqdd").pack_into
+_write_counters = struct.Struct("@q16sq32sqddqddqdd").pack_into
 _write_answers = struct.Struct("@q16sq32s72sqdd").pack_into
 _NO_SHAPE, _NO_MOMENTS = _SHAPE.pack(-1, 0), bytes(72)
 _EXTREMES = struct.Struct("@8d")
@@ -203,9 +202,10 @@ class Slot:
         """Count a message that was published at ``now``, of ``size`` bytes or -1."""
         self.arrived(now, now, None, None, size, None)
 
-    # What is short is written out in what these return: a call costs as much as all that it would do. So does ``with``.
+    # What each message needs is written out in what these return, as a call costs as much as all that it would do; so
+    # does ``with``. What few messages need is a call.
 
-    def _arrivals(self) -> _Arrived:  # noqa: C901 - written out, see above
+    def _arrivals(self) -> _Arrived:  # noqa: C901 - of the functions in it, which share its variables
         acquire, release = self._lock.acquire, self._lock.release
         token = self._numbers[SEQUENCE] + 1 & ~1
         seldom = _Seldom()
@@ -228,64 +228,71 @@ class Slot:
             period_greatest = latency_greatest = age_greatest = _NEITHER[1]
             return True
 
+        def renew(size: int, last: int, when: int, sequence: Sequence | None) -> None:
+            nonlocal shape, rare
+            shape, rare = seldom.shape(size, 0 if last else when), seldom.rare(bank, sequence)
+
+        def widen_periods(value: float) -> bool:
+            nonlocal period_least, period_greatest
+            if value < period_least:
+                period_least = value
+            if value > period_greatest:
+                period_greatest = value
+            return True
+
+        def widen_latencies(value: float) -> bool:
+            nonlocal latency_least, latency_greatest
+            if value < latency_least:
+                latency_least = value
+            if value > latency_greatest:
+                latency_greatest = value
+            return True
+
+        def widen_ages(value: float) -> bool:
+            nonlocal age_least, age_greatest
+            if value < age_least:
+                age_least = value
+            if value > age_greatest:
+                age_greatest = value
+            return True
+
         def arrived(
             now: int, when: int, latency: int | None, age: int | None, size: int, sequence: Sequence | None
         ) -> None:
-            nonlocal token, shape, rare, count, periods, latencies, ages
+            nonlocal token, count, periods, latencies, ages
             nonlocal period, period_squares, latency_sum, latency_squares, age_sum, age_squares
-            nonlocal period_least, latency_least, age_least, period_greatest, latency_greatest, age_greatest
             acquire()
             try:
                 changed = not bank_since <= now < bank_until and next_bank(now)
                 count += 1
                 last = self.last
-                if last and when >= last:  # otherwise the clock was set back, and nobody knows how long it really took
+                self.last = when
+                if 0 < last <= when:  # otherwise the clock was set back, and nobody knows how long it really took
                     value = (when - last) * 1e-9
                     periods += 1
                     period += value
                     period_squares += value * value
-                    if value < period_least:
-                        period_least = value
-                        changed = True
-                    if value > period_greatest:
-                        period_greatest = value
-                        changed = True
-                if size >= 0 or not last or (sequence is not None and sequence.touched):
-                    shape, rare = seldom.shape(size, 0 if last else when), seldom.rare(bank, sequence)
-                self.last = when
+                    changed |= not period_least <= value <= period_greatest and widen_periods(value)
+                if size >= 0 or not last or sequence is not None:
+                    renew(size, last, when, sequence)
                 if latency is not None:
                     value = latency * 1e-9
                     latencies += 1
                     latency_sum += value
                     latency_squares += value * value
-                    if value < latency_least:
-                        latency_least = value
-                        changed = True
-                    if value > latency_greatest:
-                        latency_greatest = value
-                        changed = True
-                numbers = self._numbers
-                numbers[SEQUENCE] = token + 1
-                if age is None:
-                    _write_counters(
-                        self._words, COUNT * 8, count, shape, when, rare, periods, period, period_squares,
-                        latencies, latency_sum, latency_squares,
-                    )  # fmt: skip
-                else:
+                    changed |= not latency_least <= value <= latency_greatest and widen_latencies(value)
+                if age is not None:
                     value = age * 1e-9
                     ages += 1
                     age_sum += value
                     age_squares += value * value
-                    if value < age_least:
-                        age_least = value
-                        changed = True
-                    if value > age_greatest:
-                        age_greatest = value
-                        changed = True
-                    _write_aged(
-                        self._words, COUNT * 8, count, shape, when, rare, periods, period, period_squares,
-                        latencies, latency_sum, latency_squares, ages, age_sum, age_squares,
-                    )  # fmt: skip
+                    changed |= not age_least <= value <= age_greatest and widen_ages(value)
+                numbers = self._numbers
+                numbers[SEQUENCE] = token + 1
+                _write_counters(
+                    self._words, COUNT * 8, count, shape, when, rare, periods, period, period_squares,
+                    latencies, latency_sum, latency_squares, ages, age_sum, age_squares,
+                )  # fmt: skip
                 if changed:
                     _write_extremes(
                         self._words, bank_at, period_least, period_greatest, latency_least, latency_greatest,

@@ -115,7 +115,7 @@ def _moments(before: Snapshot | None, after: Snapshot) -> list[Moments]:
             moments.append(NOTHING)
             continue
         mean = total / count
-        # A series whose extremes lie within what had been told before still has some, on either side of its mean.
+        # A series whose extremes lie within what had been reported before still has some, on either side of its mean.
         low, high = (mean, mean) if count == 1 else (min(least, mean), max(greatest, mean))
         moments.append(Moments(int(count), total, max(squares, 0.0), low, high))
     return moments
@@ -136,7 +136,7 @@ def difference(before: Snapshot | None, after: Snapshot, start: float, end: floa
         after: the later one.
         start: when the earlier was read, in seconds.
         end: when the later was.
-        lost: messages already told as lost.
+        lost: messages already reported as lost.
     """
     count = after.messages - (before.messages if before else 0)
     period, latency, age, processing = _moments(before, after)

@@ -2,7 +2,7 @@
 
 Such an observer may hear of a publisher before the graph does, so what it tells waits a moment for the name; and of one
 that is gone from the graph its last messages are counted afterwards, so names are kept for a while. What a node counts
-that is in no graph is of another domain, and told to nobody.
+that is in no graph is of another domain, and reported to nobody.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ class GidPlaces:
     """Hosts and processes of contexts.
 
     Args:
-        graph: with everything that is told.
+        graph: with everything that is reported.
         placed: host of each node of which an observer is sure.
         sure: host and process of contexts that were sure before, which may have ended since.
         ended: processes that did, as ``host/pid``.
@@ -65,13 +65,13 @@ class GidPlaces:
         self, processes: Iterable[Process], sure: Mapping[str, tuple[str, int]]
     ) -> dict[str, tuple[str, int]]:
         """Return the process of each context of which one process alone says that it holds its nodes."""
-        told: dict[tuple[str, int], set[tuple[str, int]]] = {}
+        reported: dict[tuple[str, int], set[tuple[str, int]]] = {}
         for process in processes:
             for node in process.nodes:
-                told.setdefault((node, _seen_as(process)), set()).add((process.host, process.pid))
+                reported.setdefault((node, _seen_as(process)), set()).add((process.host, process.pid))
         found = {}
         for context, nodes in self.nodes_of.items():
-            who = set().union(*(told.get((node, _pid_bits(context)), ()) for node in nodes))
+            who = set().union(*(reported.get((node, _pid_bits(context)), ()) for node in nodes))
             if len(who) == 1:
                 found[context] = who.pop()
             elif not who and context in sure:

@@ -1,4 +1,4 @@
-"""Which nodes live in which process, so that what a process uses can be told of its nodes.
+"""Which nodes live in which process, so that what a process uses can be attributed to its nodes.
 
 Nodes that share a process each get its values: they are never divided among them, because nobody can know the shares.
 """

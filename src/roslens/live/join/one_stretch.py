@@ -22,7 +22,7 @@ _Key = tuple[str, str, str, str]
 
 
 class OneStretch:
-    """Joins the tallies of one read, and cuts off what was told before."""
+    """Joins the tallies of one read, and cuts off what was reported before."""
 
     def __init__(self) -> None:
         self._until: dict[_Key, float] = {}

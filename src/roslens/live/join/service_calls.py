@@ -10,21 +10,21 @@ from roslens.model.traffic.sample import Sample
 
 EVERY_S = 1.0
 STALE_S = 2.5
-"""After which what a host told is no longer counted."""
+"""After which what a host reported is no longer counted."""
 _TIMED_BY = {"response_time": "calls", "client_response_time": "client_calls"}
 
 
 class ServiceCalls:
-    """The latest that each observer told of each service; instants are on the monitor's clock."""
+    """The latest that each observer reported of each service; instants are on the monitor's clock."""
 
     def __init__(self) -> None:
-        self._told: dict[EntityId, dict[str, tuple[float, Sample]]] = {}
+        self._reported: dict[EntityId, dict[str, tuple[float, Sample]]] = {}
         self._news: set[EntityId] = set()
         self._due = float("-inf")
 
     def put(self, sender: str, sample: Sample, now: float) -> None:
         """Take what an observer tells of a service."""
-        self._told.setdefault(sample.entity, {})[sender] = (now, sample)
+        self._reported.setdefault(sample.entity, {})[sender] = (now, sample)
         self._news.add(sample.entity)
 
     def samples(self, now: float) -> list[Sample]:
@@ -34,18 +34,18 @@ class ServiceCalls:
         self._due = now + EVERY_S
         found = []
         for service in sorted(self._news):
-            told = self._told[service]
-            for sender in [sender for sender, (heard, _) in told.items() if now - heard > STALE_S]:
-                del told[sender]
-            latest = [sample for _, sample in told.values()]
+            reported = self._reported[service]
+            for sender in [sender for sender, (heard, _) in reported.items() if now - heard > STALE_S]:
+                del reported[sender]
+            latest = [sample for _, sample in reported.values()]
             if latest:
                 found.append(Sample(service, now, _joined([one.values for one in latest]), latest[0].observer))
         self._news.clear()
-        if len(self._told) > MOST_GONE:
-            self._told = {
-                service: told
-                for service, told in self._told.items()
-                if any(now - heard <= STALE_S for heard, _ in told.values())
+        if len(self._reported) > MOST_GONE:
+            self._reported = {
+                service: reported
+                for service, reported in self._reported.items()
+                if any(now - heard <= STALE_S for heard, _ in reported.values())
             }
         return found
 

@@ -46,7 +46,7 @@ class Source(Protocol):
 
 
 class ProcessWatcher(Protocol):
-    """A source that samples processes, and can be told which of them hold nodes."""
+    """A source that samples processes, and learns which of them hold nodes."""
 
     def name(self, host: str, pids: frozenset[int]) -> None:
         """Watch these processes of a host."""
@@ -127,7 +127,7 @@ class Session:
         self._events: list[Event] = []
         self._failures: list[Failure] = []
         self._bad: dict[tuple[EntityId, str], State] = {}
-        self._told: set[tuple[str, str]] = set()
+        self._reported: set[tuple[str, str]] = set()
         self._pids: dict[str, frozenset[int]] = {}
 
     def name_processes(self, watchers: Iterable[ProcessWatcher]) -> None:
@@ -152,8 +152,8 @@ class Session:
     def wait_for(self, beginners: Sequence[Beginner], now: float) -> None:
         """Let grace of what nobody saw yet count from when all of these see.
 
-        A process that observes takes a second to start, and five on a busy machine: what it has not told by then was
-        not looked for.
+        A process that observes takes a second to start, and five on a busy machine: what it has not reported by then
+        was not looked for.
         """
         self.monitor.begin(now)
         self.begun = now - self._start > BEGIN_S or all(one.seeing for one in beginners)
@@ -199,7 +199,7 @@ class Session:
         return step
 
     def rate(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
-        """Take traffic that is named, counted once and by one clock, and was told by ``voice``."""
+        """Take traffic that is named, counted once and by one clock, and was reported by ``voice``."""
         self.monitor.add_tallies(tallies, voice)
 
     def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
@@ -304,10 +304,10 @@ class Session:
         return self._clocks.corrected(tally, sender, receiver, self.monitor.tolerance(tally))
 
     def _fail(self, failure: Failure) -> None:
-        """Keep a failure; what is said again and again is told once."""
+        """Keep a failure; what is said again and again is reported once."""
         key = (failure.tool, str(failure))
-        if key not in self._told:
-            self._told.add(key)
+        if key not in self._reported:
+            self._reported.add(key)
             self._failures.append(failure)
             self.monitor.failures.append(failure)
 
@@ -323,7 +323,7 @@ def run(
     *,
     wall: Callable[[], float],
     stopped: Callable[[float], bool],
-    told: Callable[[Step], None],
+    report: Callable[[Step], None],
     longest_wait_s: float = 0.1,
 ) -> None:
     """Watch until ``stopped`` says so, and tell each step.
@@ -345,7 +345,7 @@ def run(
             session.name_processes(watchers)
             if not session.begun:
                 session.wait_for(beginners, wall())
-            told(session.look(wall()))
+            report(session.look(wall()))
     finally:
         for source in sources:
             source.close()

@@ -32,7 +32,7 @@ class Trial(msgspec.Struct, frozen=True):
     Attributes:
         fault: that was put in.
         seen: whether an alarm about it was raised that is not there without it.
-        after_s: seconds from its begin to when the first one was told; None where there is none.
+        after_s: seconds from its begin to when the first one was reported; None where there is none.
         by: ids of the constraints that saw it, sorted.
         beside: texts of the ids of entities that the fault does not concern, and of which there was an alarm more.
         why: why it cannot be seen, where it was not tried.
@@ -52,10 +52,10 @@ Opened = Callable[[float, float, "Fault | None"], Recording]
 
 def margins(reference: Reference) -> tuple[float, float]:
     """Return how many seconds have to be replayed before and after a fault."""
-    told = [one.told.timing for one in constraints_of(reference)]
-    grace = max((one.grace for one in told), default=0.0)
-    window = max((one.window for one in told), default=0.0)
-    lasting = max((one.lasting for one in told), default=0.0)
+    timings = [one.details.timing for one in constraints_of(reference)]
+    grace = max((one.grace for one in timings), default=0.0)
+    window = max((one.window for one in timings), default=0.0)
+    lasting = max((one.lasting for one in timings), default=0.0)
     return BEFORE_S + grace + window, AFTER_S + window + lasting
 
 
@@ -128,7 +128,7 @@ class Trials:
         return Trial(
             fault=fault,
             seen=bool(mine),
-            after_s=min((max(one.told - fault.begin_s, 0.0) for one in mine), default=None),
+            after_s=min((max(one.reported - fault.begin_s, 0.0) for one in mine), default=None),
             by=tuple(sorted({one.first.expectation for one in mine})),
             beside=tuple(sorted({str(one.first.entity) for one in others})),
         )
@@ -138,7 +138,7 @@ def _alarms(
     recording: Recording, reference: Reference, graphs: Sequence[tuple[float, Graph]] = ()
 ) -> tuple[Alarm, ...]:
     log = AlarmLog()
-    replay(recording, reference, told=lambda step: log.add(step.changes), graphs=graphs)
+    replay(recording, reference, report=lambda step: log.add(step.changes), graphs=graphs)
     return log.alarms()
 
 
@@ -156,4 +156,4 @@ def _about(alarm: Alarm, topics: set[str], nodes: set[str]) -> bool:
 
 
 def _then(alarm: Alarm, fault: Fault, after_s: float) -> bool:
-    return fault.begin_s - EARLY_S <= alarm.told <= fault.end_s + DELAY_S + after_s
+    return fault.begin_s - EARLY_S <= alarm.reported <= fault.end_s + DELAY_S + after_s

@@ -34,7 +34,7 @@ class ChildSource:
 
     Attributes:
         tool: which one it is, for messages.
-        seeing: whether it has told who is there, or that it cannot.
+        seeing: whether it has reported who is there, or that it cannot.
     """
 
     def __init__(
@@ -65,10 +65,10 @@ class ChildSource:
         self._child.close()
 
 
-def _of_who_is_there(told: Frame | Failure) -> bool:
-    if isinstance(told, Failure):
-        return not told.partial
-    return told.graph is not None or any(not one.partial for one in told.failures)
+def _of_who_is_there(reported: Frame | Failure) -> bool:
+    if isinstance(reported, Failure):
+        return not reported.partial
+    return reported.graph is not None or any(not one.partial for one in reported.failures)
 
 
 def ros1_source(

@@ -1,8 +1,8 @@
 """Which host belongs to which key: to the first that named it, as long as the monitor listens.
 
 Agents may have keys of their own, so that who takes one from a host can speak for that host alone. A frame speaks for
-the host of its sender, and for those whose values, processes and changes it tells. Being told of does not make a host
-belong to a key, and what nobody names of itself may be told by anybody.
+the host of its sender, and for those whose values, processes and changes it tells. Being mentioned does not make a
+host belong to a key, and what nobody names of itself may be reported by anybody.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _PREFIXES = tuple(f"{kind.value}:" for kind in _OF_HOSTS)
 
 
 class HostKeys:
-    """Keys by the host that they named first. Keys are told apart by number."""
+    """Keys by the host that they named first. Keys are distinguished by number."""
 
     def __init__(self) -> None:
         self._key_of: dict[str, int] = {}
@@ -34,10 +34,12 @@ class HostKeys:
             return host, owner
         if all(owner == key for owner in self._key_of.values()):
             return None
-        return next(((one, self._key_of[one]) for one in _told_of(frame) if self._key_of.get(one, key) != key), None)
+        return next(
+            ((one, self._key_of[one]) for one in _reported_of(frame) if self._key_of.get(one, key) != key), None
+        )
 
 
-def _told_of(frame: Frame) -> Iterator[str]:
+def _reported_of(frame: Frame) -> Iterator[str]:
     for sample in frame.samples:
         if sample.entity.kind in _OF_HOSTS:
             yield sample.entity.name.partition("/")[0]

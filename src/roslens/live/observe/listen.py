@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from roslens.live.agent.link import Channel, LinkError, StrangerError, named_pids, read_frame, told_time
+from roslens.live.agent.link import Channel, LinkError, StrangerError, named_pids, read_frame, reported_time
 from roslens.live.observe.host_keys import HostKeys
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
@@ -185,7 +185,7 @@ class Listener:
                 if letter == "send":
                     line.sending += body
                 elif letter == "T":
-                    line.sending += line.channel.message("t", told_time(body, received, self._wall()))
+                    line.sending += line.channel.message("t", reported_time(body, received, self._wall()))
                 elif letter == "F":
                     frame = read_frame(body)
                     if (refused := self._not_its_own(line, frame)) is not None:
@@ -201,7 +201,7 @@ class Listener:
         return found
 
     def _not_its_own(self, line: _Line, frame: Frame) -> list[Failure] | None:
-        """End the line of who speaks for the host of another key; return what is to be told, once of key and host.
+        """End the line of who speaks for the host of another key; return what is to be reported, once of key and host.
 
         Raises:
             LinkError: it has spoken in another name before.
@@ -247,14 +247,14 @@ class Listener:
             self._send(line)
 
     def _too_silent(self) -> list[Failure]:
-        told: list[Failure] = []
+        reported: list[Failure] = []
         now = self._steady()
         slow = [line for line in self._lines.values() if not line.channel.ready and now - line.begun > PROOF_S]
         for line in slow:
-            told += self._refuse(line, f"it did not prove within {PROOF_S:g} s that it knows the key")
+            reported += self._refuse(line, f"it did not prove within {PROOF_S:g} s that it knows the key")
         late = [line for line in self._lines.values() if now - line.heard > SILENT_S]
-        told += [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
-        return told
+        reported += [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
+        return reported
 
     def _left(self, line: _Line) -> list[Frame | Failure]:
         if line.sender:
@@ -265,7 +265,7 @@ class Listener:
         return []
 
     def _hang_up(self, line: _Line, reason: str = "") -> list[Failure]:
-        """End a line; return what is to be told of it, in words that are the same each time that it happens."""
+        """End a line; return what is to be reported of it, in words that are the same each time that it happens."""
         self._selector.unregister(line.socket)
         line.socket.close()
         del self._lines[line.socket]
@@ -280,7 +280,7 @@ class Listener:
         return [Failure("link", what, expected=expected, advice="Look at its output")]
 
     def _refuse(self, line: _Line, found: str) -> list[Failure]:
-        """End the line of somebody who is no agent; what a host says instead is told once, and of so many hosts."""
+        """End the line of somebody who is no agent; what a host says instead is reported once, and of so many hosts."""
         self._hang_up(line)
         host = line.peer.rpartition(":")[0]
         if host in self._strangers or len(self._strangers) >= _MOST_STRANGERS:

@@ -37,7 +37,7 @@ class LocalHost:
     ) -> None:
         """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample.
 
-        Of ``counters`` only who counts is told here: an observer of ROS beside the monitor tells what is counted in
+        Of ``counters`` only who counts is reported here: an observer of ROS beside the monitor tells what is counted in
         its domain, so that nobody else has to. ``identities`` is what identifiers made here begin with.
         """
         self._name = name
@@ -95,7 +95,7 @@ class LocalHost:
         )
 
     def _counted(self, counters: Counters, wall: float) -> list[Frame]:
-        """Return a frame for each place where is counted, which says at least that it is told of from here."""
+        """Return a frame for each place where is counted, which says at least that it is reported from here."""
         counters.read(wall)
         failures = counters.failures()
         return [self._frame([], counted_at=place, failures=failures) for place in counters.places()]

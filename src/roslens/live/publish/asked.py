@@ -18,8 +18,8 @@ def when_asked(
 
     Args:
         descriptor: to read from.
-        publish: called in the thread that is returned; what it raises is told and ends nothing.
-        complain: told what could not be read or published, each text once in a row.
+        publish: called in the thread that is returned; what it raises is reported and ends nothing.
+        complain: called with what could not be read or published, each text once in a row.
     """
     thread = threading.Thread(target=_read, args=(descriptor, publish, complain), name="asked", daemon=True)
     thread.start()

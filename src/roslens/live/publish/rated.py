@@ -24,9 +24,9 @@ _KEYS = ("rate", "bandwidth", "period", "jitter", "largest_gap", "latency", "lat
 
 def ranges_of(reference: Reference) -> dict[str, Range]:
     """Return the range of each constraint that has one, by its id."""
-    found = {one.told.id: one.range for one in reference.expectations}
-    found.update((one.told.id, one.range) for one in reference.field_checks)
-    found.update((one.told.id, one.range) for one in reference.chains)
+    found = {one.details.id: one.range for one in reference.expectations}
+    found.update((one.details.id, one.range) for one in reference.field_checks)
+    found.update((one.details.id, one.range) for one in reference.chains)
     return found
 
 

@@ -19,12 +19,12 @@ PERIOD_S = 1.0
 SOONEST_S = 0.1
 """Changes that come sooner after others are gathered, so that a storm of them is few messages."""
 MOST_AT_ONCE = 1000
-"""Statuses, signals or connections in one message; more are told in several."""
+"""Statuses, signals or connections in one message; more are reported in several."""
 _One = TypeVar("_One")
 
 
 class Watched(Protocol):
-    """What is told of."""
+    """What is reported."""
 
     def standing(self) -> Sequence[Verdict]: ...  # noqa: D102
     def graph(self) -> Graph: ...  # noqa: D102
@@ -62,14 +62,14 @@ class Turns:
             self._all_due = self._soonest = now
         if now >= self._all_due:
             self._all_due = max(self._all_due + PERIOD_S, now + PERIOD_S / 2)
-            return self._told(self._watched.standing(), now, complete=True)
+            return self._reported(self._watched.standing(), now, complete=True)
         if self._changed and now >= self._soonest:
             changed_now, self._changed = self._changed, set()
             verdicts = [one for one in self._watched.standing() if one.entity in changed_now]
-            return self._told(verdicts, now, complete=False) if verdicts else []
+            return self._reported(verdicts, now, complete=False) if verdicts else []
         return []
 
-    def _told(self, verdicts: Sequence[Verdict], now: float, *, complete: bool) -> list[Outgoing]:
+    def _reported(self, verdicts: Sequence[Verdict], now: float, *, complete: bool) -> list[Outgoing]:
         self._changed.clear()
         self._soonest = now + SOONEST_S
         frames: list[Outgoing] = []

@@ -31,7 +31,7 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
 
 
 def _shares(connection: Connection, topic: Topic) -> list[tuple[Group, float]] | None:
-    """Return of which share of each group of a topic a connection may dispose; None where one cannot be told."""
+    """Return of which share of each group of a topic a connection may dispose; None where one cannot be determined."""
     groups: list[tuple[Group, float]] = []
     shares: dict[str, float | None] = {}
     for group in topic.groups:

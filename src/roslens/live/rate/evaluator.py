@@ -111,7 +111,7 @@ class Evaluator:
     ) -> list[Judged]:
         """Bring values of ``topics``, or of all, to the present that nobody had to look at; return what changed.
 
-        All is fine of ``still`` ones, and of them and of their connections nothing new was told.
+        All is fine of ``still`` ones, and of them and of their connections nothing new was reported.
         """
         self._plan(self.waiting, now)
         changed: list[Judged] = []

@@ -1,4 +1,4 @@
-"""What exists: by the graph, by events, and by what is sampled or told of it."""
+"""What exists: by the graph, by events, and by what is sampled or reported of it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Existence:
     said to have vanished stays so until a later graph, sample or event has it.
 
     Attributes:
-        presences: that are told; replaced with the reference.
+        presences: that were declared; replaced with the reference.
         vanished: when what is gone went, of what went last.
     """
 

@@ -33,7 +33,7 @@ class Glance(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """Topics to bring to the present: of ``still`` ones all is fine, and nothing was told since they were read."""
+    """Topics to bring to the present: of ``still`` ones all is fine, and nothing was reported since they were read."""
 
     stirred: list[Topic]
     still: list[Topic]

@@ -39,14 +39,14 @@ class Hearing:
         if not turned:
             return []
         self._evaluator.silent = self._voices.silent()
-        told: list[Standing] = []
+        reported: list[Standing] = []
         for voice in turned:
             silence = self._silences.get(voice.name) or self._silences.setdefault(voice.name, Silence(voice, now))
             silence.follow(now)
-            told.append(silence)
+            reported.append(silence)
             for one in self._observed(voice):
                 self._evaluator.wait(one)
-        return told
+        return reported
 
     def standing(self) -> Iterator[Standing]:
         """Yield the observers of which nothing is heard."""
@@ -66,7 +66,7 @@ class Hearing:
 
     def _observed(self, voice: Voice) -> Iterator[Measured]:
         for one in chain(self._world.connections.values(), self._world.sampled.values()):
-            if isinstance(one, Connection) and one.told_by(voice):
+            if isinstance(one, Connection) and one.reported_by(voice):
                 one.wake()
                 yield one
             elif isinstance(one, Sampled) and one.voice is voice:

@@ -129,7 +129,7 @@ class Monitor:
         evaluator.heard |= heard
 
     def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
-        # What has no name cannot be told apart, nor shown.
+        # What has no name cannot be distinguished, nor shown.
         kept = plausible_tally(tally) if tally.topic else None
         if kept is not tally:
             self._implausible += 1

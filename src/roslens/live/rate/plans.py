@@ -104,7 +104,7 @@ def _lengths(constraints: Iterable[ReadyConstraint]) -> set[float]:
 
 
 def _with(constraints: tuple[ReadyConstraint, ...], more: Iterable[ReadyConstraint]) -> tuple[ReadyConstraint, ...]:
-    return tuple(sorted({*constraints, *more}, key=lambda one: one.told.id))
+    return tuple(sorted({*constraints, *more}, key=lambda one: one.details.id))
 
 
 def tolerance(world: World, tally: Tally) -> float:

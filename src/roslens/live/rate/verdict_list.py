@@ -32,7 +32,7 @@ class VerdictList:
         Args:
             listed: what they are about; in the same order while nothing comes or goes.
             stirred: topics that were just brought to the present.
-            still: topics that were, too, where nothing was told that could be new.
+            still: topics that were, too, where nothing was reported that could be new.
         """
         if listed != self._listed:
             self._list(listed)
@@ -57,7 +57,7 @@ class VerdictList:
         """Return the places of what stands otherwise than before, or tells something else."""
         ordered = self._sorted
         marks: list[list[object]] = [
-            [one.state.state for one in ordered], [one.state.since for one in ordered], [one.told for one in ordered]
+            [one.state.state for one in ordered], [one.state.since for one in ordered], [one.details for one in ordered]
         ]  # fmt: skip
         found: set[int] = set()
         for mark, before in zip(marks, self._marks, strict=True):

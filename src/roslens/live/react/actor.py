@@ -1,6 +1,6 @@
 """Joins what is due, what gates say of it, who carries it out, and the journal of all of it.
 
-Nothing here waits: it is told each step of the session, and hands over what there is to do.
+Nothing here waits: it gets each step of the session, and hands over what there is to do.
 """
 
 from __future__ import annotations
@@ -158,9 +158,9 @@ class Actor:
                 self._journal.add("unwell" if unwell else "well", step.time, text=unwell)
 
     def _decide(self, decision: Decision, now: float) -> None:
-        told = msgspec.to_builtins(decision)
+        reported = msgspec.to_builtins(decision)
         self._journal.add(
-            "decided", now, decision=decision.id, **{key: value for key, value in told.items() if key != "id"}
+            "decided", now, decision=decision.id, **{key: value for key, value in reported.items() if key != "id"}
         )
         self._pass(decision, now)
 
@@ -259,7 +259,7 @@ class Actor:
             if now - open_.since > _UNANSWERED_S:
                 del self._under_way[decision_id]
                 self._gate.ended(open_.decision, now)
-                text = f"nobody told what became of it within {_UNANSWERED_S:g} s"
+                text = f"nobody reported what became of it within {_UNANSWERED_S:g} s"
                 self._end(open_.decision, Outcome(Result.FAILED, text, now - open_.since), step.time)
 
     def _end(self, decision: Decision, outcome: Outcome, now: float) -> None:
@@ -267,7 +267,7 @@ class Actor:
             "outcome", now, decision=decision.id, result=outcome.result.value, text=outcome.text,
             duration_s=round(outcome.duration_s, 4),
         )  # fmt: skip
-        self.reactor.told(decision.id, outcome)
+        self.reactor.reported(decision.id, outcome)
 
     def _clear(self, decision_id: str) -> None:
         if decision_id in self._repeats:

@@ -108,7 +108,7 @@ class AllHands:
         return self._next
 
     def take_next(self) -> None:
-        """Be ready for what :meth:`prepare_next` was told in place of what was before."""
+        """Be ready for what :meth:`prepare_next` was given in place of what was before."""
         if self._next is not None:
             self._prepared.forget(self._lines)
             self._prepared, self._next = self._next, None
@@ -119,7 +119,7 @@ class AllHands:
             self._next.forget(self._lines)
             self._next = None
 
-    def told(self, done: CarriedOut) -> None:
+    def reported(self, done: CarriedOut) -> None:
         """Take what became of something; for any thread."""
         self._came.put(done)
 
@@ -192,9 +192,9 @@ class AllHands:
 
     def say(self, topic: str, text: str) -> None:
         """Publish a text in every ROS that is observed; whether it arrives is not looked at."""
-        told = {"topic": topic, "type": "std_msgs/String", "fields": {"data": text}, "how": "latched"}
+        reported = {"topic": topic, "type": "std_msgs/String", "fields": {"data": text}, "how": "latched"}
         for line in self._lines:
-            line.do("journal", "publish", "", told)
+            line.do("journal", "publish", "", reported)
 
     def close(self) -> None:
         """End the processes that act in ROS."""
@@ -212,25 +212,25 @@ class AllHands:
             generations = self._places.generations_of(name)
             if len(generations) != 1:
                 known = "a node of that name is in both" if generations else "nobody saw of which it is"
-                self._fail(decision, f"ROS 1 and ROS 2 are observed, and {name} cannot be told: {known}")
+                self._fail(decision, f"ROS 1 and ROS 2 are observed, and in which {name} is, is not known: {known}")
                 return
             lines = [one for one in lines if one.generation in generations]
         self._waited_for[decision.id] = len(lines)
         target = call.target.name if call.target is not None else ""
         for line in lines:
-            told = kind.filled(call.arguments)
+            reported = kind.filled(call.arguments)
             if call.kind == "record":
-                told["path"] = str(self._recordings / f"{name_of(decision)}-ros{line.generation}.mcap")
+                reported["path"] = str(self._recordings / f"{name_of(decision)}-ros{line.generation}.mcap")
             try:
-                line.do(decision.id, call.kind, target, told)
+                line.do(decision.id, call.kind, target, reported)
             except ValueError as error:
-                self.told(CarriedOut(decision.id, False, str(error)))
+                self.reported(CarriedOut(decision.id, False, str(error)))
 
     def _fit(self, line: RosLine, decision: Decision) -> bool:
         return self._prepared.fit(line.generation, decision)
 
     def _of_line(self, done: CarriedOut) -> list[CarriedOut]:
-        """Return what became of something once all have told that were asked, the best of it."""
+        """Return what became of something once all have reported that were asked, the best of it."""
         left = self._waited_for.get(done.decision, 1) - 1
         best = self._best.get(done.decision)
         if best is None or done.done:

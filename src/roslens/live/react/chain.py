@@ -15,7 +15,7 @@ class Stage(str, Enum):
     """How far a chain is.
 
     - due: its next step is to be decided
-    - waiting: nobody has told what became of the last decision
+    - waiting: nobody has reported what became of the last decision
     - verifying: it was done, and has time to help
     - over: nothing more is done until the condition was false
     """
@@ -43,7 +43,7 @@ class Chain:
         self.latest: Decision | None = None
         self._steps = steps
         self._deadline = 0.0
-        self._told_unknown = False
+        self._unknown_reported = False
         self._tried: list[str] = []
 
     @property
@@ -57,15 +57,15 @@ class Chain:
         self.latest = decision
         self.stage = Stage.WAITING
 
-    def told(self, outcome: Outcome, now: float) -> None:
-        """Take what became of the latest decision; what is told before something final may be told again."""
+    def reported(self, outcome: Outcome, now: float) -> None:
+        """Take what became of the latest decision; what is reported before something final may be reported again."""
         if self.stage is not Stage.WAITING or outcome.result is Result.ASKED or self.latest is None:
             return
         verify = self._steps[self.step].verify_within_s
         if outcome.result in _TRIED:
             self._tried.append(self.latest.id)
             if verify is not None:
-                self.stage, self._deadline, self._told_unknown = Stage.VERIFYING, now + verify, False
+                self.stage, self._deadline, self._unknown_reported = Stage.VERIFYING, now + verify, False
                 return
         elif outcome.result not in _GOES_ON:
             self.stage = Stage.OVER
@@ -78,9 +78,9 @@ class Chain:
             return []
         if self.stage is Stage.VERIFYING and now >= self._deadline and lasts is not False:
             if lasts is None:
-                told, self._told_unknown = self._told_unknown, True
+                reported, self._unknown_reported = self._unknown_reported, True
                 text = "whether it helped is unknown: nothing follows until it is known"
-                return [] if told else [Checked(self.latest.id, Verification.UNKNOWN, now, text)]
+                return [] if reported else [Checked(self.latest.id, Verification.UNKNOWN, now, text)]
             text = "the next action follows" if self._go_on() else "nothing is left to do"
             return [Checked(self.latest.id, Verification.STILL_THERE, now, text)]
         return []

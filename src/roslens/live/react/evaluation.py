@@ -173,7 +173,7 @@ class Evaluation:
         return self._chosen.of(stated.selector)
 
     def _held(self, truth: Truth, key: _Key, for_s: float, began: float = float("inf")) -> Truth:
-        """Return whether it has been true for so long: since it was told, or ``began`` where that is before."""
+        """Return whether it has been true for so long: since it was reported, or ``began`` where that is before."""
         if truth is not True:
             self._since.pop(key, None)
             return truth
@@ -237,7 +237,7 @@ class Evaluation:
 def _silent_since(said: Said) -> float:
     """Return since when nothing has come, where that is what is said; infinity of anything else.
 
-    Silence is told late, once nobody is left to be asked who might have heard something. That it has lasted is a fact:
+    Silence is reported late, once nobody is left who might have heard something. That it has lasted is a fact:
     nothing arrived since then, so that hold times count from there. A value over its bound says nothing of before.
     """
     verdicts = [one for one in said.shows if one.quantity]

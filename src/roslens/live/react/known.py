@@ -22,7 +22,7 @@ _SAMPLERS = ("agent", "monitor")
 
 
 class Held(msgspec.Struct, frozen=True):
-    """A verdict, and since when it has been bad or not, with that cause, as far as it was told."""
+    """A verdict, and since when it has been bad or not, with that cause, as far as it was reported."""
 
     verdict: Verdict
     settled_at: float
@@ -39,7 +39,7 @@ class Traits(msgspec.Struct, frozen=True):
 
 
 class Known:
-    """Verdicts, who is there, states and parameters, each as it was told last.
+    """Verdicts, who is there, states and parameters, each as it was reported last.
 
     Attributes:
         now: of the latest step, in seconds on the monitor's clock.

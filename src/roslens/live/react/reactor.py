@@ -75,12 +75,12 @@ class Reactor:
             decision for plan in self._plans for one in self._entities(plan) for decision in self._consider(plan, one)
         ]
 
-    def told(self, decision_id: str, outcome: Outcome) -> None:
+    def reported(self, decision_id: str, outcome: Outcome) -> None:
         """Take what became of a decision; unknown decisions are none of ours any more."""
         key = self._by_decision.get(decision_id)
         chain = self._chains.get(key) if key is not None else None
         if chain is not None and chain.latest is not None and chain.latest.id == decision_id:
-            chain.told(outcome, self._now)
+            chain.reported(outcome, self._now)
 
     def checks(self) -> list[Checked]:
         """Return what was found out since the last time about whether actions helped."""

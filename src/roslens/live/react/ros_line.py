@@ -1,4 +1,4 @@
-"""The monitor's side of a process that acts in ROS: started, told, and started again when it ends."""
+"""The monitor's side of a process that acts in ROS: started, given orders, and started again when it ends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST_SAID = 2_000
 
 
 class RosLine:
-    """A process that is told what to do. Nothing here waits.
+    """A process that takes orders. Nothing here waits.
 
     After an unplanned end it is started again, and everything that was prepared is prepared again; what was under
     way is answered as not done.
@@ -64,7 +64,7 @@ class RosLine:
         """Have it done; a reply says what became of it.
 
         Raises:
-            OrderError: it cannot be told.
+            OrderError: it cannot be sent.
         """
         order = Order(VERSION, id_, Verb.DO, kind, target, dict(arguments))
         body = encode_order(order)

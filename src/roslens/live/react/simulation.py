@@ -50,7 +50,7 @@ class Simulation:
         found = self._reactor.look(step, step.time)
         for decision in found:
             result = self._results.get(decision.action.kind, Result.DRY_RUN)
-            self._reactor.told(decision.id, Outcome(result))
+            self._reactor.reported(decision.id, Outcome(result))
         self.decisions += found
         self.checks += self._reactor.checks()
         for (reaction, entity), reason in self._reactor.withheld.items():

@@ -16,14 +16,14 @@ class Alarm(msgspec.Struct, frozen=True):
         first: the verdict with which it began.
         worst: the verdict of the worst state in it.
         since: when the fault began, in seconds.
-        told: when that was known.
+        reported: when that was known.
         until: when it was over; infinity while it lasts.
     """
 
     first: Verdict
     worst: Verdict
     since: float
-    told: float
+    reported: float
     until: float = float("inf")
 
 

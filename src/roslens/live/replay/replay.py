@@ -18,7 +18,7 @@ from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 STEP_S = 0.5
-"""What happens within a step is told at its end; when it began is known better."""
+"""What happens within a step is reported at its end; when it began is known better."""
 SHORTEST_STEP_S = 0.1
 
 _OF_STAMPS = frozenset({"age", "age_max"})
@@ -78,14 +78,14 @@ def replay(
     reference: Reference,
     *,
     step_s: float | None = None,
-    told: Callable[[Step], None],
+    report: Callable[[Step], None],
     begun: Callable[[Session], None] = lambda _: None,
     graphs: Sequence[tuple[float, Graph]] = (),
 ) -> Session:
     """Rate a recording and tell each step; returns the session as it was at the end.
 
-    Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
-    half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart. ``begun``
+    Stamps and fields are read only of topics for which the reference has a constraint on them. A step is by default
+    half as long as the tightest bound on gaps, or gaps shortly after one another could not be distinguished. ``begun``
     is given the session before its first step. ``graphs`` take the place of those of the recording, each from some
     seconds on, by time.
 
@@ -112,7 +112,7 @@ def replay(
         while changes and changes[0][0] <= end:
             session.take([Frame(VERSION, "recording", 0, end, graph=changes.pop(0)[1])])
         session.take([Frame(VERSION, "recording", 0, end, tallies, looked=end)])
-        told(session.look(end))
+        report(session.look(end))
     session.take(recording.failures)
     return session
 

@@ -10,14 +10,14 @@ from roslens.model.graph import Change, Event
 
 TOPIC = "/diagnostics"
 OWN = ("roslens: ", "roslens/")
-"""Begin the names of our own statuses, which are not told back to us."""
+"""Begin the names of our own statuses, which are not reported back to us."""
 SAID = "diagnostics: "
 """Begins what such an event says."""
 MOST = 10_000
 """Statuses that are followed; further ones are not."""
 FLAPS = 6
 FLAP_S = 60.0
-"""A status that changes more often than so many times in so long is told as flapping, then once when it rests."""
+"""A status that changes more often than so many times in so long is reported as flapping, then once when it rests."""
 _LONGEST = 200
 _LEVELS = ("OK", "WARN", "ERROR", "STALE")
 
@@ -32,10 +32,10 @@ class Report(msgspec.Struct, frozen=True):
 
 
 class _Status(msgspec.Struct):
-    """What was told of a status: its level, and how often that changed since when."""
+    """What was reported of a status: its level, and how often that changed since when."""
 
     level: int = 0
-    told: int = 0
+    reported: int = 0
     changed: float = 0.0
     since: float = 0.0
     changes: int = 0
@@ -74,9 +74,9 @@ class ReportedLevels:
             if status.changes == FLAPS + 1:
                 return _event(Change.FLAPPING, reporter, f"{_quoted(report)} changed {FLAPS + 1} times", report, time)
         rests = status.changes <= FLAPS or time - status.changed > FLAP_S
-        if status.level == status.told or not rests:
+        if status.level == status.reported or not rests:
             return None
-        before, status.told = status.told, status.level
+        before, status.reported = status.reported, status.level
         said = f"{_quoted(report)} is {level_name(report.level)}, was {level_name(before)}"
         return _event(Change.CHANGED, reporter, said, report, time)
 

@@ -51,7 +51,7 @@ class AgeChains:
         self.standing: list[_Watched] = []
         for chain in chains:
             watched = known.get(essence(chain)) or _Watched(chain, now)
-            watched.chain, watched.told = chain, chain.told
+            watched.chain, watched.details = chain, chain.details
             self.standing.append(watched)
 
     def judge(self, now: float, look: Look, silence: Silence, appeared: float) -> list[Standing]:
@@ -61,7 +61,7 @@ class AgeChains:
             value, one.evidence = one.age(now, look, silence)
             raw = one.bounds.state(value)
             firm = one.bounds.firm(value, one.state.state)
-            if one.state.step(now, raw, value, firm=firm, grace=appeared + one.told.timing.grace):
+            if one.state.step(now, raw, value, firm=firm, grace=appeared + one.details.timing.grace):
                 changed.append(one)
         return changed
 
@@ -71,9 +71,9 @@ class _Watched(Standing):
 
     def __init__(self, chain: AgeChain, now: float) -> None:
         entity = EntityId(EntityKind.TOPIC, chain.topics[-1])
-        super().__init__(entity, chain.told, "age", chain.written or str(chain.range), now)
+        super().__init__(entity, chain.details, "age", chain.written or str(chain.range), now)
         self.chain = chain
-        self.bounds = Bounds(chain.range, chain.told.timing.margin)
+        self.bounds = Bounds(chain.range, chain.details.timing.margin)
         self._known: tuple[float, float] | None = None
 
     def forget(self, now: float, state: State) -> None:

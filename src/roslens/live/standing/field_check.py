@@ -96,16 +96,16 @@ class FieldChecks:
     def _meet(self, topic: str, types: frozenset[str]) -> None:
         """Find the constraints about a topic of which these types are known."""
         self.met[topic] = types
-        known = {one.check.told.id for one in self._by_topic.get(topic, ()) if one.topic == topic}
+        known = {one.check.details.id for one in self._by_topic.get(topic, ()) if one.topic == topic}
         for type_ in types or {""}:
             for check in self._index.find(EntityKind.TOPIC, topic, type=type_):
-                if check.told.id not in known:
-                    known.add(check.told.id)
+                if check.details.id not in known:
+                    known.add(check.details.id)
                     self._watch(check, topic)
 
     def _watch(self, check: FieldCheck, topic: str) -> None:
         watched = self._old.pop((essence(check), topic), None) or WatchedField(check, topic, self._now)
-        watched.check, watched.told = check, check.told
+        watched.check, watched.details = check, check.details
         self.standing.append(watched)
         self._waiting.add(watched)
         for name in watched.topics:

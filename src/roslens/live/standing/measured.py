@@ -25,7 +25,7 @@ class Judged(Standing):
     __slots__ = ("at", "constraint", "group")
 
     def __init__(self, entity: EntityId, constraint: ReadyConstraint, now: float) -> None:
-        super().__init__(entity, constraint.told, constraint.key, constraint.written, now)
+        super().__init__(entity, constraint.details, constraint.key, constraint.written, now)
         self.constraint = constraint
         self.at = 0
         self.group: Group | None = None
@@ -138,7 +138,7 @@ class Measured:
         self.judged = []
         for constraint in constraints:
             kept = old.pop(id(constraint), None) or Judged(self.id, constraint, now)
-            kept.told = constraint.told
+            kept.details = constraint.details
             self.judged.append(kept)
         return list(old.values())
 

@@ -34,7 +34,7 @@ class _Watched(Standing):
     def __init__(self, presence: Presence, now: float) -> None:
         name = Pattern.parse(presence.selector.name).literal or presence.selector.name
         entity = EntityId(presence.selector.kind, name)
-        super().__init__(entity, presence.told, "presence", _RANGES[presence.mode], now)
+        super().__init__(entity, presence.details, "presence", _RANGES[presence.mode], now)
         self.presence = presence
         self.matching: set[str] = set()
         self.enabling: set[str] = set()
@@ -74,7 +74,7 @@ class Presences:
         presences = rules.single_presences
         self.standing: list[_Watched] = [known.get(essence(one)) or _Watched(one, now) for one in presences]
         for watched, presence in zip(self.standing, presences, strict=True):
-            watched.presence, watched.told = presence, presence.told
+            watched.presence, watched.details = presence, presence.details
         self._by_presence = {one.presence: one for one in self.standing}
         self._existing: dict[Key, Facts] = {}
         self._hits: dict[Key, list[tuple[_Watched, bool]]] = {}
@@ -139,7 +139,7 @@ class Presences:
                 continue
             one.evidence, one.unheard = one.explain(), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
-            grace = appeared + one.told.timing.grace
+            grace = appeared + one.details.timing.grace
             if one.state.step(now, one.raw(), float(len(one.matching)), began=began, grace=grace):
                 changed.append(one)
         self.due = min((one.state.due for one in self.standing), default=NEVER)

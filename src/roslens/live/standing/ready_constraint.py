@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Expectation, Timing, Told
+from roslens.judge.reference.expectation import Details, Expectation, Timing
 from roslens.live.window.window import LONGEST_S, PERIODS
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
@@ -46,7 +46,7 @@ class ReadyConstraint:
 
     Attributes:
         source: the expectation.
-        told: of it.
+        details: what goes with it.
         key: of the signal.
         bounds: of fine values.
         timing: of it.
@@ -60,6 +60,7 @@ class ReadyConstraint:
 
     __slots__ = (
         "bounds",
+        "details",
         "key",
         "literal",
         "percentile",
@@ -67,16 +68,15 @@ class ReadyConstraint:
         "silence",
         "source",
         "timing",
-        "told",
         "window",
         "written",
     )
 
     def __init__(self, source: Expectation, literal: str | None) -> None:
         self.source = source
-        self.told: Told = source.told
+        self.details: Details = source.details
         self.key = source.quantity
-        self.timing: Timing = source.told.timing
+        self.timing: Timing = source.details.timing
         self.bounds = Bounds(source.range, self.timing.margin)
         self.written = source.written or str(source.range)
         self.percentile = source.percentile

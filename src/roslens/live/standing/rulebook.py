@@ -55,7 +55,7 @@ class Rulebook:
     """
 
     def __init__(self, reference: Reference, old: Rulebook | None = None) -> None:
-        """Read a reference; constraints that ``old`` has too are taken from it, and tell what is told of them now.
+        """Read a reference; constraints that ``old`` has too are taken from it, with the details given now.
 
         Raises:
             ValueError: a pattern of a selector is none.
@@ -76,11 +76,11 @@ class Rulebook:
         self.presences: PatternIndex[tuple[Presence, bool]] = PatternIndex(_presence_selectors(self.single_presences))
         # Last, since until here something may be wrong, and then everything stays as it is.
         for kept, source in zip(self.constraints, reference.expectations, strict=True):
-            kept.source, kept.told = source, source.told
+            kept.source, kept.details = source, source.details
 
     def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[ReadyConstraint, ...]:
         """Return the constraints about an entity, in the order of their ids."""
-        found = {one.told.id: one for one in find_all(self._index, kind, name, facts)}
+        found = {one.details.id: one for one in find_all(self._index, kind, name, facts)}
         return tuple(found[key] for key in sorted(found))
 
 

@@ -1,8 +1,8 @@
-"""How one constraint stands about one entity, with what others are told of it."""
+"""How one constraint stands about one entity, with what is reported of it."""
 
 from __future__ import annotations
 
-from roslens.judge.reference.expectation import Told
+from roslens.judge.reference.expectation import Details
 from roslens.live.standing.verdict_state import VerdictState
 from roslens.live.window.evidence import evidence_of
 from roslens.live.window.window import Window
@@ -15,13 +15,13 @@ class Standing:
 
     Attributes:
         entity: that is judged.
-        told: what the constraint tells.
+        details: what goes with the constraint.
         quantity: key of what is judged.
         written: the range, as people read it.
         state: how it stands.
         window: that showed the value; None where there is none.
         evidence: in words, where no window shows it.
-        reported: the state that was told last.
+        reported: the state that was reported last.
         cause: text form of the id of the entity whose fault explains this one.
         leads_to: what follows from it, in words, where it is a first cause.
         why: the way to the cause, link by link.
@@ -29,16 +29,26 @@ class Standing:
     """
 
     __slots__ = (
-        "cause", "entity", "evidence", "leads_to", "quantity", "reported", "state", "told", "unheard", "why",
-        "window", "written",
+        "cause",
+        "details",
+        "entity",
+        "evidence",
+        "leads_to",
+        "quantity",
+        "reported",
+        "state",
+        "unheard",
+        "why",
+        "window",
+        "written",
     )  # fmt: skip
 
-    def __init__(self, entity: EntityId, told: Told, quantity: str, written: str, now: float) -> None:
+    def __init__(self, entity: EntityId, details: Details, quantity: str, written: str, now: float) -> None:
         self.entity = entity
-        self.told = told
+        self.details = details
         self.quantity = quantity
         self.written = written
-        self.state = VerdictState(told.timing, now)
+        self.state = VerdictState(details.timing, now)
         self.window: Window | None = None
         self.evidence = ""
         self.cause = self.unheard = self.leads_to = ""
@@ -48,7 +58,7 @@ class Standing:
     @property
     def key(self) -> tuple[EntityId, str]:
         """By which verdicts are sorted."""
-        return self.entity, self.told.id
+        return self.entity, self.details.id
 
     def forget(self, now: float, state: State) -> None:
         """Begin anew in ``state``, because time itself broke."""
@@ -56,21 +66,21 @@ class Standing:
 
     def verdict(self) -> Verdict:
         """Return how it stands, for others to read."""
-        state, told = self.state, self.told
+        state, details = self.state, self.details
         return Verdict(
             entity=self.entity,
-            expectation=told.id,
+            expectation=details.id,
             quantity=self.quantity,
             state=state.state,
             since=state.since,
             time=state.time,
             value=state.value,
             range=self.written,
-            severity=told.severity,
+            severity=details.severity,
             evidence=evidence_of(self.window) if self.window is not None else self.evidence,
-            text=told.text,
-            group=told.group,
-            where=told.where,
+            text=details.text,
+            group=details.group,
+            where=details.where,
             cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
             leads_to=self.leads_to if state.state.bad else "",
             why=self.why if state.state.bad else (),

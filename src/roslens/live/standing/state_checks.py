@@ -19,7 +19,7 @@ from roslens.model.verdict import State
 
 MOST = 10_000
 """Entities that are judged."""
-_UNTOLD = {StateOf.LIFECYCLE: "its state is not told", StateOf.VALUE: "its value is not told"}
+_UNREPORTED = {StateOf.LIFECYCLE: "its state is not reported", StateOf.VALUE: "its value is not reported"}
 
 
 class _Watched(Standing):
@@ -28,16 +28,16 @@ class _Watched(Standing):
     __slots__ = ("appeared", "bounds", "check", "is_")
 
     def __init__(self, check: StateCheck, entity: EntityId, now: float) -> None:
-        super().__init__(entity, check.told, check.of.value, check.written, now)
+        super().__init__(entity, check.details, check.of.value, check.written, now)
         self.check = check
-        self.bounds = Bounds(check.range, check.told.timing.margin) if check.range is not None else None
+        self.bounds = Bounds(check.range, check.details.timing.margin) if check.range is not None else None
         self.appeared = now
         self.is_: str | None = None
 
     def raw(self) -> tuple[State, float | None]:
         """Return how it stands at this moment, and its value where that is a number."""
         if not self.is_:
-            self.evidence = _UNTOLD[self.check.of]
+            self.evidence = _UNREPORTED[self.check.of]
             return State.UNKNOWN, None
         self.evidence = f"is {self.is_}"
         number = number_of(self.is_)
@@ -85,15 +85,15 @@ class StateChecks:
         self.graph = graph
         if not self._checks:
             return
-        told = dict(_told(graph))
+        reported = dict(_reported(graph))
         hosts = {node.name: node.host for node in graph.nodes}
-        for entity in told:
+        for entity in reported:
             node = entity.name if entity.kind is EntityKind.NODE else entity.name.rpartition("/")[0]
             for check in self._index.find(entity.kind, entity.name, host=hosts.get(node, "")):
                 if len(self._standing) < MOST:
                     self._watch(check, entity, now)
         for one in self._standing.values():
-            is_ = told.get(one.entity)
+            is_ = reported.get(one.entity)
             if is_ != one.is_:
                 if one.is_ is None:
                     one.appeared = now
@@ -116,10 +116,10 @@ class StateChecks:
         return [*changed]
 
     def _watch(self, check: StateCheck, entity: EntityId, now: float) -> None:
-        key = check.told.id, entity
+        key = check.details.id, entity
         if key not in self._standing:
             one = self._known.get((essence(check), entity)) or _Watched(check, entity, now)
-            one.check, one.told = check, check.told
+            one.check, one.details = check, check.details
             self._standing[key] = one
             self._waiting.add(one)
 
@@ -131,11 +131,11 @@ def _judge(one: _Watched, now: float, began: float, silent: Voice | None) -> boo
     one.unheard = ""
     raw, value = one.raw()
     firm = one.bounds is None or one.bounds.firm(value, one.state.state)
-    grace = max(began, one.appeared) + one.told.timing.grace
+    grace = max(began, one.appeared) + one.details.timing.grace
     return one.state.step(now, raw, value, firm=firm, grace=grace)
 
 
-def _told(graph: Graph) -> Iterator[tuple[EntityId, str]]:
+def _reported(graph: Graph) -> Iterator[tuple[EntityId, str]]:
     """Yield each managed node with its state, and each parameter with its value."""
     for node in graph.nodes:
         if node.lifecycle:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslens.judge.patterns.pattern import Pattern
-from roslens.judge.reference.expectation import Presence, Selector, Told
+from roslens.judge.reference.expectation import Details, Presence, Selector
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State
 
-_TOLD = Told("roslens.observers", text="What it observes is unknown until it is heard of again")
+_TOLD = Details("roslens.observers", text="What it observes is unknown until it is heard of again")
 _SAMPLERS = ("agent", "monitor")
 _MEANS = {
     "agent": "the agent of {}",
@@ -34,7 +34,7 @@ def observer_words(name: str) -> str:
 
 
 def silence_words(voice: Voice) -> str:
-    """Return that nothing is heard of an observer; when that began is told by the verdict about the observer."""
+    """Return that nothing is heard of an observer; when that began is in the verdict about the observer."""
     return f"nothing from {observer_words(voice.name)}"
 
 

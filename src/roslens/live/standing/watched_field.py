@@ -50,9 +50,9 @@ class WatchedField(Standing):
     def __init__(self, check: FieldCheck, topic: str, now: float) -> None:
         self.check = check
         self.topic = topic
-        self._bounds = Bounds(check.range, check.told.timing.margin)
+        self._bounds = Bounds(check.range, check.details.timing.margin)
         entity = EntityId(EntityKind.TOPIC, topic)
-        super().__init__(entity, check.told, self._quantity(), check.written or str(check.range), now)
+        super().__init__(entity, check.details, self._quantity(), check.written or str(check.range), now)
         self.evidence = "no message with this field yet"
         self.clear(now)
 
@@ -99,8 +99,8 @@ class WatchedField(Standing):
     def judge(self, now: float, appeared: float) -> bool:
         """Judge what came since the last look; return whether the state changed."""
         before = self.state.state
-        grace = appeared + self.told.timing.grace
-        if self.told.timing.lasting:
+        grace = appeared + self.details.timing.grace
+        if self.details.timing.lasting:
             while self._stretches:
                 one = self._stretches.popleft()
                 for time in (one.first, one.last):

@@ -11,6 +11,8 @@ from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.traffic.tally import Observer, Tally
 
+_LATE_S, _SHARE_OF_LATE, _LONGEST_STEP_S = 2.0, 0.1, 1.0
+"""What an observer tells later than that is noticed later still by this share, by no more than a second."""
 _PAUSE_S = 0.5
 """Seconds after a tally outside its envelope until a connection gets another."""
 _INSTANT_S = 1e-9
@@ -65,7 +67,7 @@ class Connection(Measured):
         self._order: list[list[Window]] = []
 
     def add(self, tally: Tally, now: float, voice: Voice | None = None) -> bool:
-        """Take a tally that is plausible, told by ``voice``; return whether it told anything new."""
+        """Take a tally that is plausible, reported by ``voice``; return whether it reported anything new."""
         envelope = self.envelope
         if envelope is not None:
             self.catch_up()
@@ -222,7 +224,7 @@ class Connection(Measured):
             return voices[0]
         return None
 
-    def told_by(self, voice: Voice) -> bool:
+    def reported_by(self, voice: Voice) -> bool:
         """Whether an observer tells of it."""
         return any(windows[0].voice is voice for windows in self._order)
 
@@ -271,7 +273,11 @@ def _due(window: Window, now: float) -> float:
     if window.voice is not None:
         if window.voice.silent:
             return NEVER
-        over += window.voice.behind(now)
+        behind = window.voice.behind(now)
+        over += behind
+        # As long as its observer does not say that it has looked, time alone changes nothing.
+        if behind > _LATE_S:
+            step = max(step, min(_SHARE_OF_LATE * behind, _LONGEST_STEP_S))
     return now + step if now <= over + step else NEVER
 
 

@@ -12,7 +12,7 @@ from roslens.model.qos import Qos
 
 TOOL = "ros2"
 MOST_PAIRS = 100
-"""Of one topic and one reason, which are told."""
+"""Of one topic and one reason, which are reported."""
 
 _Kind = tuple[str, str, "Qos | None"]
 _Nodes = dict[str, Endpoint]

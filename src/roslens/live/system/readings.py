@@ -8,7 +8,7 @@ from itertools import chain
 from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
-from roslens.live.system.tree import Told
+from roslens.live.system.tree import Reported
 from roslens.live.system.world import World
 from roslens.live.window.signals import ENDS
 from roslens.live.window.traffic import MEASURES
@@ -19,7 +19,7 @@ from roslens.model.traffic.tally import Observer
 
 _TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
 _WORDS = {one: one.value for one in Observer}
-_NOTHING: Told = ({}, "")
+_NOTHING: Reported = ({}, "")
 _OUTDATED = -1
 """In place of how many connections a topic had when it was read."""
 
@@ -33,18 +33,18 @@ class Readings:
 
     def __init__(self, world: World) -> None:
         self._world = world
-        self._told: dict[EntityId, Told] = {}
+        self._reported: dict[EntityId, Reported] = {}
         self._connections: dict[Connection, _Mark] = {}
         self._topics: dict[str, int] = {}
         self._samples: dict[EntityId, tuple[Sampled, float, bool]] = {}
         self._graph: Graph | None = None
 
-    def of(self, entity: EntityId) -> Told:
+    def of(self, entity: EntityId) -> Reported:
         """Return the latest values of an entity, and how they were observed."""
-        return self._told.get(entity, _NOTHING)
+        return self._reported.get(entity, _NOTHING)
 
     def holds(self, topic: Topic, now: float) -> bool:
-        """Return whether a topic and its connections tell at ``now`` what they told when they were read last."""
+        """Return whether a topic and its connections tell at ``now`` what they reported when they were read last."""
         if self._graph is not self._world.graph:
             return False
         ends = 0
@@ -82,13 +82,13 @@ class Readings:
             there = set(world.connections.values())
             for gone in [one for one in self._connections if one not in there]:
                 del self._connections[gone]
-                self._told.pop(gone.id, None)
+                self._reported.pop(gone.id, None)
         for name in self._topics.keys() - world.topics.keys():
             del self._topics[name]
-            self._told.pop(_topic_id(name), None)
+            self._reported.pop(_topic_id(name), None)
         for entity in self._samples.keys() - world.sampled.keys():
             del self._samples[entity]
-            self._told.pop(entity, None)
+            self._reported.pop(entity, None)
 
     def _read_connections(self, connections: Iterable[Connection], now: float, changed: list[EntityId]) -> set[str]:
         """Read the connections that may tell something else; return the topics of these."""
@@ -124,9 +124,9 @@ class Readings:
                 observer = sampled.observer.value if sampled.observer and values else ""
                 self._take(entity, (values, observer), changed)
 
-    def _take(self, entity: EntityId, told: Told, changed: list[EntityId]) -> None:
-        if self._told.get(entity) != told:
-            self._told[entity] = told
+    def _take(self, entity: EntityId, reported: Reported, changed: list[EntityId]) -> None:
+        if self._reported.get(entity) != reported:
+            self._reported[entity] = reported
             changed.append(entity)
 
 
@@ -156,10 +156,10 @@ class _Mark:
         return True
 
 
-def _of_connection(connection: Connection) -> Told:
+def _of_connection(connection: Connection) -> Reported:
     windows = connection.newest
     if len(windows) != 1:
-        return _told((key, connection.value(key, 0)) for key in MEASURES)
+        return _reported((key, connection.value(key, 0)) for key in MEASURES)
     (window,) = windows
     if not window.spacing or window.unheard:
         return _NOTHING
@@ -175,17 +175,17 @@ def _of_connection(connection: Connection) -> Told:
     return values, _WORDS[window.observer] if values else ""
 
 
-def _of_topic(topic: Topic, now: float) -> Told:
+def _of_topic(topic: Topic, now: float) -> Reported:
     for one in topic.all_connections():
         one.settle(now)
-    return _told(topic.values(_TOPIC_SIGNALS, 0))
+    return _reported(topic.values(_TOPIC_SIGNALS, 0))
 
 
 def _topic_id(name: str) -> EntityId:
     return EntityId(EntityKind.TOPIC, name)
 
 
-def _told(signals: Iterable[tuple[str, tuple[float | None, Window | None]]]) -> Told:
+def _reported(signals: Iterable[tuple[str, tuple[float | None, Window | None]]]) -> Reported:
     values: dict[str, float] = {}
     observer = ""
     for key, (value, window) in signals:

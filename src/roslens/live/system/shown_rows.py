@@ -40,8 +40,8 @@ def badge(part: SystemView) -> str:
 def is_shown(part: SystemView) -> bool:
     """Return whether to show a part: something is expected of it, or it is not like what all others have too.
 
-    What a process uses is told of its nodes; alone it is worth a row where a constraint is about it. Likewise with the
-    log, the parameters and the life cycle of nodes, which ROS itself serves, and with what was sent to nobody in
+    What a process uses is reported of its nodes; alone it is worth a row where a constraint is about it. Likewise with
+    the log, the parameters and the life cycle of nodes, which ROS itself serves, and with what was sent to nobody in
     particular: the topic above tells it.
     """
     if part.counts:

@@ -119,8 +119,8 @@ class Topic(Measured):
             if key in ENDS:
                 yield key, (self._of_graph(key, every), None)
                 continue
-            told = publishers if key in _OF_PUBLISHERS else every
-            found = [(measured(seen[one], key), seen[one]) if plain else one.value(key, at) for one in told]
+            reported = publishers if key in _OF_PUBLISHERS else every
+            found = [(measured(seen[one], key), seen[one]) if plain else one.value(key, at) for one in reported]
             yield key, found[0] if len(found) == 1 else _joined(key, found)
 
     def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
@@ -166,20 +166,20 @@ def _joined(key: str, signals: Iterable[tuple[float | None, Window | None]]) -> 
     seen = list(signals)
     if len(seen) == 1:
         return seen[0]
-    told = [(value, window) for value, window in seen if value is not None]
-    if not told:
+    reported = [(value, window) for value, window in seen if value is not None]
+    if not reported:
         return None, seen[0][1] if seen else None
-    return told[0] if len(told) == 1 else _folded(key, told)
+    return reported[0] if len(reported) == 1 else _folded(key, reported)
 
 
-def _folded(key: str, told: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:
-    values = [value for value, _ in told]
+def _folded(key: str, reported: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:
+    values = [value for value, _ in reported]
     if key in SUMMED:
-        return sum(values), told[0][1]
+        return sum(values), reported[0][1]
     if key in _MEANS or key in ("period", "message_size"):
-        weights = [window.count if window else 1 for _, window in told]
+        weights = [window.count if window else 1 for _, window in reported]
         total = sum(weights)
         mean = sum(v * w for v, w in zip(values, weights, strict=True)) / total if total else sum(values) / len(values)
-        return mean, told[0][1]
+        return mean, reported[0][1]
     worst = max(range(len(values)), key=values.__getitem__)
-    return values[worst], told[worst][1]
+    return values[worst], reported[worst][1]

@@ -19,7 +19,7 @@ UNKNOWN_NAME = ""
 
 States: TypeAlias = "Mapping[EntityId, Sequence[State]]"
 """How entities stand by every constraint about them."""
-Told: TypeAlias = "tuple[dict[str, float], str]"
+Reported: TypeAlias = "tuple[dict[str, float], str]"
 """Values by key of the signal, and how they were observed."""
 
 
@@ -75,7 +75,7 @@ class Parts(Protocol):
     def connections_of(self, topic: str, node: str) -> Iterable[EntityId]:
         """Return the connections of a topic from one node."""
 
-    def values_of(self, entity: EntityId) -> Told:
+    def values_of(self, entity: EntityId) -> Reported:
         """Return the latest values of an entity, and how they were observed."""
 
 
@@ -125,7 +125,7 @@ class _Part:
         for one in self.children:
             one.above = self
 
-    def made(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
+    def made(self, values_of: Callable[[EntityId], Reported], states: States) -> SystemView:
         """Return its view, the same as before where nothing changed."""
         before = self.view
         if before is not None:
@@ -185,7 +185,7 @@ class Plan:
             for part in places:
                 part.above = None
 
-    def view(self, values_of: Callable[[EntityId], Told], states: States) -> SystemView:
+    def view(self, values_of: Callable[[EntityId], Reported], states: States) -> SystemView:
         """Return the whole tree."""
         hosts = tuple([one.made(values_of, states) for one in self._hosts])
         if self._whole is None or self._whole[0] is not states:

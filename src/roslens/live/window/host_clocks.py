@@ -47,7 +47,7 @@ class HostClocks:
         ahead, bound = self._difference(sender, receiver)
         latency = _shifted(tally.latency, -ahead) if bound <= tolerance else NOTHING
         if latency.count and latency.least < -(bound + tolerance):
-            latency = NOTHING  # nothing arrives before it is sent: a clock was set since its offset was told
+            latency = NOTHING  # nothing arrives before it is sent: a clock was set since its offset was reported
         age = tally.age if abs(ahead) + bound <= tolerance else NOTHING
         return msgspec.structs.replace(tally, latency=latency, age=age)
 

@@ -1,6 +1,6 @@
 """Who observes, as the monitor hears it: up to when each has looked, and whether it is silent.
 
-A connection of which nothing is told was silent only if its observer says that it has looked; an observer of which
+A connection of which nothing is reported was silent only if its observer says that it has looked; an observer of which
 nothing is heard may be stopped, or the line to it cut, while everything it observes goes on.
 """
 
@@ -74,7 +74,7 @@ class Voice:
         return max(LEAST_PATIENCE_S, _TURNS * self._spacing)
 
     def behind(self, now: float) -> float:
-        """Return the seconds up to ``now`` of which it has not told what it saw."""
+        """Return the seconds up to ``now`` of which it has not reported what it saw."""
         return max(now - self._looked_at, 0.0) + self.lag
 
     def forgive(self, seconds: float) -> None:

@@ -1,4 +1,4 @@
-"""What one observer told of one connection over the last seconds.
+"""What one observer reported of one connection over the last seconds.
 
 Everything inside is on the observer's clock, and only the time since its last news is taken from the monitor's: so a
 clock that is hours away, or a tally that is always a second late, changes nothing.
@@ -110,7 +110,7 @@ class Window:
         self._strange: list[Tally] = []
 
     def add(self, tally: Tally, now: float) -> bool:
-        """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
+        """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it holds anything new."""
         buckets = self.buckets
         until, spacing = self.until, self.spacing
         hole = tally.start - until
@@ -347,7 +347,7 @@ class Window:
         return False
 
     def _without_known(self, tally: Tally) -> Tally | None:
-        """Return the part of an overlapping tally that is new, None where that cannot be told."""
+        """Return the part of an overlapping tally that is new, None where that cannot be determined."""
         while self.buckets and self.buckets[-1].start >= tally.start - EPSILON_S:
             self.buckets.pop()
             self._summed = False

@@ -136,7 +136,7 @@ def test_a_name_without_a_slash_is_the_one_that_playing_makes_of_it(tmp_path, ki
     lines = f"constraints:\n  - {{topic: {name}, rate: 18..22 Hz}}\n"
     lines += f"fields:\n  - {{topic: {name}, field: pose.position.y, range: 2..3}}\n"
     reference = load_reference([GivenText("r.yaml", f"kind: reference\nname: r\n{lines}".encode())], BY_KEY)
-    session = replay(bag, reference, told=lambda _: None)
+    session = replay(bag, reference, report=lambda _: None)
     assert {verdict.state for verdict in session.monitor.standing()} == {State.OK}
     assert unmatched(reference, session.seen()) == []
 
@@ -172,8 +172,8 @@ def test_fields_are_decoded_in_the_order_of_receipt(tmp_path, recording, kind):
     assert found[0][1] == "/pose"
     assert np.isnan(found[0][2]["pose.position.z"])
     assert found[0][2].keys() == {"pose.position.x", "pose.position.z", "header.stamp.nanosec"}
-    told = [failure.what for failure in bag.failures]
-    assert [text.split('"')[3] for text in told] == ["header.frame_id", "pose.nothing"]
+    reported = [failure.what for failure in bag.failures]
+    assert [text.split('"')[3] for text in reported] == ["header.frame_id", "pose.nothing"]
 
 
 def test_a_message_that_cannot_be_decoded_loses_no_other(tmp_path, kind, recording):
@@ -225,7 +225,7 @@ def test_reading_twice_tells_nothing_twice(tmp_path, recording, content_of):
     path.write_bytes(path.read_bytes()[:-20])
     bag = open_bag(path)
     first = list(bag.tallies())
-    told = bag.failures
-    assert told
+    reported = bag.failures
+    assert reported
     assert list(bag.tallies()) == first
-    assert bag.failures == told
+    assert bag.failures == reported

@@ -1,4 +1,4 @@
-"""Recordings whose recorder was killed, or that were copied badly: what is there is read, what is not is told."""
+"""Recordings whose recorder was killed, or that were copied badly: what is there is read, what is not is reported."""
 
 import random
 import resource
@@ -188,9 +188,9 @@ def test_rows_that_are_no_messages_are_left_out(tmp_path, recording, content_of)
     database.close()
     bag = open_bag(path)
     assert counted(bag) == 28
-    told = " ".join(failure.what for failure in bag.failures)
-    assert "is no number" in told
-    assert "topic 77, which is defined nowhere" in told
+    reported = " ".join(failure.what for failure in bag.failures)
+    assert "is no number" in reported
+    assert "topic 77, which is defined nowhere" in reported
 
 
 @pytest.mark.parametrize(

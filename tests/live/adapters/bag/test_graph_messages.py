@@ -96,14 +96,14 @@ def recorded(folder: Path, new: Messages, *graphs: Any, damaged: bool = False) -
     kind = f"{new.package}/msg/Graph"
     with Writer(folder / "drive", version=9, storage_plugin=StoragePlugin.MCAP) as bag:
         lines = {name: bag.add_connection(name, STRING, typestore=new.store) for name in ("/chat", "/other")}
-        told = bag.add_connection("/rosgraph", kind, typestore=new.store)
+        reported = bag.add_connection("/rosgraph", kind, typestore=new.store)
         text = bytes(new.store.serialize_cdr(new("std_msgs/msg/String", "x"), STRING))
         for second in range(1, 5):
             for line in lines.values():
                 bag.write(line, second * SECOND, text)
             if second <= len(graphs):
                 content = bytes(new.store.serialize_cdr(graphs[second - 1], kind))
-                bag.write(told, second * SECOND, content[: len(content) // 2] if damaged else content)
+                bag.write(reported, second * SECOND, content[: len(content) // 2] if damaged else content)
     return folder / "drive"
 
 

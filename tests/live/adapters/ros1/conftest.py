@@ -128,7 +128,7 @@ class FakeSystem:
         self.pid = 100
         self.publishers, self.subscribers, self.services, self.types = {}, {}, {}, {}
         self.nodes = {}
-        self.told = []
+        self.reported = []
         self.master = self.start()
 
     def start(self, port=0):
@@ -136,7 +136,7 @@ class FakeSystem:
         table = lambda part: [[name, sorted(nodes)] for name, nodes in sorted(part.items())]  # noqa: E731
 
         def register(caller, topic, type_, uri):
-            self.told.append(uri)
+            self.reported.append(uri)
             self.subscribers.setdefault(topic, set()).add(caller)
             return ok([])
 

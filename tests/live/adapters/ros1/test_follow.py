@@ -13,19 +13,19 @@ PUBLISHED = (("/diagnostics", "diagnostic_msgs/DiagnosticArray"), ("/rated", "ro
 
 @pytest.fixture
 def published(system):
-    """Publishers as the master was told of them."""
-    told = []
+    """Publishers as the master was notified of them."""
+    reported = []
 
     def answer():
         ok = [1, "", []]
 
         def register(caller, topic, type_, uri):
-            told.append(("register", topic, type_, uri))
+            reported.append(("register", topic, type_, uri))
             system.publishers.setdefault(topic, set()).add(caller)
             return ok
 
         def unregister(caller, topic, uri):
-            told.append(("unregister", topic, uri))
+            reported.append(("unregister", topic, uri))
             system.publishers[topic].discard(caller)
             return [1, "", 1]
 
@@ -33,7 +33,7 @@ def published(system):
 
     system.answer = answer
     answer()
-    return told
+    return reported
 
 
 def test_what_is_published_is_registered_is_no_part_of_the_system_and_is_taken_back(system, published):
@@ -56,7 +56,7 @@ def test_it_is_registered_at_a_master_that_was_restarted(system, published):
     system.start(port)
     system.answer()
     assert follower.step().restarted
-    assert [told[:2] for told in published] == [("register", topic) for topic, _ in PUBLISHED] * 2
+    assert [reported[:2] for reported in published] == [("register", topic) for topic, _ in PUBLISHED] * 2
     follower.leave(lambda _: None)
 
 

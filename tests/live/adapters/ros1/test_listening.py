@@ -26,10 +26,10 @@ def message(sequence, size):
 def publish(serve, script):
     """Start a node that sends these bytes to whoever connects, and keeps the line until the end."""
 
-    def make(stream, hold=True, told=TOLD):
+    def make(stream, hold=True, reported=TOLD):
         def play(line, done):
             line.recv(65536)
-            line.sendall(told + stream)
+            line.sendall(reported + stream)
             if hold:
                 done.wait()
             line.close()
@@ -103,7 +103,7 @@ def test_a_stream_that_is_none_is_named(publish, listen):
 
 
 def test_a_publisher_that_refuses_is_named_once(publish, listen):
-    source = publish(b"", told=encode_header({"error": "go away"}))
+    source = publish(b"", reported=encode_header({"error": "go away"}))
     listening = listen()
     _, failures = until(listening, lambda _, failures, __: failures, [source])
     assert "go away" in failures[0].what
@@ -131,10 +131,10 @@ def test_statistics_are_read(publish, listen):
     body = text + struct.pack("<IIIIiii12i", 1, 0, 2, 0, 50, 0, 1500, *[0] * 12)
     tap = publish(struct.pack("<I", len(body)) + body + struct.pack("<I", 5) + b"wrong")
     source = Source(Use.STATISTICS, "/statistics", "/listener", tap.uri)
-    told = []
-    listening = listen(told=lambda: told.append(len(told)))
+    reported = []
+    listening = listen(news=lambda: reported.append(len(reported)))
     tallies, failures = until(listening, lambda found, failures, _: found and failures, [source])
-    assert 1 <= len(told) <= 2  # once for each time that it was taken
+    assert 1 <= len(reported) <= 2  # once for each time that it was taken
     assert [(t.topic, t.subscriber, t.count, t.observer) for t in tallies] == [
         ("/chat", "/listener", 50, Observer.INSIDE)
     ]

@@ -85,7 +85,7 @@ def test_a_system_is_seen(system, watch):
 def test_we_register_and_take_it_back_and_are_not_part_of_the_system(system, watch):
     watched = watch(system)
     frame = watched.round()
-    assert system.told == ["http://127.0.0.1:9/"]
+    assert system.reported == ["http://127.0.0.1:9/"]
     assert system.subscribers["/rosout"] == {ME}
     assert frame.graph.nodes == ()
     assert frame.graph.endpoints == ()
@@ -183,7 +183,7 @@ def test_a_master_that_goes_takes_nothing_along_and_comes_back(system, watch):
     system.start(port)
     back = watched.round()
     assert "answers again" in back.events[0].detail
-    assert len(system.told) == 1, "the same master still knows us"
+    assert len(system.reported) == 1, "the same master still knows us"
 
 
 def test_a_master_that_was_restarted_is_another_one(system, watch):
@@ -200,7 +200,7 @@ def test_a_master_that_was_restarted_is_another_one(system, watch):
     assert "was restarted" in frame.events[0].detail
     assert said(frame)[1][:2] == (Change.VANISHED, "node:/a")
     assert "the master was restarted" in frame.events[1].detail
-    assert len(system.told) == 2, "we register at the new one"
+    assert len(system.reported) == 2, "we register at the new one"
     system.nodes = nodes
     system.publishers["/rosout"] = {"/a"}
     assert names(watched.round()) == ["/a"]
@@ -248,9 +248,9 @@ def test_parameters_stand_with_the_nodes_and_their_changes_are_events(system, wa
     watched = watch(system, parameters=parameters)
     first = watched.round()
     asked[0].result()
-    told = first if first.graph.parameters else watched.round()
-    assert told.graph.parameters == {"": {"/rate": "10"}, "/talker": {"gain": "0.5", "api_key": "***"}}
-    parameters.told("/rate/", 20)
+    reported = first if first.graph.parameters else watched.round()
+    assert reported.graph.parameters == {"": {"/rate": "10"}, "/talker": {"gain": "0.5", "api_key": "***"}}
+    parameters.note("/rate/", 20)
     changed = watched.round()
     assert said(changed) == [(Change.CHANGED, "parameter:/rate", "10 is now 20")]
     assert changed.graph is None

@@ -77,9 +77,9 @@ def test_names_in_the_namespace_of_a_node_are_its_own(parameters):
 
 def test_what_the_master_tells_is_an_event(parameters, server):
     parameters.step(1.0)
-    parameters.told("/rate/", 20)
-    parameters.told("/robot/base/gains/", {})
-    parameters.told("/robot/arm/password/", "hunter2")
+    parameters.note("/rate/", 20)
+    parameters.note("/robot/base/gains/", {})
+    parameters.note("/robot/arm/password/", "hunter2")
     assert parameters.step(2.0)[0] == [
         Event(2.0, Change.CHANGED, "parameter:/rate", "10 is now 20"),
         Event(2.0, Change.APPEARED, "parameter:/robot/arm/password", "is ***"),
@@ -103,7 +103,7 @@ def test_a_launch_file_that_is_loaded_makes_all_be_read_anew(parameters, server)
     parameters.step(1.0)
     server.tree = {f"p{number}": number for number in range(MOST_UPDATES + 1)}
     for name, value in server.tree.items():
-        parameters.told(f"/{name}/", value)
+        parameters.note(f"/{name}/", value)
     parameters.step(2.0)
     assert server.calls[1:] == ["get"]
     assert len(parameters.by_node([])[""]) == MOST_UPDATES + 1
@@ -183,10 +183,10 @@ def test_a_slow_server_is_not_waited_for(server, clock):
     asked = []
     parameters = Parameters(server, "", clock, lambda call: asked.append(Future()) or asked[-1])
     assert parameters.step(1.0) == ([], [])
-    parameters.told("/rate/", 20)
+    parameters.note("/rate/", 20)
     parameters.step(2.0)
     asked[0].set_result({"rate": 10, "other": 1})
-    parameters.told("/rate/", 30)
+    parameters.note("/rate/", 30)
     parameters.step(3.0)
     assert parameters.by_node([]) == {"": {"/rate": "30", "/other": "1"}}
     assert len(asked) == 1

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.timed
 
 
 @pytest.fixture
-def told():
+def reported():
     heard = queue.SimpleQueue()
     server = UpdateServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *update: heard.put(update))
     server.heard = heard
@@ -23,25 +23,25 @@ def told():
     server.close()
 
 
-def test_updates_are_passed_on(told):
-    caller = Caller(told.uri, Resolver())
+def test_updates_are_passed_on(reported):
+    caller = Caller(reported.uri, Resolver())
     assert caller.call("publisherUpdate", "/master", "/rosout", ["http://a:1/", 7]) == [1, "", 0]
-    assert told.heard.get(timeout=30) == ("/rosout", ("http://a:1/",))
+    assert reported.heard.get(timeout=30) == ("/rosout", ("http://a:1/",))
     assert caller.call("publisherUpdate", "/master", "/rosout")[0] == -1
     caller.close()
 
 
-def test_parameters_are_passed_on(told):
-    told.parameter_told = lambda *update: told.heard.put(update)
-    caller = Caller(told.uri, Resolver())
+def test_parameters_are_passed_on(reported):
+    reported.parameter_reported = lambda *update: reported.heard.put(update)
+    caller = Caller(reported.uri, Resolver())
     assert caller.call("paramUpdate", "/master", "/a/b/", {"c": [1, 2.5]}) == [1, "", 0]
-    assert told.heard.get(timeout=30) == ("/a/b/", {"c": [1, 2.5]})
+    assert reported.heard.get(timeout=30) == ("/a/b/", {"c": [1, 2.5]})
     assert caller.call("paramUpdate", "/master", 7, {})[0] == -1
     caller.close()
 
 
-def test_who_asks_is_answered_as_by_a_node(told):
-    caller = Caller(told.uri, Resolver())
+def test_who_asks_is_answered_as_by_a_node(reported):
+    caller = Caller(reported.uri, Resolver())
     assert caller.call("getPid", "/x")[0] == 1
     assert caller.call("getMasterUri", "/x") == [1, "", "http://m:1"]
     assert caller.call("getBusStats", "/x") == [1, "", [[], [], []]]
@@ -61,8 +61,8 @@ def test_more_can_be_answered():
 
 
 @pytest.mark.parametrize("length", ["900000000000", "-1", "x", ""])
-def test_a_length_that_is_none_is_refused(told, length):
-    line = http.client.HTTPConnection(told.uri[7:-1], timeout=5)
+def test_a_length_that_is_none_is_refused(reported, length):
+    line = http.client.HTTPConnection(reported.uri[7:-1], timeout=5)
     line.putrequest("POST", "/RPC2")
     line.putheader("Content-Length", length)
     line.endheaders()

@@ -28,7 +28,7 @@ def saying():
 def heard(saying, topic):
     code, _, (protocol, host, port) = saying.answers["requestTopic"](["/me", topic, [["UDPROS"], ["TCPROS"]]])
     assert (code, protocol) == (1, "TCPROS")
-    line, told = connect(host, port, topic, "/me", 5.0)
+    line, reported = connect(host, port, topic, "/me", 5.0)
     with line:
         line.settimeout(10)
         saying.publish(FRAME)
@@ -36,19 +36,22 @@ def heard(saying, topic):
         body = b""
         while len(body) < size:
             body += line.recv(size - len(body))
-    return told, body
+    return reported, body
 
 
 def test_diagnostics(saying):
-    told, body = heard(saying, "/diagnostics")
-    assert (told.type, told.stamped) == ("diagnostic_msgs/DiagnosticArray", True)
+    reported, body = heard(saying, "/diagnostics")
+    assert (reported.type, reported.stamped) == ("diagnostic_msgs/DiagnosticArray", True)
     assert struct.unpack_from("<III", body) == (1, 5, 250_000_000)
     assert b"\x14\x00\x00\x00roslens: topic /scan" in body
 
 
 def test_rated_signals(saying):
-    told, body = heard(saying, "/rated")
-    assert (told.type, told.md5) == ("roslens_msgs/RatedSignals", known_definitions().md5("roslens_msgs/RatedSignals"))
+    reported, body = heard(saying, "/rated")
+    assert (reported.type, reported.md5) == (
+        "roslens_msgs/RatedSignals",
+        known_definitions().md5("roslens_msgs/RatedSignals"),
+    )
     assert struct.pack("<ddd", 1.0, 25.0, 35.0) in body
 
 

@@ -391,14 +391,14 @@ def test_parameters_and_diagnostics(ros, observe):
     observer.until(lambda frame: observer.graph and "/rosversion" in observer.graph.parameters.get("", ()))
     ros.python(TELLING)
     events = lambda: [event for frame in observer.frames for event in frame.events]  # noqa: E731
-    told = lambda entity: [(one.change, one.detail) for one in events() if one.entity == entity]  # noqa: E731
-    observer.until(lambda frame: (Change.VANISHED, "was 0.5") in told("parameter:/telling/gain"))
-    assert told("parameter:/telling/gain") == [(Change.APPEARED, "is 0.5"), (Change.VANISHED, "was 0.5")]
-    assert told("parameter:/telling/api_key") == [(Change.APPEARED, "is ***")]
-    counted = told("parameter:/shared/count")
+    reported = lambda entity: [(one.change, one.detail) for one in events() if one.entity == entity]  # noqa: E731
+    observer.until(lambda frame: (Change.VANISHED, "was 0.5") in reported("parameter:/telling/gain"))
+    assert reported("parameter:/telling/gain") == [(Change.APPEARED, "is 0.5"), (Change.VANISHED, "was 0.5")]
+    assert reported("parameter:/telling/api_key") == [(Change.APPEARED, "is ***")]
+    counted = reported("parameter:/shared/count")
     assert counted[0][0] is Change.APPEARED
     assert {change for change, _ in counted[1:]} == {Change.CHANGED}
-    assert any(detail == "diagnostics: 'motor' is ERROR, was OK: hot" for _, detail in told("node:/telling"))
+    assert any(detail == "diagnostics: 'motor' is ERROR, was OK: hot" for _, detail in reported("node:/telling"))
     observer.until(lambda frame: "gain" not in observer.graph.parameters.get("/telling", {"gain": ""}))
     assert observer.graph.parameters["/telling"] == {"api_key": "***"}
     assert {"/rosdistro", "/rosversion", "/shared/count"} <= observer.graph.parameters[""].keys()

@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -109,7 +110,20 @@ class Rover:
 
 @pytest.fixture(scope="module")
 def line(tmp_path_factory):
-    rover = Rover(tmp_path_factory.mktemp("ros"))
+    with begun(tmp_path_factory.mktemp("ros")) as found:
+        yield found
+
+
+@pytest.fixture
+def own_line(tmp_path):
+    """Yield one whose master may end, and with it what it knows of the node."""
+    with begun(tmp_path) as found:
+        yield found
+
+
+@contextmanager
+def begun(folder):
+    rover = Rover(folder)
     code = "from roslens.live.adapters.ros1.acting import main; sys.exit(main(sys.argv[1:]))"
     found = RosLine(1, python_words(sys.executable, code, path=sys.path), rover.environment, time.monotonic)
     found.rover = rover
@@ -129,22 +143,22 @@ def reply(line, id_):
 
 
 def asked(line, kind, target="", verb=Verb.DO, **arguments):
-    told = action_kind(kind).filled(arguments)
-    (line.do if verb is Verb.DO else line.prepare)(f"t/{kind}", kind, target, told)
+    reported = action_kind(kind).filled(arguments)
+    (line.do if verb is Verb.DO else line.prepare)(f"t/{kind}", kind, target, reported)
     return reply(line, f"t/{kind}")
 
 
 def test_a_stop_that_was_prepared_arrives(line):
-    told = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
-    assert asked(line, "publish", verb=Verb.PREPARE, **told).done
-    found = asked(line, "publish", **told)
+    reported = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
+    assert asked(line, "publish", verb=Verb.PREPARE, **reported).done
+    found = asked(line, "publish", **reported)
     assert (found.done, found.text) == (True, "published on /stop to 1 subscriber")
     assert line.rover.heard() == "stop True"
 
 
 def test_what_repeats_goes_on_until_it_is_cleared(line):
-    told = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}, "how": "repeated", "rate": 50}
-    assert asked(line, "publish", **told).done
+    reported = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}, "how": "repeated", "rate": 50}
+    assert asked(line, "publish", **reported).done
     assert [line.rover.heard() for _ in range(5)] == ["stop True"] * 5
     line.clear("t/publish")
     velocity = {"topic": "/velocity", "type": "geometry_msgs/TwistStamped", "fields": {"twist": {"linear": {"x": 3}}}}
@@ -155,14 +169,16 @@ def test_what_repeats_goes_on_until_it_is_cleared(line):
 
 
 def test_what_does_not_fit_is_refused_when_it_is_prepared(line):
-    told = {"topic": "/halt", "type": "std_msgs/Bool"}
+    assert asked(line, "publish", topic="/stop", type="std_msgs/Bool", fields={"data": True}).done
+    assert line.rover.heard() == "stop True"
+    reported = {"topic": "/halt", "type": "std_msgs/Bool"}
     for wrong, why in (
         ({"fields": {"date": True}}, "Bool has no field 'date'; expected data"),
         ({"fields": {"data": 1}}, "Bool.data is '1'; expected true or false"),
         ({"type": "std_msgs/Boole"}, "there is no std_msgs/Boole here"),
         ({"topic": "/stop", "type": "std_msgs/Empty"}, "/stop is published with std_msgs/Bool already"),
     ):
-        found = asked(line, "publish", verb=Verb.PREPARE, **{**told, **wrong})
+        found = asked(line, "publish", verb=Verb.PREPARE, **{**reported, **wrong})
         assert not found.done
         assert why in found.text
 
@@ -187,11 +203,11 @@ def test_parameters_are_set(line):
 
 
 def test_services_are_called(line):
-    told = {"service": "/enable", "type": "std_srvs/SetBool"}
-    found = asked(line, "call", **told, fields={"data": True})
+    reported = {"service": "/enable", "type": "std_srvs/SetBool"}
+    found = asked(line, "call", **reported, fields={"data": True})
     assert (found.done, found.text) == (True, "/enable answered success: True, message: as you say")
-    assert not asked(line, "call", **told, fields={"data": False}).done, "an answer that says so is a failure"
-    assert "has no field" in asked(line, "call", verb=Verb.PREPARE, **told, fields={"date": True}).text
+    assert not asked(line, "call", **reported, fields={"data": False}).done, "an answer that says so is a failure"
+    assert "has no field" in asked(line, "call", verb=Verb.PREPARE, **reported, fields={"date": True}).text
     found = asked(line, "call", service="/broken", type="std_srvs/SetBool")
     assert "/broken failed" in found.text
     found = asked(line, "call", service="/nobody", type="std_srvs/SetBool", timeout=0.5)
@@ -199,9 +215,9 @@ def test_services_are_called(line):
     assert not asked(line, "lifecycle", "/base", transition="activate").done
 
 
-def test_a_master_that_was_started_again_knows_the_publishers(line):
-    rover = line.rover
-    assert asked(line, "publish", topic="/stop", type="std_msgs/Bool", fields={"data": True}).done
+def test_a_master_that_was_started_again_knows_the_publishers(own_line):
+    rover = own_line.rover
+    assert asked(own_line, "publish", topic="/stop", type="std_msgs/Bool", fields={"data": True}).done
     assert rover.heard() == "stop True"
     rover.master.kill()
     rover.master.wait()
@@ -217,15 +233,15 @@ def test_a_master_that_was_started_again_knows_the_publishers(line):
 def test_what_was_said_before_and_after_is_recorded(line, tmp_path):
     from roslens.live.adapters.bag.open_bag import open_bag
 
-    told = {"topics": ["/kept*"], "before": 60.0}
+    reported = {"topics": ["/kept*"], "before": 60.0}
     speak = subprocess.Popen(SPEAKER, env=line.rover.environment, stdout=subprocess.PIPE, text=True)
     try:
         assert speak.stdout.readline() == "speaks\n"
-        assert asked(line, "record", verb=Verb.PREPARE, **told, after=0.0).done
+        assert asked(line, "record", verb=Verb.PREPARE, **reported, after=0.0).done
         path = tmp_path / "r.mcap"
         end = time.monotonic() + SPARE_S
         while True:
-            found = asked(line, "record", **told, after=0.3, path=str(path))
+            found = asked(line, "record", **reported, after=0.3, path=str(path))
             assert found.done, found.text
             bag = open_bag(path)
             if bag.messages > 10:

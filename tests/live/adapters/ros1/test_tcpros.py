@@ -95,14 +95,14 @@ def shake(script, answer, wait_s=2.0):
             done.wait()
         line.close()
 
-    line, told = connect("127.0.0.1", script(play), "/chat", "/me", wait_s)
+    line, reported = connect("127.0.0.1", script(play), "/chat", "/me", wait_s)
     line.close()
-    return heard[0], told
+    return heard[0], reported
 
 
 def test_the_handshake_takes_any_type(script):
-    told = {"callerid": "/talker", "type": "a/B", "md5sum": "abc", "message_definition": "Header header"}
-    asked, found = shake(script, encode_header(told))
+    reported = {"callerid": "/talker", "type": "a/B", "md5sum": "abc", "message_definition": "Header header"}
+    asked, found = shake(script, encode_header(reported))
     assert (asked["callerid"], asked["topic"], asked["type"], asked["md5sum"]) == ("/me", "/chat", "*", "*")
     assert (found.caller, found.type, found.md5, found.stamped) == ("/talker", "a/B", "abc", True)
 

@@ -42,9 +42,9 @@ def subscribe(server, **changed):
 
 
 def test_a_subscriber_is_met_and_told_everything_that_follows(server):
-    line, told = subscribe(server)
+    line, reported = subscribe(server)
     with line:
-        assert told == {
+        assert reported == {
             "callerid": "/roslens", "latching": "1", "md5sum": KNOWN.md5, "message_definition": KNOWN.definition,
             "topic": TOPIC, "type": KNOWN.type,
         }  # fmt: skip
@@ -65,9 +65,9 @@ def test_who_comes_late_gets_the_last_message(server):
 
 
 def test_our_own_reader_understands_it(server):
-    line, told = connect("127.0.0.1", server.port, TOPIC, "/tap", 5.0)
+    line, reported = connect("127.0.0.1", server.port, TOPIC, "/tap", 5.0)
     line.close()
-    assert (told.caller, told.type, told.md5) == ("/roslens", "p/M", KNOWN.md5)
+    assert (reported.caller, reported.type, reported.md5) == ("/roslens", "p/M", KNOWN.md5)
 
 
 @pytest.mark.parametrize(
@@ -79,9 +79,9 @@ def test_our_own_reader_understands_it(server):
     ],
 )
 def test_what_does_not_fit_is_refused_with_a_reason(server, changed, said):
-    line, told = subscribe(server, **changed)
+    line, reported = subscribe(server, **changed)
     with line:
-        assert told == {"error": said}
+        assert reported == {"error": said}
         assert line.recv(1) == b""
     with pytest.raises(TcprosError, match="is not published here"):
         connect("127.0.0.1", server.port, "/other", "/tap", 5.0)

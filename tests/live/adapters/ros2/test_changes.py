@@ -7,20 +7,20 @@ def graph(**pids):
     return Graph("ros2", nodes, tuple(Endpoint(node.name, Role.PUBLISHER, f"{node.name}/t") for node in nodes))
 
 
-def told(changes, seen, time):
+def reported(changes, seen, time):
     return [(event.change, event.entity) for event in changes.to(seen, time)]
 
 
 def test_what_was_there_at_the_beginning_did_not_appear():
     changes = Changes()
-    assert told(changes, graph(a=1), 0) == []
-    assert told(changes, graph(a=1), 1) == []
+    assert reported(changes, graph(a=1), 0) == []
+    assert reported(changes, graph(a=1), 1) == []
 
 
 def test_nodes_and_their_topics_come_and_go():
     changes = Changes()
     changes.to(graph(a=1), 0)
-    assert told(changes, graph(b=2), 1) == [
+    assert reported(changes, graph(b=2), 1) == [
         (Change.VANISHED, "node:/a"),
         (Change.APPEARED, "node:/b"),
         (Change.VANISHED, "topic:/a/t"),
@@ -40,8 +40,8 @@ def test_one_that_comes_back_was_started_again_however_fast():
 
 def test_three_starts_in_a_minute_are_flapping():
     changes = Changes()
-    seen = [told(changes, graph(a=pid), pid * 10.0) for pid in range(1, 6)]
+    seen = [reported(changes, graph(a=pid), pid * 10.0) for pid in range(1, 6)]
     assert [(Change.FLAPPING, "node:/a") in one for one in seen] == [False, False, False, True, True]
     slow = Changes()
-    seen = [told(slow, graph(a=pid), pid * 40.0) for pid in range(1, 6)]
+    seen = [reported(slow, graph(a=pid), pid * 40.0) for pid in range(1, 6)]
     assert not any((Change.FLAPPING, "node:/a") in one for one in seen)

@@ -321,5 +321,5 @@ def test_what_is_called_in_another_domain_is_not_told():
 
     observation = Observation("robot", reader(node), Services())
     observation.changed(1.0)
-    told = [observation.period(2.0 + second, 1.0)[0].samples for second in range(4)]
-    assert [(str(one.entity), one.values) for one in told[-1]] == [("service:/add", {"calls": 2.0})]
+    reported = [observation.period(2.0 + second, 1.0)[0].samples for second in range(4)]
+    assert [(str(one.entity), one.values) for one in reported[-1]] == [("service:/add", {"calls": 2.0})]

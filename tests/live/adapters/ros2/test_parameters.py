@@ -116,8 +116,8 @@ def test_a_change_is_an_event(parameters, asked):
     asked[0].answer = {"rate": "10", "old": "x"}
     parameters.turn(0.1)
     parameters.known()
-    parameters.told("/a", {"rate": "20", "new": "y"}, ["old", "other"], 7.0)
-    parameters.told("/unknown", {"rate": "20"}, [], 7.0)
+    parameters.note("/a", {"rate": "20", "new": "y"}, ["old", "other"], 7.0)
+    parameters.note("/unknown", {"rate": "20"}, [], 7.0)
     assert parameters.events() == [
         Event(7.0, Change.APPEARED, "parameter:/a/new", "is y"),
         Event(7.0, Change.VANISHED, "parameter:/a/old", "was x"),
@@ -125,14 +125,14 @@ def test_a_change_is_an_event(parameters, asked):
     ]
     assert parameters.news
     assert parameters.known() == {"/a": {"rate": "20", "new": "y"}}
-    parameters.told("/a", {"rate": "20"}, [], 8.0)
+    parameters.note("/a", {"rate": "20"}, [], 8.0)
     assert (parameters.events(), parameters.news) == ([], False)
 
 
 def test_a_change_while_it_is_asked_makes_it_be_asked_again(parameters, asked):
     parameters.follow(graph("/a"))
     parameters.turn(0.0)
-    parameters.told("/a", {"rate": "20"}, [], 7.0)
+    parameters.note("/a", {"rate": "20"}, [], 7.0)
     asked[0].answer = {"rate": "10"}
     parameters.turn(0.1)
     assert parameters.known() == {}
@@ -163,7 +163,7 @@ def test_a_node_with_endless_parameters_is_bounded(parameters, asked):
     parameters.turn(0.0)
     asked[0].answer = {}
     parameters.turn(0.1)
-    parameters.told("/a", {f"p{number}": "1" for number in range(MOST + 1)}, [], 1.0)
+    parameters.note("/a", {f"p{number}": "1" for number in range(MOST + 1)}, [], 1.0)
     assert parameters.known() == {"/a": {}}
 
 

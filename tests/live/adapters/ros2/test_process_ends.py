@@ -10,14 +10,14 @@ pytestmark = pytest.mark.timed
 
 
 def test_the_end_of_a_process_is_told_once_and_at_once():
-    told = queue.SimpleQueue()
-    ends = ProcessEnds(told.put)
+    reported = queue.SimpleQueue()
+    ends = ProcessEnds(reported.put)
     with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
         ends.watch(process.pid)
         ends.watch(process.pid)
         process.kill()
-        assert told.get(timeout=10) == process.pid
+        assert reported.get(timeout=10) == process.pid
     ends.watch(process.pid)  # long gone
-    assert told.get(timeout=10) == process.pid
-    assert told.empty()
+    assert reported.get(timeout=10) == process.pid
+    assert reported.empty()
     ends.close()

@@ -105,23 +105,23 @@ def reply(line, id_):
 
 
 def asked(line, kind, target="", verb=Verb.DO, **arguments):
-    told = action_kind(kind).filled(arguments)
-    (line.do if verb is Verb.DO else line.prepare)(f"t/{kind}", kind, target, told)
+    reported = action_kind(kind).filled(arguments)
+    (line.do if verb is Verb.DO else line.prepare)(f"t/{kind}", kind, target, reported)
     return reply(line, f"t/{kind}")
 
 
 def test_a_stop_that_was_prepared_arrives(line):
-    told = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
-    assert asked(line, "publish", verb=Verb.PREPARE, **told).done
+    reported = {"topic": "/stop", "type": "std_msgs/Bool", "fields": {"data": True}}
+    assert asked(line, "publish", verb=Verb.PREPARE, **reported).done
     line.rover.meets("/stop")
-    found = asked(line, "publish", **told)
+    found = asked(line, "publish", **reported)
     assert (found.done, found.text) == (True, "published on /stop to 1 subscriber")
     assert line.rover.heard() == "stop True"
 
 
 def test_what_repeats_goes_on_until_it_is_cleared(line):
-    told = {"topic": "/stop", "type": "std_msgs/msg/Bool", "fields": {"data": True}, "how": "repeated", "rate": 50}
-    assert asked(line, "publish", **told).done
+    reported = {"topic": "/stop", "type": "std_msgs/msg/Bool", "fields": {"data": True}, "how": "repeated", "rate": 50}
+    assert asked(line, "publish", **reported).done
     assert [line.rover.heard() for _ in range(5)] == ["stop True"] * 5
     line.clear("t/publish")
     marked = {"topic": "/velocity", "type": "geometry_msgs/msg/TwistStamped"}
@@ -135,7 +135,7 @@ def test_what_repeats_goes_on_until_it_is_cleared(line):
 
 
 def test_what_does_not_fit_is_refused_when_it_is_prepared(line):
-    told = {"topic": "/stop", "type": "std_msgs/msg/Bool"}
+    reported = {"topic": "/stop", "type": "std_msgs/msg/Bool"}
     for wrong, why in (
         ({"fields": {"date": True}}, "Bool has no field 'date'; expected data"),
         ({"fields": {"data": 1}}, "Bool.data is '1'; expected true or false"),
@@ -143,7 +143,7 @@ def test_what_does_not_fit_is_refused_when_it_is_prepared(line):
         ({"type": "os/system"}, "the type 'os/system'"),
         ({"topic": "not a topic"}, "'not a topic'"),
     ):
-        found = asked(line, "publish", verb=Verb.PREPARE, **{**told, **wrong})
+        found = asked(line, "publish", verb=Verb.PREPARE, **{**reported, **wrong})
         assert not found.done
         assert why in found.text
 
@@ -178,17 +178,17 @@ def test_managed_nodes_change_their_state(line):
 
 
 def test_services_are_called(line):
-    told = {"service": "/rover/base/get_parameters", "type": "rcl_interfaces/srv/GetParameters"}
-    found = asked(line, "call", **told, fields={"names": ["use_sim_time"]})
+    reported = {"service": "/rover/base/get_parameters", "type": "rcl_interfaces/srv/GetParameters"}
+    found = asked(line, "call", **reported, fields={"names": ["use_sim_time"]})
     assert found.done
     assert "bool_value" in found.text
-    found = asked(line, "call", verb=Verb.PREPARE, **told, fields={"names": "use_sim_time"})
+    found = asked(line, "call", verb=Verb.PREPARE, **reported, fields={"names": "use_sim_time"})
     assert "expected a list" in found.text
 
 
 def test_what_acts_is_started_again_and_knows_what_was_prepared(line):
-    told = {"topic": "/stop_again", "type": "std_msgs/Bool", "fields": {"data": False}}
-    assert asked(line, "publish", verb=Verb.PREPARE, **told).done
+    reported = {"topic": "/stop_again", "type": "std_msgs/Bool", "fields": {"data": False}}
+    assert asked(line, "publish", verb=Verb.PREPARE, **reported).done
     line.rover.meets("/stop_again")
     line._process.kill()
     end = time.monotonic() + SPARE_S
@@ -197,24 +197,24 @@ def test_what_acts_is_started_again_and_knows_what_was_prepared(line):
         again = [one for one in line.poll() if one.id == "t/publish" and one.done]
     assert again, line.said
     line.rover.meets("/stop_again")
-    assert asked(line, "publish", **told).done
+    assert asked(line, "publish", **reported).done
     assert line.rover.heard() == "again False"
 
 
 def test_what_was_said_before_and_after_is_recorded(line, tmp_path):
     from roslens.live.adapters.bag.open_bag import open_bag
 
-    told = {"topics": ["/kept*"], "before": 60.0}
+    reported = {"topics": ["/kept*"], "before": 60.0}
     speak = subprocess.Popen(
         [line.rover.python, "-c", SPEAK], env=line.rover.environment, stdout=subprocess.PIPE, text=True
     )
     try:
         assert speak.stdout.readline() == "speaks\n"
-        assert asked(line, "record", verb=Verb.PREPARE, **told, after=0.0).done
+        assert asked(line, "record", verb=Verb.PREPARE, **reported, after=0.0).done
         path = tmp_path / "r.mcap"
         end = time.monotonic() + SPARE_S
         while True:
-            found = asked(line, "record", **told, after=0.3, path=str(path))
+            found = asked(line, "record", **reported, after=0.3, path=str(path))
             assert found.done, found.text
             bag = open_bag(path)
             if bag.messages > 10:

@@ -84,7 +84,7 @@ time.sleep(1000)
 
 
 class Seen:
-    """What the observer has told so far."""
+    """What the observer has reported so far."""
 
     def __init__(self, child, nodes):
         self.child = child
@@ -242,8 +242,8 @@ def test_nodes_of_one_process_tell_parameters_and_diagnostics(ros2_python, tmp_p
         assert (words, int(new)) == (["is", "now"], int(old) + 1)
         seen.until(lambda: any("'motor' is ERROR, was OK: hot" in event.detail for event in seen.events()))
         seen.until(lambda: int(seen.graph.parameters["/demo/arm"]["rate"]) > before)
-        told = [event for event in seen.events() if event.detail.startswith("diagnostics: ")]
-        assert [event.entity for event in told] == ["node:/demo/eye"]
+        reported = [event for event in seen.events() if event.detail.startswith("diagnostics: ")]
+        assert [event.entity for event in reported] == ["node:/demo/eye"]
         shown = [frame.graph.parameters for frame in seen.frames if frame.graph]
         assert "hunter" not in repr((shown, seen.events(), seen.failures))
 

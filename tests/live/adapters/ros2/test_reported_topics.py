@@ -83,10 +83,10 @@ def test_only_topics_on_which_somebody_speaks_are_listened_to(heard):
 def test_levels_of_other_monitors_become_events(heard):
     heard.choose(graph("/diagnostics"))
     heard._open["/diagnostics"].waiting = [array((2, "motor")), array((2, "motor")), b"no array", b"nor"]
-    told = heard.take(9.0, lambda gid: "/m" if gid == "ab" * 16 else None)
-    (event,) = told.events
+    reported = heard.take(9.0, lambda gid: "/m" if gid == "ab" * 16 else None)
+    (event,) = reported.events
     assert (event.time, event.change, event.entity) == (5.0, Change.CHANGED, "node:/m")
-    (failure,) = told.failures
+    (failure,) = reported.failures
     assert "what /m sends cannot be read" in failure.what
 
 

@@ -1,7 +1,13 @@
+import shutil
+from pathlib import Path
+
 import pytest
 
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.window.signals import BY_KEY
+
+UNPACKED = Path(__file__).parents[4] / "build" / "unpacked" / "usr" / "bin"
+"""Where `make parts` unpacks what would start a service if it were installed."""
 
 TEXT = """\
 kind: reference
@@ -24,3 +30,20 @@ fields:
 @pytest.fixture
 def rover():
     return load_reference([GivenText("rover.yaml", TEXT.encode())], BY_KEY)
+
+
+def _program(name):
+    found = shutil.which(name) or shutil.which(name, path=UNPACKED)
+    if found is None:
+        pytest.skip(f"no {name}: `make parts` unpacks that of Debian")
+    return found
+
+
+@pytest.fixture
+def promtool():
+    return _program("promtool")
+
+
+@pytest.fixture
+def amtool():
+    return _program("amtool")

@@ -11,8 +11,8 @@ from roslens.model.acting.reaction import ActionCall, Because, Decision
 pytestmark = pytest.mark.timed
 
 
-def decision(url, **told):
-    call = ActionCall("webhook", None, {"url": url, **told})
+def decision(url, **reported):
+    call = ActionCall("webhook", None, {"url": url, **reported})
     because = (Because("node:/a", "/a is gone", "gone", 1.0),)
     return Decision("r/1.0", "r", "node:/a", 0, call, 5.0, because, "node:/a", text="look at /a")
 
@@ -46,8 +46,12 @@ def page():
 
 def test_what_happened_is_posted(page):
     assert "answered 204" in webhook.act(decision(f"http://127.0.0.1:{page.server_port}/204"))
-    (told,) = page.posted
-    assert (told["text"], told["entity"], told["because"][0]["statement"]) == ("look at /a", "node:/a", "/a is gone")
+    (reported,) = page.posted
+    assert (reported["text"], reported["entity"], reported["because"][0]["statement"]) == (
+        "look at /a",
+        "node:/a",
+        "/a is gone",
+    )
 
 
 @pytest.mark.parametrize("code", [302, 404, 500])

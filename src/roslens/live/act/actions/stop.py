@@ -25,6 +25,6 @@ def act(host: Host, request: HostRequest) -> str:
     if process.supervisor and (pid := host.comes_back(process, _LOOKED_S)):
         raise ActionError(
             f"process {process.pid} {how}, and {process.supervisor} started it again as {pid}",
-            advice="What supervises it has to be told, for instance by a command of the allow-list",
+            advice="What supervises it has to be informed, for instance by a command of the allow-list",
         )
     return f"process {process.pid} {how}"

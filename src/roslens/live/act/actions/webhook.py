@@ -71,5 +71,5 @@ def act(decision: Decision) -> str:
     except (OSError, ValueError) as error:
         reason = getattr(error, "reason", error)
         raise ActionError(
-            f"{urlsplit(url).hostname} could not be told: {reason}", expected="an answer of 2xx"
+            f"{urlsplit(url).hostname} could not be notified: {reason}", expected="an answer of 2xx"
         ) from None

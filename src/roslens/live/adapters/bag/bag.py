@@ -73,11 +73,11 @@ class Bag:
         """Yield the traffic of all topics step by step: the end of the step, and a tally per topic and publisher.
 
         A step in which nothing came has tallies of 0 messages. Where nothing at all came for more than an hour of
-        steps, as after a jump of the clock, the rest of the silence is left out and told in `failures`.
+        steps, as after a jump of the clock, the rest of the silence is left out and reported in `failures`.
 
         Args:
             step: seconds.
-            stamps: topics of which also the age is told; their chunks are unpacked.
+            stamps: topics of which also the age is reported; their chunks are unpacked.
 
         Raises:
             UsageError: the step is no time, or a topic is not there.
@@ -154,8 +154,8 @@ class Bag:
     def fields(self, wanted: Mapping[str, Collection[str]]) -> Iterator[tuple[float, str, dict[str, float]]]:
         """Yield fields of messages in order of receipt: seconds, topic, and values by path.
 
-        What is not in a message or is no number is not in the values. What cannot be decoded is left out and told in
-        `failures`.
+        What is not in a message or is no number is not in the values. What cannot be decoded is left out and reported
+        in `failures`.
 
         Args:
             wanted: paths such as ``pose.position.x`` or ``ranges[0]`` by topic.

@@ -1,4 +1,4 @@
-"""Parts of a recording that cannot be read, and the list of what was told of them."""
+"""Parts of a recording that cannot be read, and the list of what was reported of them."""
 
 from __future__ import annotations
 

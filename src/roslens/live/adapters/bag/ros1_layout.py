@@ -87,7 +87,7 @@ class _Form(NamedTuple):
 
     @classmethod
     def of(cls, head: bytes) -> _Form | None:
-        """Return the form of a record's beginning up to its content; None where the numbers cannot be told."""
+        """Return the form of a record's beginning up to its content; None where the numbers cannot be determined."""
         head = head[:-4]
         if head.count(b"conn=") != 1 or head.count(b"count=") != 1:
             return None

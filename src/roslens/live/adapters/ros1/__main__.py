@@ -1,4 +1,4 @@
-"""The process that observes a ROS 1 system: frames on standard output until it is told to stop."""
+"""The process that observes a ROS 1 system: frames on standard output until it is stopped."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ DEFAULT_MASTER = "http://localhost:11311"
 PARAMETERS_WAIT_S = 10.0
 """The longest the parameter server may take to tell all."""
 _SETTLE_S = 0.25
-"""A node that registers is told of at its first registration; so much later it has made the others."""
+"""A node that registers is reported at its first registration; so much later it has made the others."""
 HEARD_S = 0.1
-"""How often what a tap counts is told on."""
+"""How often what a tap counts is passed on."""
 GATHER_S = 0.03
 """How long what a node tells of itself waits for what others do. An alarm may come 0.2 s after its window: nodes tell
 every 0.15 s, and all others on the way share the rest."""
@@ -54,7 +54,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--tap-budget", type=_share, default=0.05, metavar="PERCENT", help="CPU of the tap (5)")
     parser.add_argument("--tap-rate", type=_positive, default=5000.0, metavar="N", help="messages/s of the tap (5000)")
     parser.add_argument("--tap-bytes", type=_positive, default=50e6, metavar="N", help="bytes/s of the tap (50e6)")
-    parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")
+    parser.add_argument("--diagnostics", action="store_true", help="publish what standard input requests")
     parser.add_argument("--rated", default="", metavar="TOPIC", help="publish rated signals that are asked there too")
     options = parser.parse_args(words)
     try:
@@ -116,20 +116,20 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
         at = resolver.address(own)
     listened = at if is_local(at) else ""
     saying = _saying(options, listened, own, caller)
-    told = UpdateServer(
-        listened, own, options.master, lambda topic, uris: wakes.put(("told", topic, uris)),
+    updates = UpdateServer(
+        listened, own, options.master, lambda topic, uris: wakes.put(("updated", topic, uris)),
         saying.answers if saying else None,
     )  # fmt: skip
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
     publications = saying.publications if saying else ()
-    follower = Follower(Master(options.master, caller, resolver), caller, told.uri, publications)
-    parameters = _parameters(options, caller, resolver, told) if options.parameters else None
+    follower = Follower(Master(options.master, caller, resolver), caller, updates.uri, publications)
+    parameters = _parameters(options, caller, resolver, updates) if options.parameters else None
     observation = Observation(
         follower, caller, resolver, socket.gethostname(), time.time, ends, parameters=parameters
     )  # fmt: skip
     limits = Limits(options.tap_budget, options.tap_rate, options.tap_bytes)
     listening = Listening(
-        caller, resolver, time.time, socket.gethostname(), limits, told=lambda: wakes.put(("told of", "", ()))
+        caller, resolver, time.time, socket.gethostname(), limits, news=lambda: wakes.put(("changed", "", ()))
     )
     ear = SubscribedTopics(
         observation, listening, tuple(options.tap), options.statistics, caller, reports=options.reports
@@ -143,7 +143,7 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
         listening.close()
         observation.close()
         ends.close()
-        told.close()
+        updates.close()
         if saying:
             saying.close()
 
@@ -157,13 +157,13 @@ def _saying(options: argparse.Namespace, address: str, own: str, caller: str) ->
     return saying
 
 
-def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, told: UpdateServer) -> Parameters:
+def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, updates: UpdateServer) -> Parameters:
     """Return what reads the parameter server, over a line and in a thread of its own."""
     pool = ThreadPoolExecutor(1, "parameters")
     parameters = Parameters(
-        Master(options.master, caller, resolver, PARAMETERS_WAIT_S), told.uri, time.monotonic, pool.submit
+        Master(options.master, caller, resolver, PARAMETERS_WAIT_S), updates.uri, time.monotonic, pool.submit
     )
-    told.parameter_told = parameters.told
+    updates.parameter_reported = parameters.note
     return parameters
 
 
@@ -189,7 +189,7 @@ def _turn(
                 frame = observation.ended([name])
                 if frame:
                     speaker.say(frame)
-            elif what == "told of":
+            elif what == "changed":
                 hear = min(hear, time.monotonic() + GATHER_S)
             else:
                 moved |= observation.moved(name, uris)

@@ -9,8 +9,8 @@ import sys
 import threading
 from contextlib import suppress
 
+from roslens.live.act.order_line import serve
 from roslens.live.act.orders import Orders
-from roslens.live.act.told_line import serve
 from roslens.live.adapters.ros1.__main__ import DEFAULT_MASTER
 from roslens.live.adapters.ros1.hand import Ros1Hand
 from roslens.live.adapters.ros1.names import observer_name
@@ -42,14 +42,14 @@ def main(words: list[str]) -> int:
     caller = observer_name(f"hand_{socket.gethostname()}", os.getpid())
     forms = MessageForms(share_folders(os.environ))
     hand = Ros1Hand(options.master, caller, resolver, forms, address=listened, own=own)
-    told = UpdateServer(listened, own, options.master, lambda _topic, _uris: None, hand.answers)
-    hand.api = told.uri
+    updates = UpdateServer(listened, own, options.master, lambda _topic, _uris: None, hand.answers)
+    hand.api = updates.uri
     threading.Thread(target=hand.follow, name="follow", daemon=True).start()
     try:
         serve(0, 1, lambda say: Orders(hand, say))
     finally:
         hand.close()
-        told.close()
+        updates.close()
     return 0
 
 

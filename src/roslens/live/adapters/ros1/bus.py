@@ -18,7 +18,7 @@ _HALF = 2**31
 
 
 class Reading(msgspec.Struct, frozen=True):
-    """What a node told of its connections at an instant.
+    """What a node reported of its connections at an instant.
 
     Attributes:
         node: its name.

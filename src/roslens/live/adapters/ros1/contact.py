@@ -1,4 +1,4 @@
-"""One node and what it last told of itself."""
+"""One node and what it last reported of itself."""
 
 from __future__ import annotations
 
@@ -88,13 +88,13 @@ class Contact:
             self._rounds += 1
             known = {(link.id, link.topic, link.sends) for link in self._links}
             fresh = any((c.id, c.topic, c.sends) not in known for c in stats.counters)
-            told: tuple[Failure, ...] = ()
+            reported: tuple[Failure, ...] = ()
             if fresh or self._rounds % RENEW_LINKS == 1:
-                self._links, told = self._slave.links()
+                self._links, reported = self._slave.links()
         except CallError as error:
             return Look(None, error.trouble, (self._failure(error),))
         reading = Reading(self.name, self.uri, clock(), stats, self._links)
-        return Look(reading, None, (*failures, *stats.oddities, *told))
+        return Look(reading, None, (*failures, *stats.oddities, *reported))
 
     def _locate(self) -> tuple[Failure, ...]:
         """Find out host and process, once."""
@@ -122,7 +122,7 @@ class Contact:
             Trouble.SILENT: "See whether it hangs or is stopped; it is asked again less often until it answers",
             Trouble.UNREACHABLE: "Set ROS_IP or ROS_HOSTNAME where the node runs to what this host can reach",
             Trouble.GARBLED: "See which program listens there",
-            Trouble.DENIED: "What its peers and a tap can tell is still told; rospy cannot tell counters over 2 GB",
+            Trouble.DENIED: "What its peers and a tap can tell is still reported; rospy cannot tell counters over 2 GB",
         }[error.trouble]
         return Failure(TOOL, str(error), "an answer to the calls of a node's API", advice, entity=entity, partial=True)
 

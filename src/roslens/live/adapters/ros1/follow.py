@@ -32,7 +32,7 @@ class Step(msgspec.Struct, frozen=True):
 
 
 class Follower:
-    """Keeps registrations and types as the master last told them, and ourselves registered to be told of changes.
+    """Keeps registrations and types as the master last reported them, and ourselves registered for its updates.
 
     Args:
         master: to follow.

@@ -88,10 +88,12 @@ class Ros1Hand:
         self._forms.packed(full, fields, self._now())
         package, _, name = full.split("/")
         with self._lock:
-            told = self._topics.get(topic)
-            if told is not None:
-                if told.type != f"{package}/{name}":
-                    raise ActionError(f"{topic} is published with {told.type} already", expected=f"{package}/{name}")
+            reported = self._topics.get(topic)
+            if reported is not None:
+                if reported.type != f"{package}/{name}":
+                    raise ActionError(
+                        f"{topic} is published with {reported.type} already", expected=f"{package}/{name}"
+                    )
                 return
             md5, text = self._forms.sum_and_text(type_)
             self._topics[topic] = Published(f"{package}/{name}", md5, text, latched)
@@ -191,7 +193,9 @@ class Ros1Hand:
 
     def _is_subscribed(self, topic: str) -> bool:
         try:
-            return any(told == topic for told, _ in self._with_master(lambda one: one.state()[0], _MEET_S).subscribers)
+            return any(
+                reported == topic for reported, _ in self._with_master(lambda one: one.state()[0], _MEET_S).subscribers
+            )
         except ActionError:
             return False
 

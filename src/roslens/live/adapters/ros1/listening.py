@@ -70,7 +70,7 @@ class Listening:
         host: on which we stand.
         limits: of the tap.
         wait_s: the longest that opening may take.
-        told: called in another thread when nodes told of themselves, once until that is taken.
+        news: called in another thread when nodes reported on themselves, once until that is taken.
     """
 
     def __init__(
@@ -81,14 +81,14 @@ class Listening:
         host: str,
         limits: Limits | None = None,
         wait_s: float = 1.0,
-        told: Callable[[], None] = lambda: None,
+        news: Callable[[], None] = lambda: None,
     ) -> None:
         self._caller = caller
         self._resolver = resolver
         self._clock = clock
         self._host = host
         self._wait_s = wait_s
-        self._tell = told
+        self._tell = news
         self._untaken = False
         self._lock = threading.Lock()
         self._attention = Attention(time.monotonic())

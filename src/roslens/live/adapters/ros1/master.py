@@ -149,7 +149,7 @@ class Master:
         self._homes.clear()
 
     def subscribe(self, topic: str, type_: str, api: str) -> tuple[str, ...]:
-        """Register as a subscriber, to be told of publishers; return their URIs.
+        """Register as a subscriber, to be notified of publishers; return their URIs.
 
         Raises:
             CallError: the master does not register it.
@@ -166,7 +166,7 @@ class Master:
         self._call("unregisterSubscriber", topic, api)
 
     def publish(self, topic: str, type_: str, api: str) -> None:
-        """Register as a publisher, which subscribers are told of.
+        """Register as a publisher, of which subscribers are notified.
 
         Raises:
             CallError: the master does not register it.
@@ -198,7 +198,7 @@ class Master:
         return self._call("getParam", name)
 
     def subscribe_parameters(self, api: str) -> Any:
-        """Register to be told of all parameters that are set or deleted; return them as they are now.
+        """Register to be notified of all parameters that are set or deleted; return them as they are now.
 
         Raises:
             CallError: the master does not register it.

@@ -63,7 +63,7 @@ class Oddities:
             self._quoted.append(odd(f"{sort} {brief(value)}{length}", self._source, expected))
 
     def failures(self) -> tuple[Failure, ...]:
-        """Return what is to be told."""
+        """Return what is to be reported."""
         more = [
             odd(f"{count - self._most:,} more of: {sort}", self._source, "none")
             for sort, count in self._counts.items()

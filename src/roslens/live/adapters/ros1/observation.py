@@ -26,7 +26,7 @@ _PATIENCE_S = 0.2
 """A round waits no longer for the next answer of a node that answered before; what comes later counts in the next one,
 so that a node that hangs does not make all others seem silent."""
 PARAMETERS_S = 5.0
-"""A graph of which only parameters changed is told so often at most; each change is an event at once."""
+"""A graph of which only parameters changed is reported so often at most; each change is an event at once."""
 _SEEK_AT_ONCE = 20
 """Rounds in which a dead node is looked up in each one: it may have been started again, with another API."""
 _SEEK_DEAD = 5
@@ -42,7 +42,7 @@ class Observation:
         resolver: of hosts.
         hostname: of this host.
         clock: seconds since the epoch.
-        ends: tells of nodes that end; None where nobody wants to be told at once.
+        ends: tells of nodes that end; None where nobody wants to know at once.
         wait_s: the longest a node may take to answer.
         parameters: of the master's parameter server; None to leave them out.
     """
@@ -59,7 +59,7 @@ class Observation:
         parameters: Parameters | None = None,
     ) -> None:
         self._parameters = parameters
-        self._parameters_told = float("-inf")
+        self._parameters_reported = float("-inf")
         self._follower = follower
         self._caller = caller
         self._resolver = resolver
@@ -134,12 +134,12 @@ class Observation:
         return self._frame(now, self._tallies([look.reading for look in looks if look.reading]), events, graph, fresh)
 
     def moved(self, topic: str, uris: tuple[str, ...]) -> frozenset[str]:
-        """Return the nodes whose API may be elsewhere by what the master told of the publishers of a topic."""
+        """Return the nodes whose API may be elsewhere by what the master reported of the publishers of a topic."""
         if topic != TOPIC_OF_ALL:
             return frozenset()
-        told = {uri.rstrip("/") for uri in uris}
+        reported = {uri.rstrip("/") for uri in uris}
         return frozenset(
-            name for name, contact in self._contacts.items() if contact.dead or contact.uri.rstrip("/") not in told
+            name for name, contact in self._contacts.items() if contact.dead or contact.uri.rstrip("/") not in reported
         )
 
     def _meet(self, restarted: bool, moved: frozenset[str], reasons: dict[str, str]) -> list[Failure]:
@@ -236,9 +236,9 @@ class Observation:
         return (changes(before, graph, now, why) if before else []), graph
 
     def _parameters_due(self, now: float) -> bool:
-        if not self._parameters or not self._parameters.moved or now - self._parameters_told < PARAMETERS_S:
+        if not self._parameters or not self._parameters.moved or now - self._parameters_reported < PARAMETERS_S:
             return False
-        self._parameters_told = now
+        self._parameters_reported = now
         return True
 
     def _frame(

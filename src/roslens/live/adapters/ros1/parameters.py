@@ -1,4 +1,4 @@
-"""The parameter server: read once, then told by the master of each change, and read anew now and then.
+"""The parameter server: read once, kept up to date by what the master says of each change, read anew now and then.
 
 The master calls back for every change below ``/`` of who subscribed to it, so that nothing is asked again and again.
 What did not arrive, because the way back is closed, is found when all is read a minute later.
@@ -65,7 +65,7 @@ class Parameters:
         self._reading: Future[Any] | None = None
         self._subscribed = False
 
-    def told(self, key: str, value: Any) -> None:
+    def note(self, key: str, value: Any) -> None:
         """Take what the master says of a parameter that was set or, with an empty table, deleted; in any thread."""
         with self._lock:
             self._updates.append((key, value))
@@ -111,7 +111,7 @@ class Parameters:
         try:
             tree = reading.result()
         except CallError as error:
-            what = f"parameters are not told: {error}"
+            what = f"parameters are not reported: {error}"
             return self._values, [Failure(TOOL, what, "an answer of the parameter server", partial=True)]
         values: dict[str, str] = {}
         put(values, "/", tree)
@@ -136,7 +136,7 @@ class Parameters:
         return self._by_node[1]
 
     def leave(self, ignore: Callable[[str], None]) -> None:
-        """Be told no more; what goes wrong is passed to ``ignore``."""
+        """Ask for no more news; what goes wrong is passed to ``ignore``."""
         if self._subscribed and self._reading is None:
             try:
                 self._server.unsubscribe_parameters(self._api)

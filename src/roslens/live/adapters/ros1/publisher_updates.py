@@ -20,18 +20,18 @@ Answer = Callable[[list[Any]], list[Any]]
 
 
 class UpdateServer:
-    """Answers as a node would and passes ``publisherUpdate`` on, and ``paramUpdate`` to ``parameter_told``.
+    """Answers as a node would and passes ``publisherUpdate`` on, and ``paramUpdate`` to ``parameter_reported``.
 
     Args:
         address: to listen at, empty for all of this host; a port of its own is chosen.
         host: by which others reach that address.
-        master_uri: told to who asks.
-        told: called with topic and URIs of all its publishers, in a thread of the server.
+        master_uri: given to who asks.
+        reported: called with topic and URIs of all its publishers, in a thread of the server.
         more: what else is answered, by method.
     """
 
     def __init__(
-        self, address: str, host: str, master_uri: str, told: Update, more: Mapping[str, Answer] | None = None
+        self, address: str, host: str, master_uri: str, reported: Update, more: Mapping[str, Answer] | None = None
     ) -> None:
         answers: dict[str, Answer] = {
             "publisherUpdate": self._updated,
@@ -46,27 +46,27 @@ class UpdateServer:
             "requestTopic": lambda _: [0, "an observer publishes nothing", 0],
             **(more or {}),
         }
-        self._told = told
-        self.parameter_told: Callable[[str, Any], None] = lambda _key, _value: None
+        self._reported = reported
+        self.parameter_reported: Callable[[str, Any], None] = lambda _key, _value: None
         family = socket.AF_INET6 if ":" in address else socket.AF_INET
         server = type("Server", (ThreadingHTTPServer,), {"address_family": family, "daemon_threads": True})
         self._server: ThreadingHTTPServer = server((address, 0), _handler(answers))
         bracketed = f"[{host}]" if ":" in host else host
         self.uri = f"http://{bracketed}:{self._server.server_address[1]}/"
         self._thread = threading.Thread(
-            target=self._server.serve_forever, kwargs={"poll_interval": 0.1}, daemon=True, name="told"
+            target=self._server.serve_forever, kwargs={"poll_interval": 0.1}, daemon=True, name="publisher updates"
         )
         self._thread.start()
 
     def _updated(self, arguments: list[Any]) -> list[Any]:
         if len(arguments) == 3 and isinstance(arguments[1], str) and isinstance(arguments[2], list):
-            self._told(arguments[1], tuple(uri for uri in arguments[2] if isinstance(uri, str)))
+            self._reported(arguments[1], tuple(uri for uri in arguments[2] if isinstance(uri, str)))
             return [1, "", 0]
         return [-1, "expected caller, topic and a list of URIs", 0]
 
     def _parameter(self, arguments: list[Any]) -> list[Any]:
         if len(arguments) == 3 and isinstance(arguments[1], str):
-            self.parameter_told(arguments[1], arguments[2])
+            self.parameter_reported(arguments[1], arguments[2])
             return [1, "", 0]
         return [-1, "expected caller, key and value", 0]
 

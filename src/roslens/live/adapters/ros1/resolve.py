@@ -45,7 +45,7 @@ class Resolver:
         """Return the address of a host.
 
         Raises:
-            UnresolvedError: there is none, or none was told in time.
+            UnresolvedError: there is none, or none was reported in time.
         """
         if not host or len(host) > _LONGEST_NAME:
             raise UnresolvedError(f"{host[:60]!r} is no name of a host")
@@ -59,7 +59,7 @@ class Resolver:
             with self._lock:
                 known = self._current(host)
         if known is None:
-            raise UnresolvedError(f"no name server told the address of {host!r} within {self._wait_s:g} s")
+            raise UnresolvedError(f"no name server gave the address of {host!r} within {self._wait_s:g} s")
         if not known[1]:
             raise UnresolvedError(f"the address of {host!r} is not known here: {known[2]}")
         return known[1]

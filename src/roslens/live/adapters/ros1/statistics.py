@@ -22,7 +22,7 @@ def read_statistics(body: bytes, received: float, host: str = "") -> Tally:
     Nothing is sent while no message comes, and windows of slow topics stretch to a minute: the stretch ends when the
     statistics were ``received``, in seconds on the observer's clock, and is as long as they say, for their own instants
     may be of simulated time. Bytes hold what the subscriber counts: rospy adds 4 for each message. The least period is
-    not told; the mean stands for it. A topic without a header tells an age of 0 and neither age nor loss are known.
+    not reported; the mean stands for it. A topic without a header tells an age of 0 and neither age nor loss are known.
 
     A time between messages belongs to the message that ends it. Nodes started through roslens tell it of each; the
     loggers of ROS leave that of the first message of a stretch out, for which the mean of the others stands. Without

@@ -23,7 +23,7 @@ from roslens.model.wire import Frame
 
 SILENT_ROUNDS = 10
 """Rounds after which it is worth saying that nobody publishes statistics."""
-_UNTOLD = (
+_UNREPORTED = (
     f"nobody publishes {TOPIC}, so periods and ages are unknown but where a tap reads: set the parameter "
     "/enable_statistics to true before nodes start, or start them through roslens"
 )
@@ -61,11 +61,11 @@ class SubscribedTopics:
         self._rounds += 1
         sources = list(self._sources())
         self._listening.want(sources)
-        told = any(source.use is Use.STATISTICS for source in sources)
+        reported = any(source.use is Use.STATISTICS for source in sources)
         events = list(frame.events)
-        if self._statistics and not told and self._rounds == SILENT_ROUNDS:
+        if self._statistics and not reported and self._rounds == SILENT_ROUNDS:
             # No failure: ROS 1 as it comes publishes none, and a watch of it is not incomplete for that.
-            events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNTOLD))
+            events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNREPORTED))
         return self._with_heard(msgspec.structs.replace(frame, events=events))
 
     def heard(self) -> Frame:
@@ -101,7 +101,7 @@ class SubscribedTopics:
             return []
 
     def _without_framing(self, tally: Tally) -> Tally:
-        """Take the lengths before messages off what rospy told of itself."""
+        """Take the lengths before messages off what rospy reported of itself."""
         if tally.observer is not Observer.INSIDE or tally.subscriber in self._observation.unframed or tally.bytes < 0:
             return tally
         return msgspec.structs.replace(tally, bytes=max(tally.bytes - FRAMING * tally.count, 0))

@@ -1,4 +1,4 @@
-"""The process that observes a ROS 2 system: frames on standard output until it is told to stop."""
+"""The process that observes a ROS 2 system: frames on standard output until it is stopped."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--period", type=_period, default=COUNT_EVERY_S, metavar="S", help="seconds between frames")
     parser.add_argument("--tap", action="append", default=[], metavar="PATTERN", help="subscribe to these topics too")
     parser.add_argument("--tap-budget", type=_percent, default=10.0, metavar="PERCENT", help="of a core for --tap")
-    parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")
+    parser.add_argument("--diagnostics", action="store_true", help="publish what standard input requests")
     parser.add_argument("--rated", default="", metavar="TOPIC", help="publish rated signals that are asked there too")
     options = parser.parse_args(words)
     if options.domain is not None and not 0 <= options.domain <= _LARGEST_DOMAIN:
@@ -160,7 +160,7 @@ def _saying(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str
 
 def _without_events(host: str, error: Exception) -> Frame:
     failure = Failure(
-        TOOL, f"changes of the graph are not told by the middleware: {error}", "librcl.so, and a node of rclpy",
+        TOOL, f"changes of the graph are not reported by the middleware: {error}", "librcl.so, and a node of rclpy",
         "They are looked for once a period instead", partial=True,
     )  # fmt: skip
     return Frame(VERSION, f"{host}/{TOOL}", 0, time.time(), failures=[failure])

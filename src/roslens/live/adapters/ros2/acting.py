@@ -8,8 +8,8 @@ import sys
 import threading
 from typing import Any
 
+from roslens.live.act.order_line import serve
 from roslens.live.act.orders import Orders
-from roslens.live.act.told_line import serve
 from roslens.live.adapters.ros2.far_peers import far_peers
 from roslens.live.adapters.ros2.hand import Ros2Hand
 

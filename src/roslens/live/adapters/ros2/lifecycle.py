@@ -42,7 +42,7 @@ class Lifecycles:
             self._clients[name] = self._connect(services[name])
 
     def state(self, name: str) -> str:
-        """Return the state of a node as it was told last; empty where it was not."""
+        """Return the state of a node as it was reported last; empty where it was not."""
         return self._states.get(name, "")
 
     def turn(self) -> bool:

@@ -10,7 +10,7 @@ import msgspec
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.changes import Changes
 from roslens.live.adapters.ros2.parameters import Parameters
-from roslens.live.adapters.ros2.reported_topics import Told
+from roslens.live.adapters.ros2.reported_topics import Reported
 from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import Called, Counted, joined
@@ -58,14 +58,14 @@ class Hears(Protocol):
     parameters: Parameters
 
     def choose(self, graph: Graph) -> None: ...  # noqa: D102
-    def take(self, now: float, node_of: Callable[[str], str | None]) -> Told: ...  # noqa: D102
+    def take(self, now: float, node_of: Callable[[str], str | None]) -> Reported: ...  # noqa: D102
 
 
 SWEEP_PER_S = 20
 PARAMETERS_S = 5.0
-"""A graph of which only parameters changed is told so often at most; each change is an event at once."""
+"""A graph of which only parameters changed is reported so often at most; each change is an event at once."""
 CALLS_S = 1.0
-"""Calls of services are told so often."""
+"""Calls of services are reported so often."""
 _GRACE_S = 60.0
 
 
@@ -88,15 +88,15 @@ class Observation:
         self._counters = counters
         self._taps = taps
         self._heard = heard
-        self._parameters_told = float("-inf")
+        self._parameters_reported = float("-inf")
         self._changes = Changes()
         self._graph: Graph | None = None
         self._there: set[tuple[str, str]] = set()
-        self._told: set[Failure] = set()
+        self._reported: set[Failure] = set()
         self._left: dict[str, tuple[str, float]] = {}
         self._domain = SameDomain()
         self._calls = CallTimes()
-        self._calls_told = float("-inf")
+        self._calls_reported = float("-inf")
 
     @property
     def unsettled(self) -> bool:
@@ -123,9 +123,9 @@ class Observation:
         self._graph = graph
         self._there = {(end.node, end.name) for end in graph.endpoints}
         found = set(misfits(graph.endpoints))
-        fresh = found - self._told
-        # What is mended and breaks again is told again.
-        self._told = found
+        fresh = found - self._reported
+        # What is mended and breaks again is reported again.
+        self._reported = found
         if self._taps is not None:
             self._taps.choose(graph)
         return self._frame(
@@ -152,11 +152,11 @@ class Observation:
             tallies += tapped if attentive else []
             failures += self._taps.failures()
             shed = self._taps.shed()
-        told = self._listened(now)
+        reported = self._listened(now)
         stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
         frame = self._frame(
-            now, tallies=tallies + told.tallies, samples=self._called(now), failures=failures + told.failures,
-            shed=shed, events=told.events, graph=self._with_parameters(now), looked=now if attentive else 0.0,
+            now, tallies=tallies + reported.tallies, samples=self._called(now), failures=failures + reported.failures,
+            shed=shed, events=reported.events, graph=self._with_parameters(now), looked=now if attentive else 0.0,
         )  # fmt: skip
         return frame, stale
 
@@ -170,23 +170,23 @@ class Observation:
 
     def _called(self, now: float) -> list[Sample]:
         """Return what is known of the services of this domain, once a second."""
-        if 0 <= now - self._calls_told < CALLS_S:
+        if 0 <= now - self._calls_reported < CALLS_S:
             return []
-        self._calls_told = now
+        self._calls_reported = now
         return self._calls.samples(now)
 
-    def _listened(self, now: float) -> Told:
+    def _listened(self, now: float) -> Reported:
         if self._heard is None:
-            return Told()
+            return Reported()
         return self._heard.take(now, self._name_of)
 
     def _with_parameters(self, now: float) -> Graph | None:
         """Return the graph anew where parameters are other than it says."""
         if self._heard is None or self._graph is None or not self._heard.parameters.news:
             return None
-        if now - self._parameters_told < PARAMETERS_S:
+        if now - self._parameters_reported < PARAMETERS_S:
             return None
-        self._parameters_told = now
+        self._parameters_reported = now
         self._graph = msgspec.structs.replace(self._graph, parameters=self._heard.parameters.known())
         return self._graph
 

@@ -43,7 +43,7 @@ class Asking(Protocol):
 
 
 class _Known(msgspec.Struct):
-    """A node: its processes, by which one that was started again differs, and what it told."""
+    """A node: its processes, by which one that was started again differs, and what it reported."""
 
     life: frozenset[str]
     values: dict[str, str] | None = None
@@ -139,8 +139,8 @@ class Parameters:
             self.news |= known.values != found
             known.values, known.tries = found, 0
 
-    def told(self, name: str, now: dict[str, str], deleted: Iterable[str], time: float) -> None:
-        """Take what a node told of itself at ``time``: values that are other ``now``, and names that are gone."""
+    def note(self, name: str, now: dict[str, str], deleted: Iterable[str], time: float) -> None:
+        """Take what a node reported of itself at ``time``: values that are other ``now``, and names that are gone."""
         known = self._nodes.get(name)
         if known is None:
             return
@@ -163,7 +163,7 @@ class Parameters:
         return events
 
     def known(self) -> dict[str, dict[str, str]]:
-        """Return values as text by node; a node that told nothing is not among them."""
+        """Return values as text by node; a node that reported nothing is not among them."""
         self.news = False
         return {name: known.values for name, known in sorted(self._nodes.items()) if known.values is not None}
 

@@ -26,7 +26,7 @@ class ProcessEnds:
         self._thread.start()
 
     def watch(self, pid: int) -> None:
-        """Watch a process; one that has ended already is told too."""
+        """Watch a process; one that has ended already is reported too."""
         with self._lock:
             if pid in self._pids.values():
                 return

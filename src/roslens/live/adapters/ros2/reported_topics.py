@@ -33,8 +33,8 @@ DEPTH = 1000
 """Messages that wait for the end of a period; the middleware drops what is more."""
 
 
-class Told(msgspec.Struct):
-    """What was told since the last time."""
+class Reported(msgspec.Struct):
+    """What was reported since the last time."""
 
     tallies: list[Tally] = []
     events: list[Event] = []
@@ -95,21 +95,21 @@ class ReportedTopics:
                 )
             )  # fmt: skip
 
-    def take(self, now: float, node_of: Callable[[str], str | None]) -> Told:
+    def take(self, now: float, node_of: Callable[[str], str | None]) -> Reported:
         """Return what came until ``now``, seconds since the epoch."""
-        told = Told()
+        fresh = Reported()
         for topic in sorted(self._open):
             for message, gid, time in self._messages(topic, now):
                 if topic == PARAMETERS:
                     self._parameter_event(message, time)
                 elif topic == DIAGNOSTICS:
-                    told.events += self._diagnostics(message, node_of(gid), time)
+                    fresh.events += self._diagnostics(message, node_of(gid), time)
                 elif tally := self._statistics.take(message, gid, node_of(gid), time):
-                    told.tallies.append(tally)
-        told.events += self.parameters.events()
-        told.failures += [*self._failures, *self._statistics.failures()]
+                    fresh.tallies.append(tally)
+        fresh.events += self.parameters.events()
+        fresh.failures += [*self._failures, *self._statistics.failures()]
         self._failures.clear()
-        return told
+        return fresh
 
     def _messages(self, topic: str, now: float) -> Iterator[tuple[Any, str, float]]:
         subscription = self._open[topic]
@@ -126,7 +126,7 @@ class ReportedTopics:
             one.name: value_text(one.name, value_of(one.value))
             for one in (*event.new_parameters, *event.changed_parameters)
         }
-        self.parameters.told(event.node, values, [one.name for one in event.deleted_parameters], time)
+        self.parameters.note(event.node, values, [one.name for one in event.deleted_parameters], time)
 
     def _diagnostics(self, body: bytes, node: str | None, time: float) -> list[Event]:
         try:

@@ -10,7 +10,7 @@ A C++ subscription with ``topic_stats_options`` tells once a window, in two stat
 Both are in milliseconds, with average, least, greatest, standard deviation and number of samples. What they do not say:
 
 - the topic. ``measurement_source_name`` is the node, without its namespace. Where that node subscribes to one topic
-  only, it is that one; otherwise what is told cannot be said of any topic, and is left out with a word about it.
+  only, it is that one; otherwise what is reported cannot be said of any topic, and is left out with a word about it.
 - the publisher. Where the topic has one, it is that one.
 - sizes and losses.
 """
@@ -44,7 +44,7 @@ class TopicStatistics:
         self._subscribed: dict[str, set[str]] = {}
         self._publishers: dict[str, set[str]] = {}
         self._ages: dict[tuple[str, float], Moments] = {}
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
         self._failures: list[Failure] = []
 
     def choose(self, graph: Graph) -> None:
@@ -105,8 +105,8 @@ class TopicStatistics:
         return None
 
     def _fail(self, what: str, expected: str, advice: str, who: str = "") -> None:
-        if what not in self._told and len(self._told) < 100:
-            self._told.add(what)
+        if what not in self._reported and len(self._reported) < 100:
+            self._reported.add(what)
             entity = f"node:{who}" if who.startswith("/") else ""
             self._failures.append(Failure(TOOL, what, expected, advice, entity=entity, partial=True))
 

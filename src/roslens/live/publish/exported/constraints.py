@@ -13,14 +13,14 @@ if TYPE_CHECKING:
     from roslens.judge.reference.reference_document import ReferenceConstraint
 
 ALARMS = ("low", "high", "absent")
-"""States that somebody is to be told of."""
+"""States of which somebody is notified."""
 
 
 def by_group(reference: Reference) -> Iterator[tuple[str, list[ReferenceConstraint]]]:
     """Yield the groups under which operators see constraints, by name, with their constraints; without one first."""
     groups: dict[str, list[ReferenceConstraint]] = {}
     for one in constraints_of(reference):
-        groups.setdefault(one.told.group, []).append(one)
+        groups.setdefault(one.details.group, []).append(one)
     yield from sorted(groups.items())
 
 
@@ -36,6 +36,6 @@ def quoted(text: str) -> str:
 
 def of_reference(reference: Reference) -> str:
     """Return the matcher of what a reference and those that it includes say: their ids begin with their names."""
-    names = sorted({one.told.id.partition(".")[0] for one in constraints_of(reference)} | {reference.name})
+    names = sorted({one.details.id.partition(".")[0] for one in constraints_of(reference)} | {reference.name})
     joined = "|".join(names)
     return f"expectation=~{quoted(f'(?:{joined})[.].+')}"

@@ -42,7 +42,7 @@ def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tupl
     for constraint in constraints_of(reference):
         paths = _plotted(constraint, rated)
         if not paths or len(plots) >= MOST_PLOTS:
-            left.append(f"{constraint.told.where or constraint.told.id}: no plot of {words_of(constraint)}")
+            left.append(f"{constraint.details.where or constraint.details.id}: no plot of {words_of(constraint)}")
             continue
         panel = f"Plot!roslens{len(plots)}"
         panels[panel] = _plot(words_of(constraint), paths)
@@ -59,9 +59,9 @@ def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tupl
 def _plotted(constraint: ReferenceConstraint, rated: str) -> list[str]:
     """Return the paths of what a plot of a constraint shows; none where there can be no plot of it."""
     if isinstance(constraint, Expectation):
-        if '"' in constraint.told.id:
+        if '"' in constraint.details.id:
             return []
-        chosen = f'{rated}.signals[:]{{sentence=="{constraint.told.id}"}}'
+        chosen = f'{rated}.signals[:]{{sentence=="{constraint.details.id}"}}'
         return [f"{chosen}.{field}" for field in ("value", "low", "high")]
     if isinstance(constraint, FieldCheck) and constraint.measure is FieldMeasure.VALUE:
         topic = Pattern.parse(constraint.topic).literal

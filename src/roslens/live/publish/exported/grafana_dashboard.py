@@ -154,7 +154,8 @@ def _plot(constraint: ReferenceConstraint) -> dict[str, Any] | str:
         return _standing(constraint)
     matchers = matchers_of(constraint)
     if matchers is None:
-        return f"{constraint.told.where or constraint.told.id}: no plot of {words}: Prometheus has no such expression"
+        where = constraint.details.where or constraint.details.id
+        return f"{where}: no plot of {words}: Prometheus has no such expression"
     signal = BY_KEY[constraint.quantity]
     selected = f"{metric_name(constraint.quantity)}{{{','.join(matchers)}}}"
     percentile = (
@@ -162,7 +163,7 @@ def _plot(constraint: ReferenceConstraint) -> dict[str, Any] | str:
     )
     return {
         "type": "timeseries", "title": words, "datasource": _SOURCE,
-        "description": f"{signal.text}{percentile} {constraint.told.text} ({constraint.told.where})".strip(),
+        "description": f"{signal.text}{percentile} {constraint.details.text} ({constraint.details.where})".strip(),
         "targets": [{**_target(selected), "legendFormat": _LEGEND}],
         "fieldConfig": {
             "defaults": {
@@ -178,8 +179,8 @@ def _plot(constraint: ReferenceConstraint) -> dict[str, Any] | str:
 
 def _standing(constraint: ReferenceConstraint) -> dict[str, Any]:
     states = "|".join(ALARMS)
-    expression = f'count(roslens_state{{expectation={quoted(constraint.told.id)},state=~"{states}"}}) or vector(0)'
-    return {**_number(words_of(constraint), expression, _BAD), "description": constraint.told.text}
+    expression = f'count(roslens_state{{expectation={quoted(constraint.details.id)},state=~"{states}"}}) or vector(0)'
+    return {**_number(words_of(constraint), expression, _BAD), "description": constraint.details.text}
 
 
 def matchers_of(constraint: Expectation) -> list[str] | None:

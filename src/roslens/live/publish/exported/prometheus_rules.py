@@ -42,24 +42,24 @@ def prometheus_rules(reference: Reference) -> str:
 
 def alert_name(constraint: ReferenceConstraint) -> str:
     """Return the name of the alert of a constraint: of letters, digits and underscores alone."""
-    return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', constraint.told.id).strip('_')}"
+    return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', constraint.details.id).strip('_')}"
 
 
 def _rule(constraint: ReferenceConstraint, reference: Reference) -> dict[str, Any]:
-    told = constraint.told
+    details = constraint.details
     annotations = {
         "summary": "{{ $labels.kind }} {{ $labels.name }}: {{ $labels.quantity }} is {{ $labels.state }}"
         + ("; expected: " + _literal(words_of(constraint))),
         "cause": "{{ with $labels.cause }}follows from {{ . }}{{ end }}",
     }
-    if told.text:
-        annotations["description"] = _literal(told.text)
-    if told.where:
-        annotations["sentence"] = _literal(told.where)
-    labels = {"severity": told.severity.value, "reference": reference.name}
-    if told.group:
-        labels["group"] = _literal(told.group)
-    expression = f'roslens_state{{expectation={quoted(told.id)},state=~"{_BAD}"}} == 1'
+    if details.text:
+        annotations["description"] = _literal(details.text)
+    if details.where:
+        annotations["sentence"] = _literal(details.where)
+    labels = {"severity": details.severity.value, "reference": reference.name}
+    if details.group:
+        labels["group"] = _literal(details.group)
+    expression = f'roslens_state{{expectation={quoted(details.id)},state=~"{_BAD}"}} == 1'
     return {"alert": alert_name(constraint), "expr": expression, "labels": labels, "annotations": annotations}
 
 

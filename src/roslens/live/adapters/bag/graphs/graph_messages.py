@@ -50,7 +50,7 @@ _VALUES = (
 def graphs_of(parts: Sequence[Part]) -> list[tuple[float, Graph]]:
     """Return the graphs that files hold, by the second of receipt; equal ones that follow each other once.
 
-    What cannot be decoded is left out and told in the failures of its file.
+    What cannot be decoded is left out and reported in the failures of its file.
     """
     found: list[tuple[float, Graph]] = []
     for part in parts:

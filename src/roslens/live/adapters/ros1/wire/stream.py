@@ -62,7 +62,7 @@ class Stream:
         self._taps = source.use is Use.TAP
         self._reader = HeadReader(_WHOLE.get(source.use, HEAD_BYTES))
         self._accumulator = Accumulator(source.topic, source.publisher, handshake.stamped, now)
-        self._told: list[Tally] = []
+        self._reported: list[Tally] = []
         self._reports: list[tuple[float, bytes]] = []
         self._shed = 0
         self._piece = _PIECE
@@ -112,11 +112,11 @@ class Stream:
         return len(begun)
 
     def _statistics(self, body: bytes, now: float) -> None:
-        if len(self._told) >= _MOST_WAITING:
+        if len(self._reported) >= _MOST_WAITING:
             self._shed += 1
             return
         try:
-            self._told.append(read_statistics(body, now, self._host))
+            self._reported.append(read_statistics(body, now, self._host))
         except StatisticsError as error:
             self.problem = f"{self.source.publisher} sends no statistics: {error}"
 
@@ -137,6 +137,6 @@ class Stream:
         """Return what came since the last time, and how many records were dropped."""
         if self._taps:
             return [self._accumulator.take(now, self._host)], 0
-        reported, shed = self._told, self._shed
-        self._told, self._shed = [], 0
+        reported, shed = self._reported, self._shed
+        self._reported, self._shed = [], 0
         return reported, shed

@@ -24,7 +24,7 @@ _WILDCARD = "*"
 
 
 class Published(msgspec.Struct, frozen=True):
-    """What is told of a topic: the type of its messages, its sum, and the text of its definition.
+    """What is reported of a topic: the type of its messages, its sum, and the text of its definition.
 
     Who subscribes to a ``latched`` one later gets its last message.
     """

@@ -1,4 +1,4 @@
-"""The end of the line on which a process with ROS is told what to do: orders in, replies out, until the line ends."""
+"""The end of the line on which a process with ROS receives what to do: orders in, replies out, until the line ends."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from roslens.model.acting.order import Order, OrderError, OrderReader, Reply, en
 _PIECE = 65_536
 
 
-def serve(told: int, replies: int, make: Callable[[Callable[[Reply], None]], Orders]) -> None:
-    """Carry out what comes on the descriptor ``told``, and write to ``replies`` what became of it.
+def serve(incoming: int, replies: int, make: Callable[[Callable[[Reply], None]], Orders]) -> None:
+    """Carry out what comes on the descriptor ``incoming``, and write to ``replies`` what became of it.
 
     ``make`` returns what carries out, given what says.
     """
@@ -25,7 +25,7 @@ def serve(told: int, replies: int, make: Callable[[Callable[[Reply], None]], Ord
     orders = make(say)
     reader: OrderReader[Order] = OrderReader(Order)
     try:
-        while piece := os.read(told, _PIECE):
+        while piece := os.read(incoming, _PIECE):
             for order in reader.feed(piece):
                 orders.take(order)
     except (OrderError, BrokenPipeError) as error:

@@ -29,6 +29,12 @@ PAGES = [
     "/search?q=rover",
     "/help",
 ]
+CROSSED = """() => [...document.querySelectorAll(".distribution")].flatMap((chart) => {
+  const boxes = (one) => [...chart.querySelectorAll(one)].map((each) => each.getBoundingClientRect());
+  const lines = boxes(".bounds line");
+  return boxes(".bounds text").flatMap((text) =>
+    lines.filter((line) => line.x > text.left && line.x < text.right && line.top < text.bottom - 4));
+})"""
 RULES = Path(__file__).with_name("accessible.js").read_text(encoding="utf-8")
 
 
@@ -42,6 +48,9 @@ def test_no_page_breaks_them(visit_example: Visit, path: str) -> None:
     page = visit_example(path)
     page.wait_for_load_state("networkidle")
     assert broken(page) == {}
+    # What stands beyond the edge of a scrolled table makes its head no higher, and words of limits cross no line.
+    assert max(page.locator("thead").evaluate_all("heads => [0, ...heads.map((one) => one.offsetHeight)]")) < 80
+    assert page.evaluate(CROSSED) == []
 
 
 def test_names_that_are_cut_break_them_neither(visit: Visit) -> None:

@@ -343,7 +343,7 @@ def test_the_panel_lists_the_nodes(visit: Visit) -> None:
 )
 def test_no_way_to_draw_it_hides_a_finding(visit: Visit, made_up: Any, query: str) -> None:
     page = visit(f"/computation/rover?{query}")
-    told = page.locator("#graph-selected .told > li")
+    told = page.locator("#graph-selected .reported > li")
     expect(told).to_have_count(len(made_up.robot_findings()))
     for one in made_up.robot_findings():
         assert told.filter(has_text=one.message.replace("`", "")).count() == 1
@@ -353,12 +353,12 @@ def test_no_way_to_draw_it_hides_a_finding(visit: Visit, made_up: Any, query: st
 def test_a_finding_leads_to_what_it_is_about(visit: Visit) -> None:
     page = visit("/computation/rover?topics=lines")
     panel = page.locator("#graph-selected")
-    panel.locator(".told li").first.get_by_role("button", name="/scan").click()
+    panel.locator(".reported li").first.get_by_role("button", name="/scan").click()
     expect(panel.locator("h2")).to_have_text("/scan")
-    expect(panel.locator(".told li")).to_contain_text("nothing arrives")
+    expect(panel.locator(".reported li")).to_contain_text("nothing arrives")
     expect(page.locator(".links path")).to_have_count(1)
     page = visit("/computation/rover?hide=/scan")
-    page.locator("#graph-selected .told li").first.get_by_role("link", name="/scan").click()
+    page.locator("#graph-selected .reported li").first.get_by_role("link", name="/scan").click()
     expect(page).to_have_url(re.compile("/topics/rover/topic/scan"))
 
 
@@ -426,6 +426,26 @@ def test_a_small_map_says_where_the_reader_is_while_not_all_is_in_sight(visit: V
     before = page.locator("#graph-svg .scene").get_attribute("transform")
     small.click(position={"x": 5, "y": 5})
     expect(page.locator("#graph-svg .scene")).not_to_have_attribute("transform", before or "")
+
+
+def test_the_small_map_stands_where_it_covers_the_fewest_boxes(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    for _ in range(4):
+        page.get_by_role("button", name="Zoom in").click()
+    covered = page.evaluate("""() => {
+      const shown = document.querySelector(".minimap").getBoundingClientRect();
+      const room = document.querySelector("#graph-canvas").getBoundingClientRect();
+      const boxes = [...document.querySelectorAll("#graph-svg .node")].map((one) => one.getBoundingClientRect());
+      const [width, height] = [shown.width, shown.height];
+      const within = (one, left, top) =>
+        one.right > left && one.left < left + width && one.bottom > top && one.top < top + height;
+      const below = (left, top) => boxes.filter((one) => within(one, left, top)).length;
+      const right = room.right - 10 - width;
+      const [left, top, low] = [room.left + 10, room.top + 10, room.bottom - 10 - height];
+      const corners = [[left, low], [left, top], [right, top]];
+      return [[shown.left, shown.top], ...corners].map(([x, y]) => below(x, y));
+    }""")
+    assert covered[0] == min(covered)
 
 
 def test_the_title_of_a_box_stays_in_sight(visit: Visit) -> None:

@@ -75,6 +75,14 @@ def test_what_differs_is_marked_by_sign_and_word(visit_difference: Open) -> None
     expect(page.locator('[id$="differences"] table')).to_contain_text("node /lidar")
 
 
+def test_a_list_that_is_cut_leads_to_all_of_it_beside_its_amount(visit_difference: Open) -> None:
+    page = visit_difference("/conformance")
+    beside = page.locator("#differences .bar-line")
+    if "of" in beside.locator(".count").inner_text():
+        beside.get_by_role("link", name="all").click()
+    expect(page.locator("#differences .cut")).to_have_count(0)
+
+
 def test_a_node_stands_where_the_graph_of_the_source_has_it(visit_difference: Open) -> None:
     page = visit_difference("/conformance")
     where = "one => one.getAttribute('transform').match(/-?[\\d.]+/g).map(Number)"

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from dashboard.live.scripted_robot import ScriptedRobot
+from dashboard.live.scripted_robot import REFERENCE, ScriptedRobot
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from roslens.dashboard.access.person import Person, Role
@@ -89,6 +89,38 @@ def test_rate_bandwidth_jitter_and_latency_of_each_connection(follow: Open) -> N
         expect(panel.get_by_role("cell", name=title, exact=True)).to_be_visible()
 
 
+def test_network_and_temperature_of_a_host_beside_its_processor(robot: ScriptedRobot, follow: Open) -> None:
+    robot.sampled["base"] = {"network_in": 2e6, "network_out": 1e6, "temperature": 71.5}
+    robot.run(2)
+    panel = follow("/?select=host:base").locator("#detail")
+    for title, value in (
+        ("Network in", "2 MB/s"),
+        ("Network out", "1 MB/s"),
+        ("Temperature", "71.5 degC"),
+        ("CPU", "31 %"),
+    ):
+        line = panel.locator("tr", has=panel.page.get_by_role("cell", name=title, exact=True))
+        expect(line.first).to_contain_text(value)
+
+
+def test_what_comes_out_of_a_node_is_held_against_what_went_in(robot: ScriptedRobot, follow: Open) -> None:
+    robot.processing["/cmd_vel"] = 0.012
+    robot.run(2)
+    panel = follow("/?select=connection:/planner > /cmd_vel > /odometry").locator("#detail")
+    line = panel.locator("tr", has=panel.page.get_by_role("cell", name="Mean processing time", exact=True))
+    expect(line.first).to_contain_text("12 ms")
+
+
+def test_edge_labels_and_tooltips_say_what_the_table_says(follow: Open) -> None:
+    page = follow("/?select=topic:/odom")
+    rate = row(page, "topic:/odom").locator("td.num").first.inner_text()
+    assert rate == "50 Hz"
+    told = page.locator("#lines title").evaluate_all("all => all.map(one => one.textContent)")
+    assert any("/odom" in one and rate in one for one in told)
+    words = page.locator("#lines text").evaluate_all("all => all.map(one => one.textContent)")
+    assert any(rate in one for one in words)
+
+
 def test_an_alert_points_at_the_faulty_part_first_cause_first(follow: Open) -> None:
     page = follow()
     first = page.locator(".cause > .alert").first
@@ -145,6 +177,21 @@ def test_reference_with_what_each_constraint_matches_and_a_draft_to_accept(follo
     expect(page.locator("#accepted + pre")).to_contain_text('topic: "/planner/status"')
     table.get_by_role("link", name="/scan").first.click()
     expect(row(page, "topic:/scan")).to_have_class(re.compile("chosen"))
+
+
+def test_what_several_constraints_judge_is_said(browser: Browser, visitor_class: Any) -> None:
+    robot = ScriptedRobot(reference=REFERENCE + "  - {topic: /scan, rate: '>= 5 Hz'}\n")
+    robot.run(30)
+    page = robot.page
+    with LivePage(page.newest, board=page.board) as live:
+        visitor = visitor_class(browser, live.url.rstrip("/"))
+        shown = visitor.open("/references")
+        expect(shown.get_by_role("heading", name="Judged more than once")).to_be_visible()
+        expect(shown.locator("main")).to_contain_text("8..12 Hz")
+        shown.get_by_role("button", name="Choose all").click()
+        expect(shown.locator(".proposals input:not(:checked)")).to_have_count(0)
+        visitor.close()
+        assert not visitor.problems
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -54,7 +54,9 @@ def test_at_in_the_address_shows_that_moment_everywhere(follow: Open) -> None:
     expect(row(page, "topic:/scan").locator(".state")).to_have_text("absent")
     expect(page.locator("#detail .mark").first).to_have_text("absent")
     expect(page.locator("#when")).to_have_text("12:00:40.0")
+    expect(page.locator("#pulse-word")).to_have_text("past")
     page.locator("#now").click()
+    expect(page.locator("#pulse-word")).to_have_text("live")
     expect(page.locator("#then")).not_to_be_visible()
     expect(page.locator("#headline")).to_have_text("Nothing is wrong")
     expect(row(page, "topic:/scan").locator(".state")).to_have_text("ok")
@@ -104,6 +106,16 @@ def test_two_moments_are_compared(follow: Open) -> None:
     expect(row(page, "topic:/scan")).to_have_class(re.compile("chosen"))
 
 
+def test_what_changed_and_no_constraint_judges_is_folded(follow: Open) -> None:
+    page = follow(f"/compared?from=20&to={KILLED}")
+    expect(page.locator(".workspace")).to_have_text("rover")
+    judged, others = page.locator(".compared").all()
+    assert "connection" not in judged.inner_text()
+    expect(others).to_be_hidden()
+    page.locator(".unjudged summary").click()
+    expect(others.locator("tr", has_text="/lidar > /scan > /slam")).to_be_visible()
+
+
 def test_back_undoes_a_selection(follow: Open) -> None:
     page = follow()
     row(page, "topic:/scan").click()
@@ -122,6 +134,8 @@ def test_a_plot_has_the_band_its_values_and_a_gap_in_words(follow: Open) -> None
     expect(plot).to_have_count(1)
     expect(plot).to_have_attribute("aria-label", re.compile(r"^CPU from .* last 12\.5 %, expected <= 80 %, 1 gap$"))
     expect(plot.locator("canvas")).to_be_visible()
+    # Where nobody points, the legend has the last value.
+    expect(plot.locator(".u-legend")).to_contain_text("12.5 %")
     page.locator(".plot-signals summary").click()
     page.get_by_label("Memory", exact=True).check()
     expect(plot).to_have_count(2)

@@ -15,10 +15,13 @@ from browser.whole_site import KEY, SCREENS, WholeSite, signed_in
 from playwright.sync_api import Browser, Page, expect
 
 from roslens.dashboard.listener import Tls
+from roslens.store.journals.journal import Journal
 
 Open = Callable[..., Page]
 DEFICIENCIES = ("protanopia", "deuteranopia", "tritanopia", "achromatopsia", "blurredVision")
 TABS = 25
+FURTHER = ("/search?q=scan", "/conformance?show=all")
+"""Addresses that name more than the screens do."""
 RULES = {"light": "undefined", "dark": "['color-contrast', 'link-in-text-block']"}
 """Of axe-core that are tried, by scheme; colours are all that differs in the dark."""
 
@@ -62,17 +65,31 @@ def _breaks(page: Page, rules: str) -> dict[str, list[str]]:
     return {one["id"]: [node["html"][:160] for node in one["nodes"][:3]] for one in found["violations"]}
 
 
-def test_no_screen_breaks_a_rule_of_axe(whole: WholeSite, visit: Open, axe: str) -> None:
+def test_each_screen_breaks_no_rule_of_axe_links_its_names_and_is_walked_by_the_tab_key(
+    whole: WholeSite, visit: Open, axe: str
+) -> None:
+    """One load of each screen for three questions, as to load a screen takes longer than to ask it."""
     page = visit(signed_in("/"))
-    broken = {}
-    for path in SCREENS:
+    known = known_names(page, whole.url)
+    assert {"/scan", "node:/lidar", "nav2_util", "cpp.explicit_constructor", "/left/camera"} <= known
+    broken, unlinked, stuck = {}, {}, {}
+    for path in (*SCREENS, *FURTHER):
         go(page, whole, path)
+        if found := page.evaluate(UNLINKED, sorted(known)):
+            unlinked[path] = sorted(set(found))
+        if path in FURTHER:
+            continue
         page.evaluate(axe)
         for scheme, rules in RULES.items():
             page.emulate_media(color_scheme=scheme)
-            if found := _breaks(page, rules):
-                broken[path, scheme] = found
+            if breaks := _breaks(page, rules):
+                broken[path, scheme] = breaks
+        page.emulate_media(color_scheme="light")
+        if wrong := _wrong_on_the_walk(page):
+            stuck[path] = wrong
     assert broken == {}
+    assert unlinked == {}, "what has a place of its own leads there from wherever it is named"
+    assert stuck == {}, "each step reaches something else that can be seen and that shows its focus"
 
 
 def test_no_screen_scrolls_sideways_at_420_pixels(whole: WholeSite, visit: Open) -> None:
@@ -86,38 +103,29 @@ def test_no_screen_scrolls_sideways_at_420_pixels(whole: WholeSite, visit: Open)
     assert wide == {}
 
 
-def test_the_tab_key_walks_through_every_screen(whole: WholeSite, visit: Open) -> None:
-    """Each step reaches something else that can be seen and says that it has the focus."""
-    page = visit(signed_in("/"))
-    stuck = {}
-    for path in SCREENS:
-        go(page, whole, path)
-        seen = []
-        for _ in range(TABS):
-            page.keyboard.press("Tab")
-            seen.append(
-                page.evaluate(
-                    """() => {
-                      const one = document.activeElement;
-                      window.walked ??= [];
-                      const again = window.walked.includes(one) && one !== document.body;
-                      window.walked.push(one);
-                      const box = one.getBoundingClientRect();
-                      const style = getComputedStyle(one);
-                      const shown = box.width > 0 && box.height > 0;
-                      const marked = style.outlineStyle !== "none" || style.boxShadow !== "none";
-                      const what = one.outerHTML.slice(0, 90);
-                      if (one === document.body || again) return again ? "again" : "end";
-                      return !shown ? `unseen ${what}` : !marked ? `unmarked ${what}` : "";
-                    }"""
-                )
-            )
-        wrong = [one for one in itertools.takewhile(lambda one: one not in ("end", "again"), seen) if one]
-        if wrong or len([one for one in seen if not one]) < 4:
-            stuck[path] = wrong or seen
-    assert stuck == {}
+def _wrong_on_the_walk(page: Page) -> list[str]:
+    """Return what is wrong with where the tab key leads; where it reaches fewer than four elements, all of it."""
+    seen = []
+    for _ in range(TABS):
+        page.keyboard.press("Tab")
+        seen.append(page.evaluate(FOCUSED))
+    wrong = [one for one in itertools.takewhile(lambda one: one not in ("end", "again"), seen) if one]
+    return wrong or (seen if len([one for one in seen if not one]) < 4 else [])
 
 
+FOCUSED = """() => {
+  const one = document.activeElement;
+  window.walked ??= [];
+  const again = window.walked.includes(one) && one !== document.body;
+  window.walked.push(one);
+  const box = one.getBoundingClientRect();
+  const style = getComputedStyle(one);
+  const shown = box.width > 0 && box.height > 0;
+  const marked = style.outlineStyle !== "none" || style.boxShadow !== "none";
+  const what = one.outerHTML.slice(0, 90);
+  if (one === document.body || again) return again ? "again" : "end";
+  return !shown ? `unseen ${what}` : !marked ? `unmarked ${what}` : "";
+}"""
 UNLINKED = """(known) => {
   const names = new Set(known), found = [];
   // The page of a thing is about it, and its parameters and log are what every node has: there is no page of these.
@@ -146,30 +154,15 @@ def known_names(page: Page, base: str) -> set[str]:
     return found - {"rover"}
 
 
-def test_every_name_on_every_screen_is_a_link(whole: WholeSite, visit: Open) -> None:
-    """What has a place of its own leads there from wherever it is named; ``rover`` is a host, a package and a title."""
-    page = visit(signed_in("/"))
-    known = known_names(page, whole.url)
-    assert {"/scan", "node:/lidar", "nav2_util", "cpp.explicit_constructor", "/left/camera"} <= known
-    unlinked = {}
-    for path in (*SCREENS, "/search?q=scan", "/conformance?show=all"):
-        go(page, whole, path)
-        if found := page.evaluate(UNLINKED, sorted(known)):
-            unlinked[path] = sorted(set(found))
-    assert unlinked == {}
-
-
 def test_what_runs_and_is_not_in_source_leads_to_what_is_known_of_it_as_it_runs(whole: WholeSite, visit: Open) -> None:
     page = visit(signed_in("/conformance"))
     page.locator("#differences").get_by_role("link", name="node /ui", exact=True).first.click()
     expect(page).to_have_url(re.compile("/live/.*select=node%3A%2Fui"))
 
 
-@pytest.mark.parametrize("deficiency", DEFICIENCIES)
-def test_states_are_told_apart_by_sign_and_word(whole: WholeSite, visit: Open, deficiency: str) -> None:
+def test_states_are_told_apart_by_sign_and_word(whole: WholeSite, visit: Open) -> None:
     page = visit(signed_in("/live/"))
     go(page, whole, "/live/")
-    page.context.new_cdp_session(page).send("Emulation.setEmulatedVisionDeficiency", {"type": deficiency})
     marks = page.locator("#counts .mark")
     signs = marks.evaluate_all("all => all.map(one => one.querySelector('use').getAttribute('href'))")
     words = [text.split(" ", 1)[1] for text in marks.all_text_contents()]
@@ -178,8 +171,24 @@ def test_states_are_told_apart_by_sign_and_word(whole: WholeSite, visit: Open, d
     # The form of each sign is another one, whatever its colour is.
     forms = page.evaluate("signs => signs.map(one => document.querySelector(one).innerHTML)", signs)
     assert len(forms) == len(set(forms))
-    pictures = [one.screenshot() for one in page.locator("#counts .mark svg").all()]
-    assert len(pictures) == len(set(pictures))
+    session = page.context.new_cdp_session(page)
+    for deficiency in DEFICIENCIES:
+        session.send("Emulation.setEmulatedVisionDeficiency", {"type": deficiency})
+        pictures = [one.screenshot() for one in page.locator("#counts .mark svg").all()]
+        assert len(pictures) == len(set(pictures)), deficiency
+
+
+def test_countermeasures_with_a_log_of_the_condition_that_was_true(whole: WholeSite, visit: Open) -> None:
+    with Journal(whole.journal) as journal:
+        because = [{"entity": "node:/lidar", "statement": "/lidar is gone", "state": "gone", "since": 99.0}]
+        journal.add("decided", 102.0, decision="rover.lidar/2.1", entity="node:/lidar", because=because)
+    page = visit(signed_in("/plan"))
+    expect(page.locator(".measure").first).to_contain_text("When node /lidar is gone or stopped")
+    page.locator(".measure a", has_text="decisions").first.click()
+    entry = page.locator("#entries tr", has_text="rover.lidar/2.1").first
+    expect(entry).to_contain_text("because /lidar is gone")
+    entry.locator(".decision a").click()
+    expect(page.locator("#entries tbody tr")).to_have_count(1)
 
 
 def test_a_finding_is_accepted_and_taken_back_on_its_list(whole: WholeSite, visit: Open) -> None:
@@ -222,7 +231,8 @@ def test_a_session_over_https(tmp_path: Path, browser: Browser, request: pytest.
         # Who holds a token acts: the page may acknowledge.
         site.robot.rates["/scan"] = 3
         site.robot.run(6)
-        page.locator("#alerts").get_by_role("button", name="Acknowledge").first.click()
+        with page.expect_response(lambda one: one.request.method == "POST"):
+            page.locator("#alerts").get_by_role("button", name="Acknowledge").first.click()
         site.robot.run(1)
         expect(page.locator("#alerts")).to_contain_text("acknowledged by Ada")
         visitor.close()

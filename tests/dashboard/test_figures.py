@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.dashboard.charts.figures import compact, number, plural, share
+from roslens.dashboard.charts.figures import compact, number, share
+from roslens.model.words.plural import plural
 
 
 @pytest.mark.parametrize(

@@ -34,6 +34,6 @@ def test_by_conditions_and_what_cannot_be_told_never_passes():
     unknown = GateResult("new_errors", None, "new errors: not known without --baseline")
     broken = GateResult("notes", False, "3 notes, at most 1")
     assert gate_line(COUNTS, "never", (holds,)).answer == "passes"
-    assert gate_line(COUNTS, "never", (holds, unknown)).answer == "cannot be told"
+    assert gate_line(COUNTS, "never", (holds, unknown)).answer == "cannot be determined"
     assert gate_line(COUNTS, "error", (holds, unknown, broken)).answer == "fails"
     assert gate_line(COUNTS, "error", (holds,)).conditions == ("0 errors", "12 warnings, at most 20")

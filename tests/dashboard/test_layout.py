@@ -85,10 +85,10 @@ def test_one_more_node_moves_few_to_another_column() -> None:
 
 @pytest.mark.heavy
 @pytest.mark.timed
-def test_a_thousand_packages_are_placed_in_half_a_second() -> None:
-    nodes, edges = made_up(1000)
+def test_four_thousand_packages_are_placed_in_three_tenths_of_a_second() -> None:
+    nodes, edges = made_up(4000)
     begun = time.process_time()
     layout = lay_out(nodes, edges)
     took = turned_s(begun)
-    assert len(layout.places) == 1000
-    assert took < 0.5, f"{took:.2f} s"
+    assert len(layout.places) == 4000
+    assert took < 0.3, f"{took:.2f} s"

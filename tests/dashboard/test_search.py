@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from roslens.dashboard.pages.search import _brief, build, everything
+from roslens.dashboard.pages.search import _brief, _order, build, everything
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Query, Request
 
@@ -52,3 +52,12 @@ def test_a_description_ends_with_a_word_and_says_that_more_follows() -> None:
     assert found.endswith(" …")
     assert len(found) <= 110
     assert found.removesuffix(" …").split()[-1].strip(",") in {"It", "implements", "the", "adaptive", "approach"}
+
+
+def test_files_of_own_code_come_before_those_of_tests(in_two: Site) -> None:
+    of_test = _order("planner", "file", "nav/test/planner.cpp", "test")
+    own = _order("planner", "file", "nav/src/planner_server.cpp", "")
+    assert own < of_test
+    roles = {more for kind, _, more, _ in everything(in_two) if kind == "file"} - {""}
+    for role in roles:
+        assert all(role in name for kind, name in found(in_two, role) if kind == "file"), "a role is no name"

@@ -30,7 +30,7 @@ _AS_THEY_ARE = ("icon.svg", "roslens.css", "theme.js")
 
 
 class Progress(Protocol):
-    """Is told how far the export is."""
+    """Is called with how far the export is."""
 
     def step(self, title: str, total: int) -> None:
         """Begin a step of ``total`` items."""
@@ -48,7 +48,7 @@ def export_folder(site: Site, out: Path, progress: Progress, jobs: int = 1) -> N
     Args:
         site: what is shown. With more than one job its run must be in a file.
         out: the folder.
-        progress: is told each page.
+        progress: is called with each page.
         jobs: how many processes write pages; 0 is one per processor.
 
     Raises:

@@ -6,21 +6,21 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.dashboard.charts.figures import plural
 from roslens.judge.quality.gate import GateResult
 from roslens.model.finding import Severity
+from roslens.model.words.plural import plural
 
 NEVER = "never"
 _BEGINNINGS = {
     "passes": "Passes the gate",
     "fails": "Fails the gate",
-    "cannot be told": "Whether it passes the gate cannot be told",
+    "cannot be determined": "Whether it passes the gate cannot be determined",
     "nothing fails it": "No finding fails it",
 }
 
 
 class GateLine(msgspec.Struct, frozen=True):
-    """The answer (``passes``, ``fails`` or ``cannot be told``) and what it rests on, a text each."""
+    """The answer (``passes``, ``fails`` or ``cannot be determined``) and what it rests on, a text each."""
 
     answer: str
     conditions: tuple[str, ...]
@@ -39,7 +39,7 @@ def gate_line(severities: Mapping[Severity, int], fail_on: str, results: tuple[G
         fail_on: severity from which findings fail a check; ``never`` for none.
         results: of the conditions of ``[gate]``.
     """
-    texts = [one.text if one.condition in one.text else f"{one.condition}: {one.text}" for one in results]
+    texts = [one.text if _is_named(one) else f"{one.condition}: {one.text}" for one in results]
     verdicts = [one.holds for one in results]
     if fail_on != NEVER:
         least = Severity(fail_on)
@@ -48,5 +48,10 @@ def gate_line(severities: Mapping[Severity, int], fail_on: str, results: tuple[G
         verdicts.append(not any(counted.values()))
     if not verdicts:
         return GateLine("nothing fails it", ('roslens.toml says fail_on = "never"',))
-    answer = "fails" if False in verdicts else "cannot be told" if None in verdicts else "passes"
+    answer = "fails" if False in verdicts else "cannot be determined" if None in verdicts else "passes"
     return GateLine(answer, tuple(texts))
+
+
+def _is_named(one: GateResult) -> bool:
+    """Return whether the text names the condition by itself: ``1 new error`` names ``new_errors``."""
+    return one.condition.replace("_", " ").removesuffix("s") in one.text

@@ -13,13 +13,14 @@ from markupsafe import Markup
 
 import roslens
 from roslens.dashboard.address import FileLinks, Links, PageRef
-from roslens.dashboard.charts.figures import number, plural, share
+from roslens.dashboard.charts.figures import number, share
 from roslens.dashboard.pages.help import KEYS
 from roslens.dashboard.site import Site
 from roslens.dashboard.sources.source_rows import excerpt_html, source_html
 from roslens.dashboard.tables.table import next_sort
 from roslens.dashboard.tables.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
+from roslens.model.words.plural import plural
 
 TEMPLATES = Path(__file__).with_name("templates")
 WEB = Path(__file__).with_name("web")

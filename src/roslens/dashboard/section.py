@@ -1,7 +1,7 @@
 """A page's content as a section among others in one file: names that meet nowhere, links that lead somewhere.
 
-The content comes from our own templates with every text escaped, so a quoted attribute can be told from text by its
-quotation marks: text holds ``&#34;`` instead.
+The content comes from our own templates with every text escaped, so quotation marks distinguish an attribute from text:
+text holds ``&#34;`` instead.
 """
 
 from __future__ import annotations

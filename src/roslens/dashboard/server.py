@@ -1,4 +1,4 @@
-"""The pages over HTTP, on this machine unless told otherwise."""
+"""The pages over HTTP, on this machine by default."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def create_app(
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
         state: returns what `snapshot` returns before it is JSON.
-        sight: is told what readers of it see.
+        sight: is given what readers of it see.
         further: pages beside these.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
@@ -117,7 +117,7 @@ def create_app(
         site.running = lambda: names_in(snapshot())
         facts = Facts(
             names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access,
-            further=Further(links=further.links),
+            further=Further(links=further.links, waiting=further.waiting),
         )  # fmt: skip
         live = create_live_app(
             snapshot,
@@ -218,14 +218,14 @@ def serve(
         site: what to show.
         host: name or address to listen on; only this machine by default.
         port: to listen on; 0 takes a free one.
-        ready: told the address of the first page once connections are accepted.
+        ready: called with the address of the first page once connections are accepted.
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
         graph: returns its computation graph as JSON; called from this thread too.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
         state: returns what `snapshot` returns before it is JSON.
-        sight: is told what readers of it see.
+        sight: is given what readers of it see.
         further: pages beside these.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.

@@ -1,4 +1,4 @@
-"""What is new since the run before: by which findings of this one are told from those that were there."""
+"""What is new since the run before: by which findings of this one are distinguished from those that were there."""
 
 from __future__ import annotations
 

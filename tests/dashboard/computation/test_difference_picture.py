@@ -63,7 +63,7 @@ def test_elements_are_marked_by_how_they_stand_to_source(system: System, running
     assert found["topic:/joy"].standing is Standing.ADDED
     assert found["topic:/odom"].standing is Standing.DIFFERS
     assert found["node:/odometry"].standing is Standing.ALIKE
-    assert any("differs in type" in text for text in found["topic:/odom"].told)
+    assert any("differs in type" in text for text in found["topic:/odom"].differences)
 
 
 def test_lines_are_marked_too(system: System, running: Graph) -> None:

@@ -46,7 +46,7 @@ def test_a_topic_tells_who_is_at_which_end(client: Any) -> None:
     ]
     page = client.get("/topics/rover/topic/scan").text
     assert "nothing arrives" in page
-    assert "Nobody subscribes." in client.get("/topics/rover/topic/status").text
+    assert "No node of this configuration subscribes." in client.get("/topics/rover/topic/status").text
 
 
 def test_a_component_is_linked_with_its_container(client: Any) -> None:
@@ -104,3 +104,17 @@ def test_what_a_declaration_says_of_a_parameter_is_told() -> None:
         ("read only; one of fast, slow; not empty", "", "How to move"),
         ("of any type", "0..5", ""),
     ]
+
+
+@pytest.mark.parametrize(
+    ("defined", "said"),
+    [(None, "Not known: its source was not found in this workspace."), (Proof("a.cpp", 3), "None.")],
+)
+def test_of_a_node_without_source_it_is_not_said_that_it_publishes_nothing(defined: Proof | None, said: str) -> None:
+    node = ConfiguredNode("/n", Proof("a.launch", 3), defined=defined)
+    systems = systems_of({"c": Configuration("c", "ros2", nodes=(node,))}, {})
+    view = build_node(Book(systems, lambda _: False, ""), Request("c/n"))
+    assert view is not None
+    assert {table.empty for table in view.tables if table.name in ("publishes", "subscribes", "serves", "calls")} == {
+        said
+    }

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from urllib.parse import urlencode
 
 import httpx
+import msgspec
 import pytest
 
 from roslens.dashboard.access.person import Person, Role
@@ -165,13 +166,26 @@ def test_markup_is_text(scene):
 def test_a_question_is_shown_and_answered_once(scene):
     scene.questions.ask(decision(text="the lidar is gone"), 160.0)
     text = scene.get("/questions")
-    for word in ("restart node:/lidar", "the lidar is gone", "/lidar is gone", "60 s left"):
+    for word in ("restart node:/lidar", "the lidar is gone", "/lidar is gone", "1 min 0 s left"):
         assert word in text
     found = scene.answer()
     assert (found.status_code, found.headers["location"]) == (303, "questions?said=allow")
     assert scene.questions.answers() == [("r.one/1.1", True, "Ada on the page (127.0.0.1)")]
     assert scene.answer("deny").status_code == 409
     assert scene.questions.answers() == []
+
+
+def test_a_question_has_what_was_observed_beside_what_holds(scene):
+    one = decision()
+    observed = Because("topic:/scan", "/scan is low", "low", 100.0, evidence="4 messages in 1.0 s")
+    scene.questions.ask(msgspec.structs.replace(one, because=(observed,)), 160.0)
+    assert "/scan is low: 4 messages in 1.0 s" in scene.get("/questions")
+
+
+def test_a_decision_leads_to_its_entries(scene):
+    scene.write(about("node:/lidar"), ("outcome", {"decision": "r/1.1", "result": "done"}))
+    text = scene.get("/journal")
+    assert text.count('href="journal?text=r/1.1"') == 2
 
 
 def test_a_denial_is_an_answer_too(scene):

@@ -66,6 +66,7 @@ def test_each_countermeasure_is_said_in_words(shown):
     page = client.get("/plan").text
     assert NASTY not in page
     assert "Nothing was decided by it yet." in page
+    assert "needs approval" in page
 
 
 def test_what_became_of_it_stands_beside(shown):
@@ -88,6 +89,16 @@ def test_without_reactions_it_says_where_they_are_written(site, tmp_path):
     client = Client(create_app(site, further=Further(routes, journal_links(acting=False, base="/"))))
     assert "The reference has no <code>reactions:</code>" in client.get("/plan").text
     assert "cannot read the journal" in client.get("/journal").text
+
+
+def test_without_a_reference_nothing_is_said_of_one(site, tmp_path):
+    (tmp_path / "j").write_text("")
+    routes = journal_routes(JournalView(tmp_path / "j", str), "rover", reactions=lambda: None)
+    client = Client(create_app(site, further=Further(routes, journal_links(acting=False, base="/"))))
+    page = client.get("/plan").text
+    assert "No reference was given" in page
+    assert "The reference has" not in page
+    assert "Nothing has been decided or done yet." in client.get("/journal").text
 
 
 def test_who_reacts_now_is_led_to(shown):

@@ -58,7 +58,11 @@ def written(seconds: float) -> str:
 
 
 class ScriptedRobot:
-    """Runs second by second; ``rates`` and ``cpu`` override what is usual, ``gone`` are nodes that are not there."""
+    """Runs second by second.
+
+    ``rates`` and ``cpu`` override what is usual, ``gone`` are nodes that are not there. ``sampled`` is what hosts tell
+    besides, ``processing`` by topic how many seconds pass from what came into its publisher to what it sends.
+    """
 
     def __init__(
         self, nodes: dict[str, str] | None = None, wires: Iterable[Wire] = WIRES, reference: str = REFERENCE
@@ -69,6 +73,8 @@ class ScriptedRobot:
         self.rates: dict[str, int] = {}
         self.cpu: dict[str, float] = {}
         self.gone: set[str] = set()
+        self.sampled: dict[str, dict[str, float]] = {}
+        self.processing: dict[str, float] = {}
         self.now = 0.0
         self._graph: Graph | None = None
         self._asked = 0.0
@@ -136,7 +142,7 @@ class ScriptedRobot:
 
     def _samples(self) -> Iterable[Sample]:
         for host in sorted(set(self.nodes.values())):
-            values = {"cpu": self.cpu.get(host, 31.0), "memory": 2.1e9}
+            values = {"cpu": self.cpu.get(host, 31.0), "memory": 2.1e9, **self.sampled.get(host, {})}
             yield Sample(EntityId(EntityKind.HOST, host), self.now, values)
         for name in self.nodes:
             if name not in self.gone:
@@ -152,6 +158,8 @@ class ScriptedRobot:
         period = Moments(rate, 1.0, rate * gap * gap, gap, gap) if rate else Moments()
         first, last = (start + gap / 2, start + 1 - gap / 2) if rate else (0.0, 0.0)
         latency = Moments(rate, rate * 0.0021, rate * 0.0021**2, 0.0021, 0.0021)
+        spent = self.processing.get(topic)
+        processing = Moments(rate, rate * spent, rate * spent**2, spent, spent) if rate and spent else Moments()
         for subscriber in subscribers:
             if subscriber not in self.gone:
                 yield Tally(
@@ -166,6 +174,7 @@ class ScriptedRobot:
                     last,
                     period,
                     latency=latency if rate else Moments(),
+                    processing=processing,
                     observer=Observer.SCRIPTED,
                 )
 

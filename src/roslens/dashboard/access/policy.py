@@ -31,7 +31,7 @@ class Access:
         Args:
             holders: each token with who holds it; without one that may operate, nobody may act.
             view_needs_token: whether who only looks needs one too.
-            audit: told of each sign-in, each acting request and each refusal.
+            audit: called with each sign-in, each acting request and each refusal.
             wall: seconds since the epoch.
             steady: seconds that only grow.
         """

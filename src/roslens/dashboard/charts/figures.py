@@ -35,8 +35,3 @@ def share(part: float, whole: float) -> str:
     if 99 < percent < 100:
         return "> 99 %"
     return f"{percent:.0f} %"
-
-
-def plural(count: int, one: str, many: str = "") -> str:
-    """Return ``1 package``, ``1,200 packages``."""
-    return f"{count:,} {one if count == 1 else many or one + 's'}"

@@ -49,7 +49,7 @@ WORDS = {
 
 
 class Element(msgspec.Struct, frozen=True):
-    """A node, topic, service or action as drawn; ``told`` says what differs of it."""
+    """A node, topic, service or action as drawn; ``differences`` says what differs of it."""
 
     key: str
     kind: str
@@ -60,7 +60,7 @@ class Element(msgspec.Struct, frozen=True):
     x: float
     y: float
     standing: Standing
-    told: tuple[str, ...] = ()
+    differences: tuple[str, ...] = ()
     ref: PageRef | None = None
 
 
@@ -97,24 +97,24 @@ def difference_picture(
         disparities: between it, the first side, and the others.
         others: what is there; they say what something that source does not know is joined to.
     """
-    told = _Told(disparities)
+    differences = _Differences(disparities)
     parts = parts_in(system)
     visible = visible_of(system, Left())
     keys = {number: parts[number].key for number in visible}
     wires = {
-        (keys[wire.source], keys[wire.target]): _of_source(told, keys[wire.source], keys[wire.target])
+        (keys[wire.source], keys[wire.target]): _of_source(differences, keys[wire.source], keys[wire.target])
         for wire in system.wires
         if wire.source in visible and wire.target in visible and not wire.implicit
     }
     known = {parts[number].key for number in visible}
-    wires |= _of_others(told, known, others)
+    wires |= _of_others(differences, known, others)
     there = {part.key: part for part in parts if part.key in known}
     lanes = {namespace_of(node.name) for node in system.nodes}
-    for key in sorted({end for wire in wires for end in wire} | told.added):
+    for key in sorted({end for wire in wires for end in wire} | differences.added):
         if key not in there:
             name = key.partition(":")[2]
             there[key] = part_of(key, name, lane_of(name, lanes))
-    standings = {key: _standing(told, key, wires) for key in there}
+    standings = {key: _standing(differences, key, wires) for key in there}
     grounds = grounds_of(system)
     drawn = list(there.values())
     if grounds.many:
@@ -127,7 +127,7 @@ def difference_picture(
     refs = {parts[number].key: ref_of(system, system.elements[number]) for number in visible}
     programs = {parts[number].key: system.elements[number].program for number in visible}
     elements = tuple(
-        _element(part, place, standings[part.key], told, refs.get(part.key), programs.get(part.key, ""))
+        _element(part, place, standings[part.key], differences, refs.get(part.key), programs.get(part.key, ""))
         for part, place in zip(drawn, plan.places, strict=True)
     )
     shown = tuple(
@@ -136,7 +136,7 @@ def difference_picture(
     return DifferencePicture(plan.width, plan.height, plan.boxes, elements, shown, grounds.many)
 
 
-class _Told:
+class _Differences:
     """What the differences say of each element and of what it is joined to."""
 
     def __init__(self, disparities: Iterable[Disparity]) -> None:
@@ -173,33 +173,33 @@ class _Told:
 def _of(one: Disparity) -> Standing:
     if one.aspect is not Aspect.PRESENCE:
         return Standing.DIFFERS
-    return Standing.ADDED if one.told[0] == ABSENT else Standing.MISSING
+    return Standing.ADDED if one.values[0] == ABSENT else Standing.MISSING
 
 
-def _of_source(told: _Told, start: str, end: str) -> Standing:
-    if {start, end} & told.missing:
+def _of_source(differences: _Differences, start: str, end: str) -> Standing:
+    if {start, end} & differences.missing:
         return Standing.MISSING
-    return told.wires.get((start, end), Standing.ALIKE)
+    return differences.wires.get((start, end), Standing.ALIKE)
 
 
-def _of_others(told: _Told, known: set[str], others: Sequence[Side]) -> dict[Wire, Standing]:
+def _of_others(differences: _Differences, known: set[str], others: Sequence[Side]) -> dict[Wire, Standing]:
     """Return what nodes that source does not know are joined to, and what else is joined that is not in source."""
-    found: dict[Wire, Standing] = {wire: one for wire, one in told.wires.items() if one is Standing.ADDED}
+    found: dict[Wire, Standing] = {wire: one for wire, one in differences.wires.items() if one is Standing.ADDED}
     for side in others:
         for claim in side.claims:
             if claim.kind not in ENDPOINTS or plumbing(claim) or DEFAULT.intersection(kinds_of_noise(claim.name)):
                 continue
             role = Role(claim.kind)
             node, channel = f"{NODE}:{claim.node}", f"{KIND_OF_ROLE[role].value}:{claim.name}"
-            if node in told.added and node not in known:
+            if node in differences.added and node not in known:
                 found[(node, channel) if role in OUTWARD else (channel, node)] = Standing.ADDED
     return found
 
 
-def _standing(told: _Told, key: str, wires: Mapping[Wire, Standing]) -> Standing:
-    if key in told.added:
+def _standing(differences: _Differences, key: str, wires: Mapping[Wire, Standing]) -> Standing:
+    if key in differences.added:
         return Standing.ADDED
-    if key in told.missing:
+    if key in differences.missing:
         return Standing.MISSING
     joined = {standing for wire, standing in wires.items() if key in wire} if not key.startswith("node:") else set()
     # What joins nodes is there as long as one of them uses it.
@@ -207,7 +207,7 @@ def _standing(told: _Told, key: str, wires: Mapping[Wire, Standing]) -> Standing
         return Standing.MISSING
     if joined == {Standing.ADDED}:
         return Standing.ADDED
-    return Standing.DIFFERS if key in told.differing else Standing.ALIKE
+    return Standing.DIFFERS if key in differences.differing else Standing.ALIKE
 
 
 def _between_nodes(
@@ -251,11 +251,16 @@ def _about(wire: Wire, standing: Standing, by: str) -> str:
 
 
 def _element(
-    part: Part, place: tuple[float, float], standing: Standing, told: _Told, ref: PageRef | None, program: str
+    part: Part,
+    place: tuple[float, float],
+    standing: Standing,
+    differences: _Differences,
+    ref: PageRef | None,
+    program: str,
 ) -> Element:
     kind, _, name = part.key.partition(":")
     lane = "/" + "/".join(one for one in part.lane.split("/") if one and not one.startswith("@"))
     return Element(
         part.key, kind, name, label_of(name, lane, program), part.width, part.height, *place, standing,
-        tuple(told.words.get(part.key, ())), ref,
+        tuple(differences.words.get(part.key, ())), ref,
     )  # fmt: skip

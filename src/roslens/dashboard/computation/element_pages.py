@@ -21,8 +21,8 @@ _SECTIONS = (
 )
 _SIDES = {
     Kind.TOPIC: (
-        ("publishers", "Publishers", Role.PUBLISHER, "Nobody publishes."),
-        ("subscriptions", "Subscriptions", Role.SUBSCRIPTION, "Nobody subscribes."),
+        ("publishers", "Publishers", Role.PUBLISHER, "No node of this configuration publishes."),
+        ("subscriptions", "Subscriptions", Role.SUBSCRIPTION, "No node of this configuration subscribes."),
     ),
     Kind.SERVICE: (
         ("servers", "Servers", Role.SERVICE_SERVER, "Nobody serves it."),
@@ -46,6 +46,10 @@ def build_node(book: Book, request: Request) -> View | None:
     node, element = system.nodes[number], system.elements[number]
     ends = [(place, end) for place, end in enumerate(system.ends) if end.node == number]
     own = [(place, end) for place, end in ends if not end.configured.implicit]
+    # What has a name leads somewhere.
+    own.sort(key=lambda one: not one[1].configured.resolved)
+    # Of a node without source here, that it has none of these would be a guess.
+    nothing = "None." if node.defined is not None or own else "Not known: its source was not found in this workspace."
     tables = [
         endpoint_table(
             book,
@@ -54,6 +58,7 @@ def build_node(book: Book, request: Request) -> View | None:
             ("does", *_OF_NODE) if len(roles) > 1 else _OF_NODE,
             name,
             title,
+            nothing,
         )
         for name, title, roles in _SECTIONS
     ]
@@ -103,7 +108,9 @@ def build_topic(book: Book, request: Request) -> View | None:
     ]
     types = sorted({end.configured.endpoint.type for _, end in ends} - {""})
     hashes = sorted({end.configured.endpoint.hash for _, end in ends} - {""})
-    rows = [("Type", Cell(", ".join(types) or "unknown")), ("Hash", Cell(", ".join(hashes) or "unknown"))]
+    rows = [("Type", Cell(", ".join(types) or "unknown"))]
+    if hashes:
+        rows.append(("Hash", Cell(", ".join(hashes))))
     return _view(
         book,
         request,
@@ -195,11 +202,11 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
         Column("name", "Parameter", "name"),
         Column("value", "Value", "code"),
         Column("type", "Type", "code"),
-        Column("default", "Default", "code"),
+        Column("default", "Default", "code", sparse=True),
         Column("range", "Range", "code", sparse=True),
         Column("terms", "Terms", sparse=True),
-        Column("access", "In code"),
-        Column("place", "Declared or read at", "code"),
+        Column("access", "In code", sparse=True),
+        Column("place", "Declared or read at", "code", sparse=True),
         Column("set_by", "Set at", "code", sparse=True),
         Column("written_by", "Written at", "code", optional=True, sparse=True),
         Column("conditions", "Only if", "code", optional=True, sparse=True),

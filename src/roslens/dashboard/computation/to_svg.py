@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from roslens.dashboard.charts.figures import plural
 from roslens.dashboard.computation.noise import DEFAULT, PRESETS
 from roslens.dashboard.computation.picture import Drawing, Left, Line, Mark, computation_graph, style_of
 from roslens.dashboard.computation.system import Element, Kind, System
@@ -14,6 +13,7 @@ from roslens.dashboard.plan.ground import Box
 from roslens.dashboard.render import WEB
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
+from roslens.model.words.plural import plural
 from roslens.report.graph.unstarted_text import unstarted_packages
 
 _RULES = (
@@ -106,7 +106,7 @@ def _unstarted(found: Sequence[Configuration]) -> Iterator[str]:
     packages = [one for each in found for one in unstarted_packages(each)]
     if packages:
         yield "Started by no known program, so in no node of the picture:"
-    lines = [line for package, told in packages for line in (package, *(f"\N{NO-BREAK SPACE} {one}" for one in told))]
+    lines = [line for package, nodes in packages for line in (package, *(f"\N{NO-BREAK SPACE} {one}" for one in nodes))]
     yield from lines[:_MOST_LISTED]
     if len(lines) > _MOST_LISTED:
         yield f"and {len(lines) - _MOST_LISTED} more lines, which roslens graph prints"
@@ -148,8 +148,8 @@ def _title(box: Box) -> str:
 def _wire(line: Line, path: str, system: System) -> str:
     # A line between nodes tells by which topics and services; one to a topic needs no more words.
     by = "\n".join(system.elements[number].name for number in line.by)
-    told = f"<title>{_text(by)}</title>" if by else ""
-    return f'<path class={quoteattr(f"wire {style_of(line)}".strip())} d="{path}">{told}</path>'
+    title = f"<title>{_text(by)}</title>" if by else ""
+    return f'<path class={quoteattr(f"wire {style_of(line)}".strip())} d="{path}">{title}</path>'
 
 
 def _element(element: Element, mark: Mark, place: tuple[float, float]) -> str:
@@ -223,8 +223,8 @@ def _captions(system: System, drawing: Drawing, *, as_lines: bool) -> list[str]:
     counts = dict.fromkeys(Kind, 0)
     for number in drawing.places:
         counts[system.elements[number].kind] += 1
-    told = ", ".join(plural(count, kind.value) for kind, count in counts.items() if count) or "no nodes"
-    title = f"{system.configuration.title}: {told}"
+    amounts = ", ".join(plural(count, kind.value) for kind, count in counts.items() if count) or "no nodes"
+    title = f"{system.configuration.title}: {amounts}"
     if as_lines:
         return [title, "Topics, services and actions are the lines between nodes."]
     hidden = len(system.elements) - len(drawing.places)

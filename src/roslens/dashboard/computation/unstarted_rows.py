@@ -28,11 +28,11 @@ def unstarted_table(book: Book, generation: str = "", package: str = "") -> Tabl
 
     What is of a version without a page of its own stands on those of the other one.
     """
-    told = {one.configuration.generation for one in book.systems.values()} - {generation}
+    elsewhere = {one.configuration.generation for one in book.systems.values()} - {generation}
     rows = [
         _row(book, node, end)
         for one in book.unstarted
-        if not generation or one.generation not in told
+        if not generation or one.generation not in elsewhere
         for node in one.nodes
         if not node.role and package in ("", node.package)
         for end in node.endpoints

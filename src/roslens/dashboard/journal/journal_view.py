@@ -159,8 +159,8 @@ class JournalView:
         for entry in self._reader.entries():
             self._rows.append(self._row(entry))
             if entry.what in ("began", "ended"):
-                told = str(entry.fields.get("page", ""))
-                self._page = told if entry.what == "began" and told.startswith(("http://", "https://")) else ""
+                address = str(entry.fields.get("page", ""))
+                self._page = address if entry.what == "began" and address.startswith(("http://", "https://")) else ""
         if len(self._rows) > 2 * MOST_KEPT:
             self._rows = self._rows[-MOST_KEPT:]
             kept = {one.decision for one in self._rows}
@@ -179,8 +179,8 @@ class JournalView:
     def _row(self, entry: Entry) -> JournalRow:
         fields = entry.fields
         decision = str(fields.get("decision", ""))
-        if decision and isinstance(told := fields.get("entity"), str):
-            self._about[decision] = told
+        if decision and isinstance(named := fields.get("entity"), str):
+            self._about[decision] = named
         entity = self._about.get(decision, "")
         outcome = {str(fields.get(key, "")) for key in ("result", "verification", "gate")}
         mark = "warning" if outcome & _BAD or entry.what in ("kept", "torn", "unwell") else ""

@@ -21,7 +21,7 @@ class Countermeasure(msgspec.Struct, frozen=True, omit_defaults=True):
         limits: what else has to be, or must not be, and how often it is done at most.
         steps: what is done, the next where the one before did not help.
         mode: what decisions lead to, where the reaction says so itself.
-        text: what the operator is told.
+        text: what the operator reads.
         where: ``file:line:column``.
         decided: how many decisions of it the journal has.
         last: the newest entry about one of them.
@@ -58,9 +58,9 @@ def _limits(one: Reaction) -> list[str]:
     if one.unless is not None:
         found.append(f"not while {condition_words(one.unless)}")
     if one.settled_s:
-        found.append(f"once the first cause has been the same for {one.settled_s:g} s")
+        found.append(f"only once the first cause has been the same for {one.settled_s:g} s")
     if one.cool_down_s:
-        found.append(f"about one entity again after {one.cool_down_s:g} s")
+        found.append(f"for the same entity again after {one.cool_down_s:g} s at the earliest")
     if one.at_most:
         found.append(f"at most {one.at_most} in {one.per_s:g} s")
     return found

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from roslens.model.acting.reaction import Decision
+from roslens.model.acting.reaction import Because, Decision
 from roslens.report.history.journal_text import action_text
 
 MOST_OPEN = 200
@@ -59,7 +59,7 @@ class Questions:
     def ask(self, decision: Decision, until_s: float) -> None:
         """Ask whether something may be done; ``until_s`` is on the clock on which it was decided."""
         action = {**msgspec.to_builtins(decision.action), "target": str(decision.action.target or "")}
-        because = tuple(one.statement for one in decision.because)
+        because = tuple(_reason(one) for one in decision.because)
         until = self._wall() + max(until_s - decision.at_s, 0.0)
         question = Question(decision.id, action_text(action), decision.entity, because, decision.text, until)
         with self._lock:
@@ -101,3 +101,8 @@ class Questions:
         """Note that an answer was not taken."""
         with self._lock:
             self._refused.append(Refusal(self._wall(), address, why))
+
+
+def _reason(one: Because) -> str:
+    """Return a statement with what was observed, where the statement does not say it already."""
+    return f"{one.statement}: {one.evidence}" if one.evidence and one.evidence not in one.statement else one.statement

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from roslens.dashboard.render import TEMPLATES
 from roslens.model.acting.reaction import Reaction
 
 HERE = Path(__file__).parent
+_MINUTE_S, _HOUR_S = 60, 3600
 _FORM = "application/x-www-form-urlencoded"
 
 
@@ -32,7 +34,7 @@ Navigation = Callable[[], Sequence[tuple[str, str]]]
 
 
 def journal_routes(
-    view: JournalView, title: str, *, reactions: Callable[[], Sequence[Reaction]] = tuple,
+    view: JournalView, title: str, *, reactions: Callable[[], Sequence[Reaction] | None] = tuple,
     questions: Questions | None = None, wall: Callable[[], float] = time.time,
 ) -> list[BaseRoute]:  # fmt: skip
     """Return the routes beside those of the live page, or of a site; its ``state.navigation`` leads to them.
@@ -40,7 +42,7 @@ def journal_routes(
     Args:
         view: of the journal.
         title: what is watched.
-        reactions: returns those of the reference that holds.
+        reactions: returns those of the reference that holds; None where none was given.
         questions: that can be answered; None shows the journal alone.
         wall: says seconds since the epoch.
     """
@@ -55,8 +57,8 @@ def journal_links(*, acting: bool, base: str = "") -> tuple[tuple[str, str], ...
 
 class _Pages:
     def __init__(
-        self, view: JournalView, title: str, reactions: Callable[[], Sequence[Reaction]], questions: Questions | None,
-        wall: Callable[[], float],
+        self, view: JournalView, title: str, reactions: Callable[[], Sequence[Reaction] | None],
+        questions: Questions | None, wall: Callable[[], float],
     ) -> None:  # fmt: skip
         self._view = view
         self._title = title
@@ -67,6 +69,7 @@ class _Pages:
             loader=FileSystemLoader([HERE / "templates", TEMPLATES]), autoescape=True, trim_blocks=True,
             lstrip_blocks=True, undefined=StrictUndefined,
         )  # fmt: skip
+        self._environment.globals["lasting"] = _lasting
 
     def routes(self) -> list[BaseRoute]:
         found: list[BaseRoute] = [
@@ -106,17 +109,24 @@ class _Pages:
 
     def plan(self, request: Request) -> Response:
         """Show what is to be done about faults."""
-        return self._shown(request, "plan.html", "plan", plan=self._plan(), version=self._version())
+        return self._shown(
+            request, "plan.html", "plan", plan=self._plan(), given=self._reactions() is not None,
+            version=self._version(), asking=self._asking(),
+        )  # fmt: skip
 
     def plan_json(self, _: Request) -> Response:
         """Return the same for programs."""
         return Response(msgspec.json.encode(self._plan()), media_type="application/json")
 
+    def _asking(self) -> Counter[str]:
+        asked = self._asked.open() if self._asked is not None else ()
+        return Counter(one.decision.partition("/")[0] for one in asked)
+
     def _elsewhere(self) -> str:
         return self._view.page() if self._asked is None else ""
 
     def _plan(self) -> tuple[Countermeasure, ...]:
-        return plan_of(self._reactions(), self._view.decided())
+        return plan_of(self._reactions() or (), self._view.decided())
 
     def state(self, _: Request) -> Response:
         """Return what changes when there is something new to show."""
@@ -137,14 +147,14 @@ class _Pages:
             return self._refusal(request, 403, "This answer was not taken: it needs a token of the role operate.")
         if request.headers.get("content-type", "").partition(";")[0].strip() != _FORM:
             return self._refusal(request, 415, f"This answer was not taken: expected {_FORM}.")
-        told = dict(parse_qsl((await request.body()).decode("utf-8", "replace"), keep_blank_values=True))
-        word = told.get("answer", "")
+        form = dict(parse_qsl((await request.body()).decode("utf-8", "replace"), keep_blank_values=True))
+        word = form.get("answer", "")
         if word not in ("allow", "deny"):
             return self._refusal(
                 request, 400, f"This answer was not taken: {word[:40]!r} is neither `allow` nor `deny`."
             )
         by = f"{person.name} on the page ({request.client.host if request.client else 'no address'})"
-        if not self._of_asked().answer(told.get("decision", ""), allowed=word == "allow", by=by):
+        if not self._of_asked().answer(form.get("decision", ""), allowed=word == "allow", by=by):
             why = "This is asked no more: it was answered, its time is over, or its cause is gone."
             return self._refusal(request, 409, why)
         return RedirectResponse(f"questions?said={word}", status_code=303)
@@ -177,13 +187,24 @@ class _Pages:
         asked: Sequence[Any] = self._asked.open() if self._asked is not None else ()
         return "/".join((self._view.version(), *(one.decision for one in asked)))
 
-    def _shown(self, request: Request, template: str, page: str, status: int = 200, **told: Any) -> HTMLResponse:
+    def _shown(self, request: Request, template: str, page: str, status: int = 200, **more: Any) -> HTMLResponse:
         waiting = len(self._asked.open()) if self._asked is not None else 0
+        links = request.app.state.navigation()
         text = self._environment.get_template(template).render(
             page=page, title=self._title, elsewhere=self._elsewhere(), waiting=waiting,
-            links=request.app.state.navigation(), release=roslens.__version__, **told,
+            links=links, live=next((href for href, word in links if word == "Live"), ""),
+            release=roslens.__version__, **more,
         )  # fmt: skip
         return HTMLResponse(text, status_code=status)
+
+
+def _lasting(seconds: int) -> str:
+    """Return a length of time as journal.js writes it."""
+    if seconds < _MINUTE_S:
+        return f"{seconds} s"
+    if seconds < _HOUR_S:
+        return f"{seconds // _MINUTE_S} min {seconds % _MINUTE_S} s"
+    return f"{seconds // _HOUR_S} h {seconds % _HOUR_S // _MINUTE_S} min"
 
 
 _SAID = {
@@ -193,11 +214,11 @@ _SAID = {
 
 
 def _chosen(request: Request) -> dict[str, Any]:
-    told = request.query_params
-    before = told.get("before", "")
+    query = request.query_params
+    before = query.get("before", "")
     return {
-        "entity": told.get("entity", "")[:1000],
-        "what": told.get("what", "")[:100],
-        "text": told.get("text", "")[:200],
+        "entity": query.get("entity", "")[:1000],
+        "what": query.get("what", "")[:100],
+        "text": query.get("text", "")[:200],
         "before": int(before) if before.isascii() and before.isdigit() and len(before) < 16 else None,
     }

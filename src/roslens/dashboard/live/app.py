@@ -59,7 +59,7 @@ _KEYS = (
 
 
 class Facts(msgspec.Struct, frozen=True):
-    """What the application is told of the server it runs in.
+    """What the application knows of the server it runs in.
 
     Attributes:
         names: further host names that it answers to, in lower case.
@@ -105,12 +105,12 @@ def create_live_app(
         past: of what is shown; None where nothing is kept.
         board: references and notes on alerts.
         state: returns what `snapshot` returns before it is JSON; by default that is read again.
-        sight: is told what readers see, where snapshots are made of that.
+        sight: is given what readers see, where snapshots are made of that.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    templates = _Templates(facts, past is not None, board is not None)
     telling = Telling(state or _Read(snapshot))
+    templates = _Templates(facts, past is not None, board is not None, telling)
     seeing = SightRoutes(sight)
     streams = _Streams(telling, facts.pace_s, stopped, seeing.sight)
     memory = PastRoutes(past, templates.compared) if past is not None else None
@@ -247,8 +247,9 @@ def _embeddable(text: bytes) -> Markup:
 class _Templates:
     """Writes the pages of one server."""
 
-    def __init__(self, facts: Facts, remembers: bool, boards: bool) -> None:
+    def __init__(self, facts: Facts, remembers: bool, boards: bool, telling: Telling) -> None:
         self._pages = facts.pages
+        self._telling = telling
         own = (("./", "Live"), ("references", "References")) if boards else (("./", "Live"),)
         self._own = (*own, *facts.further.links)
         environment = Environment(
@@ -259,7 +260,12 @@ class _Templates:
             undefined=StrictUndefined,
         )
         environment.globals.update(
-            version=roslens.__version__, navigation=self.navigation, remembers=remembers, keys=_KEYS
+            version=roslens.__version__,
+            navigation=self.navigation,
+            remembers=remembers,
+            keys=_KEYS,
+            title=self._title,
+            waiting=facts.further.waiting,
         )
         self._live = environment.get_template("live.html")
         self._compared = environment.get_template("compared.html")
@@ -268,6 +274,10 @@ class _Templates:
     def navigation(self) -> tuple[tuple[str, str], ...]:
         """Return address and word of each page that all of these lead to."""
         return (*self._pages(), *self._own)
+
+    def _title(self) -> str:
+        self._telling.look()
+        return self._telling.newest().title
 
     def live(self, shown: Snapshot, at: str, mark: str, may: bool, plain: int) -> str:
         text = _embeddable(msgspec.json.encode(shown))

@@ -7,7 +7,7 @@ from typing import Protocol
 import msgspec
 
 
-class Sentence(msgspec.Struct, frozen=True, omit_defaults=True):
+class ConstraintRow(msgspec.Struct, frozen=True, omit_defaults=True):
     """A constraint of the reference, and what it is about.
 
     Attributes:
@@ -54,14 +54,14 @@ class References(msgspec.Struct, frozen=True):
 
     Attributes:
         documents: files, in the order in which they were read.
-        sentences: constraints, those that match nothing first.
+        sentences: constraints: those that match nothing first, then those that something deviates from.
         twice: what several constraints judge.
         proposals: of what nothing judges.
         left_out: how many more proposals there would be.
     """
 
     documents: tuple[str, ...]
-    sentences: tuple[Sentence, ...]
+    sentences: tuple[ConstraintRow, ...]
     twice: tuple[Twice, ...]
     proposals: tuple[Proposal, ...]
     left_out: int = 0

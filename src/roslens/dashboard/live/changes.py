@@ -53,7 +53,7 @@ def held(snapshot: Snapshot) -> Snapshot:
 
 
 def change(before: Snapshot, after: Snapshot) -> Change | None:
-    """Return what makes ``after`` of ``before``; None where only all of it can be told."""
+    """Return what makes ``after`` of ``before``; None where only all of it can be sent."""
     changed = stirred(before.rows, after.rows)
     moved = len(before.rows) != len(after.rows) or any(_KEY(before.rows[at]) != _KEY(after.rows[at]) for at in changed)
     order = tuple(map(_KEY, after.rows))
@@ -74,7 +74,7 @@ def change(before: Snapshot, after: Snapshot) -> Change | None:
 
 
 def _rows(pairs: Iterable[tuple[Row | None, int]], after: Snapshot) -> tuple[tuple[Row, ...], tuple[CellsTold, ...]]:
-    """Return the rows that are told as a whole, and of others the cells; each pair is what was, and its place now."""
+    """Return the rows that are sent as a whole, and of others the cells; each pair is what was, and its place now."""
     keys = tuple(key for key, _ in after.columns)
     whole, cells = [], []
     for was, place in pairs:

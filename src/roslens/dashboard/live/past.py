@@ -87,6 +87,11 @@ class Changed(msgspec.Struct, frozen=True, omit_defaults=True):
     after: str = UNJUDGED
     values: tuple[tuple[str, str, str], ...] = ()
 
+    @property
+    def quiet(self) -> bool:
+        """Whether no constraint judged it at either moment, and it was there at both."""
+        return self.before == self.after == UNJUDGED
+
 
 class Compared(msgspec.Struct, frozen=True):
     """Two moments: what changed between them, the gravest first, and how many rows are the same."""

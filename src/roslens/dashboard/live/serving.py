@@ -40,7 +40,7 @@ class LivePage:
             past: of what is shown; None where nothing is kept.
             board: references and notes on alerts.
             state: returns what `snapshot` returns before it is JSON.
-            sight: is told what readers see.
+            sight: is given what readers see.
             host: name or address to listen on.
             port: to listen on; 0 takes a free one.
             access: who may view and who may act; by default everybody may view and nobody act.

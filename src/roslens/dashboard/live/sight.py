@@ -32,7 +32,7 @@ NOTHING = Seen()
 
 
 class Sight:
-    """Keeps what each reader sees; told by one thread, and asked by any."""
+    """Keeps what each reader sees; written by one thread, and read by any."""
 
     def __init__(self, steady: Callable[[], float]) -> None:
         """``steady`` tells how long ago something was, in seconds."""
@@ -81,9 +81,9 @@ class Sight:
         return known._replace(entities=known.entities | asked) if asked else known
 
     def _join(self) -> None:
-        told = [seen for _, seen in self._streams.values()]
-        every = [one for one in told if one is not None]
-        if not told or len(every) < len(told):
+        stated = [seen for _, seen in self._streams.values()]
+        every = [one for one in stated if one is not None]
+        if not stated or len(every) < len(stated):
             self._all = None
             return
         # One value takes the place of another: who asks meanwhile has the old one or the new one.
@@ -105,8 +105,8 @@ def seen_of(rows: str, links: str, entity: str, picture: str) -> Seen | None:
         picture: ``1`` where the picture is seen.
     """
     keys = rows.split(".") if rows else []
-    version, _, told = links.partition(":")
-    places = told.split(".") if told else []
+    version, _, rest = links.partition(":")
+    places = rest.split(".") if rest else []
     if len(keys) > MOST_ROWS or len(places) > MOST_ROWS or len(entity) > LONGEST_ENTITY:
         return None
     numbers = [version, *places] if places else []

@@ -33,11 +33,11 @@ class SightRoutes:
         """Take what a page says that it sees."""
         if refusal := foreign(request):
             return refusal
-        told = request.query_params.get
-        seen = seen_of(told("rows", ""), told("links", ""), told("select", ""), told("picture", ""))
+        value = request.query_params.get
+        seen = seen_of(value("rows", ""), value("links", ""), value("select", ""), value("picture", ""))
         if seen is None:
             return PlainTextResponse("Expected keys of rows and places of links, not too many.\n", status_code=400)
-        if self.sight.tell(told("reader", ""), seen):
+        if self.sight.tell(value("reader", ""), seen):
             return Response(status_code=204)
         # No error: its stream may be about to come back.
         return PlainTextResponse("No stream of this reader is open.\n")

@@ -18,7 +18,7 @@ from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Picture, Snapshot
 MOST_KEPT = 240
 """Changes that are kept for who comes back: a minute of four a second."""
 MOST_BYTES = 2_000_000
-"""In kept changes; who is further behind is told all of it."""
+"""In kept changes; who is further behind is sent all of it."""
 
 
 NOTHING = Snapshot(VERSION, 0.0, "", "", True, UNJUDGED, {}, "", (), (), (), Picture(), (), ())

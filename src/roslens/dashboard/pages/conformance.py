@@ -67,7 +67,7 @@ def build(site: Site, request: Request) -> View:
             "configuration": name,
             "sides": [{"title": title, "kind": kind} for title, kind in zip(found.titles, found.kinds, strict=True)],
             "agreed": found.agreed,
-            "told": list(found.told),
+            "told": list(found.notes),
         },
         tables=(
             msgspec.structs.replace(
@@ -106,8 +106,8 @@ def _table(
         Column("what", "What", "code"),
         Column("aspect", "Differs in", optional=True),
         *sides,
-        Column("right", "Right"),
-        Column("why", "Why"),
+        Column("right", "Who is right"),
+        Column("why", "Why", "prose"),
         Column("place", "Place", "code", optional=True, sparse=True),
     )
     cells = tuple(_row(site, system, found, one) for one in rows[:limit])
@@ -122,7 +122,7 @@ def _row(site: Site, system: System | None, found: Conformance, one: Disparity) 
         Cell(one.severity.value),
         Cell(one.subject, ref=_page(site, system, one), hint=one.reason.value.replace("_", " ")),
         Cell(one.aspect.value),
-        *(Cell(text) for text in one.told),
+        *(Cell(text) for text in one.values),
         Cell(one.right if SideKind.RUNNING.value in found.kinds else _OVER.get(one.right, one.right)),
         Cell(one.why + also),
         Cell(one.place, ref=file_ref(site, path, int(line)) if path and line.isdecimal() else None),

@@ -125,7 +125,7 @@ def _values(found: RunDifference) -> Table:
         Column("after", "After", "number"),
         Column("change", "Change", "number"),
     )
-    return Table("values", "Measured otherwise", columns, tuple(rows), total=len(rows), empty="Nothing of these.")
+    return Table("values", "Values that changed", columns, tuple(rows), total=len(rows), empty="None.")
 
 
 def _text(value: float | None) -> str:

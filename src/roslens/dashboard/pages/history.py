@@ -14,6 +14,9 @@ from roslens.model.trend import Trend, TrendPoint
 MAIN = ("findings", "loc", "cyclomatic_complexity.max", "duplication_ratio", "revisions", "contributors")
 """Quantities whose curves are shown at once."""
 
+_LARGE = 1000
+"""Of values as large as this nobody reads what is behind the point."""
+
 WHOLE = {
     "sum": "all packages",
     "median": "median of the packages",
@@ -47,6 +50,7 @@ def build(site: Site, request: Request) -> View | None:
             "past": past,
             "charts": charts,
             "whole": WHOLE,
+            "span": f"{past.points[0].name} ({day(past.points[0])}) to {past.points[-1].name} ({day(past.points[-1])})",
             "options": options(past),
             "before": past.points[release if release is not None else 0].commit,
             "after": past.points[-1].commit,
@@ -74,8 +78,9 @@ def whole_chart(trend: Trend) -> LineChart | None:
 
 def digits_of(trend: Trend) -> int:
     """Return how many digits behind the point the values of a trend need."""
-    values = (one for column in (trend.whole, *trend.packages.values()) for one in column if one is not None)
-    return 0 if all(one == int(one) for one in values) else 2
+    values = [one for column in (trend.whole, *trend.packages.values()) for one in column if one is not None]
+    whole = all(one == int(one) for one in values)
+    return 0 if whole or max(map(abs, values), default=0.0) >= _LARGE else 2
 
 
 def _revisions(past: Past, request: Request) -> Table:

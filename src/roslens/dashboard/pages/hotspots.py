@@ -68,7 +68,8 @@ def _files(site: Site, files: list[tuple[str, dict[str, float]]], request: Reque
         Column("ownership", "Ownership", "number", decimals=2, optional=True),
         Column("time_since_last_commit", "Unchanged", "number", unit="d", optional=True),
     )
-    return Table("files", "Files, the hottest first", columns, rows, total=len(files), empty="No file has both.")
+    empty = "Of no file are both changes and complexity known; Not analysed says what is missing."
+    return Table("files", "Files, the hottest first", columns, rows, total=len(files), empty=empty)
 
 
 def _coupled(site: Site, process: tuple[RepositoryProcess, ...], request: Request) -> Table:
@@ -90,7 +91,7 @@ def _coupled(site: Site, process: tuple[RepositoryProcess, ...], request: Reques
     columns = (
         Column("kind", "Kind"),
         Column("first", "Changes", "code"),
-        Column("second", "together with", "code"),
+        Column("second", "Together with", "code"),
         Column("shared", "Commits", "number"),
         Column(
             "degree", "Degree", "number", unit="%", hint="commits that change both / mean of those that change each"

@@ -123,7 +123,7 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
     columns = (
         Column("rating", "Result", "mark"),
         Column("model", "Model"),
-        Column("range", "Asks for"),
+        Column("range", "Limit"),
         Column("high", "Above", "number"),
         Column("low", "Below", "number"),
         Column("share", "Outside", "number", unit="%", decimals=1),

@@ -11,6 +11,8 @@ from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.source import OUTSIDE_PACKAGES
 
+FOLD = "How the values of the parts become the value of the package"
+
 
 def build(site: Site, request: Request) -> View | None:
     """Return the page."""
@@ -38,15 +40,15 @@ def build(site: Site, request: Request) -> View | None:
                     for value in ((figures.least, figures.median, figures.most) if figures else (None, None, None))
                 ),
                 Cell(None, text=" ", spark=spark),
-                Cell(" ".join(sorted(bounds))),
+                Cell(" ".join(sorted(bounds)), text=", ".join(sorted(bounds))),
             )
         )
     columns = (
         Column("title", "Metric"),
         Column("key", "Key", "code", optional=True),
-        Column("unit", "Unit"),
+        Column("unit", "Unit", optional=True),
         Column("kinds", "Measured on"),
-        Column("fold", "Per package", hint="How the values of the parts become the value of the package"),
+        Column("fold", "Per package", hint=FOLD, optional=True),
         Column("packages", "Packages", "number", hint="Packages that have a value"),
         Column("least", "Least", "number"),
         Column("median", "Median", "number"),

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping
 import msgspec
 
 from roslens.dashboard.address import PageRef
-from roslens.dashboard.charts.figures import plural
 from roslens.dashboard.charts.line_chart import day
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.field_column import field_cell, field_column
@@ -22,6 +21,7 @@ from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
+from roslens.model.words.plural import plural
 from roslens.report.run.fix_first import first_to_fix, new_before_others
 
 FIRST = 8
@@ -139,7 +139,8 @@ def _worst(site: Site) -> Table:
     for package in site.packages:
         by_severity = site.severity_counts_of(package)
         total, aside = sum(by_severity.values()), site.aside_of(package)
-        if total or aside:
+        # Those that have findings in other code only are no part of the headline, either.
+        if total:
             rows.append((package, by_severity, total, aside))
     rows.sort(key=lambda row: (-row[2], -row[3], row[0].id))
     columns = (

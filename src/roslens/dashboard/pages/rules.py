@@ -21,8 +21,8 @@ def build(site: Site, request: Request) -> View | None:
         counts[total.rule] = (own + total.gated, aside, max(packages, total.packages))
     columns = (
         Column("severity", "Severity", "mark"),
-        Column("rule", "Rule", "code"),
         Column("title", "What it finds"),
+        Column("rule", "Rule", "code", optional=True),
         Column("findings", "Findings", "number", bar=True),
         Column("aside", "Elsewhere", "number", hint="In test, generated or vendored code: they fail no check"),
         Column("packages", "Packages", "number"),
@@ -32,10 +32,10 @@ def build(site: Site, request: Request) -> View | None:
     rows = tuple(
         (
             Cell(rule.severity.value),
+            Cell(rule.title, ref=PageRef("rule", rule.id)),
             Cell(rule.id, ref=PageRef("rule", rule.id)),
-            Cell(rule.title),
             *map(Cell, counts.get(rule.id, (0, 0, 0))),
-            Cell(rule.tool),
+            Cell(rule.tool, text="limit" if rule.tool == "judge" else ""),
             Cell(" ".join(rule.tags)),
         )
         for rule in site.rules.values()

@@ -9,7 +9,7 @@ from roslens.dashboard.view import Request, View
 
 _COLUMNS = (
     Column("run", "Run", "number"),
-    Column("started", "Started (UTC)"),
+    Column("started", "Started (UTC)", "day"),
     Column("commit", "Commit", "code"),
     Column("packages", "Packages", "number"),
     Column("files", "Files", "number"),

@@ -11,6 +11,7 @@ from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
+from roslens.model.source import Role
 
 MOST = 50
 
@@ -19,8 +20,8 @@ def build(site: Site, request: Request) -> View | None:
     """Return the page with the best matches."""
     text = request.query.get("q").strip()
     needle = text.casefold()
-    found = [entry for entry in everything(site) if needle and needle in f"{entry[1]} {entry[2]}".casefold()]
-    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_order(needle, item[1][0], item[1][1]), item[0]))
+    found = [entry for entry in everything(site) if needle and needle in _searched(*entry[:3])]
+    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_order(needle, *item[1][:3]), item[0]))
     rows = tuple((Cell(kind), Cell(name, ref=ref), Cell(more)) for _, (kind, name, more, ref) in best)
     columns = (Column("kind", "Kind"), Column("name", "Name"), Column("more", "What it is"))
     empty = "Nothing has this in its name." if text else "Type a part of a name."
@@ -34,13 +35,18 @@ def build(site: Site, request: Request) -> View | None:
     )
 
 
-def _order(needle: str, kind: str, name: str) -> tuple[int, int, int, int]:
-    """Order by how well the name fits; among whole names and beginnings packages come first, then files."""
+def _searched(kind: str, name: str, more: str) -> str:
+    """Return where a text is looked for; the role of a file is what a reader sees, no name of it."""
+    return name.casefold() if kind == "file" else f"{name} {more}".casefold()
+
+
+def _order(needle: str, kind: str, name: str, more: str) -> tuple[int, int, bool, int]:
+    """Order by how well the name fits; among whole names and beginnings packages come first, then files of own code."""
     rank, length = _rank(needle, name)
     own = name.casefold().rpartition("/")[2]
     if kind in _FIRST and rank > 1 and needle in own:
         rank = 1
-    return (rank, _FIRST.index(kind) if kind in _FIRST else len(_FIRST), length, 0)
+    return (rank, _FIRST.index(kind) if kind in _FIRST else len(_FIRST), kind == "file" and bool(more), length)
 
 
 def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
@@ -53,8 +59,9 @@ def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
         yield "metric", quantity.title, key, PageRef("metric", key)
     for rule in site.rules.values():
         yield "rule", rule.id, rule.title, PageRef("rule", rule.id)
-    for path in site.places:
-        yield "file", path, "", PageRef("file", path)
+    for path, place in site.places.items():
+        role = place.file.role
+        yield "file", path, "" if role is Role.OWN else role.value, PageRef("file", path)
 
 
 def _elements(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:

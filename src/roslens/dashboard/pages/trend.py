@@ -11,6 +11,8 @@ from roslens.dashboard.view import Request, View
 from roslens.model.trend import Trend
 
 CURVES = 5
+_NOW = "now"
+"""The name of the point that is the files as they are."""
 
 
 def build(site: Site, request: Request) -> View | None:
@@ -26,8 +28,13 @@ def build(site: Site, request: Request) -> View | None:
     # The sum of all packages would press the curves of single ones flat.
     apart = trend.whole_is != "median" and not asked and len(trend.packages) > 1
     own = [(name, trend.packages[name]) for name in names]
-    charts = [columns, own] if apart else [[*columns, *own]]
-    drawn = [chart for group in charts if (chart := line_chart(past.points, group, past.events, digits)) is not None]
+    whole, single = WHOLE[trend.whole_is].capitalize(), "The packages that changed most" if not asked else "Packages"
+    groups = [(whole, columns), (single, own)] if apart else [("" if columns else single, [*columns, *own])]
+    drawn = [
+        (heading, chart)
+        for heading, group in groups
+        if (chart := line_chart(past.points, group, past.events, digits)) is not None
+    ]
     return View(
         ref=PageRef("trend", request.key, query=request.query.pairs),
         title=trend.title,
@@ -38,6 +45,7 @@ def build(site: Site, request: Request) -> View | None:
             "charts": drawn,
             "names": sorted(trend.packages),
             "asked": asked,
+            "measured_now": past.points[-1].name != _NOW or trend.whole[-1] is not None,
             "commits": [one.commit for one in past.points],
             "options": options(past),
         },

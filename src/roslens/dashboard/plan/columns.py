@@ -68,8 +68,8 @@ def _tiers(
                 if source != target:
                     pair = (place_of[source], place_of[target])
                     flows[pair] = flows.get(pair, 0) + 1
-    told = sum(not part.quiet for part in parts) + len(direct)
-    found = tiers(len(nodes), flows, max(3, round((told / 4) ** 0.5 * _ASPECT / 2)))
+    shown = sum(not part.quiet for part in parts) + len(direct)
+    found = tiers(len(nodes), flows, max(3, round((shown / 4) ** 0.5 * _ASPECT / 2)))
     linked = {end for pair in flows for end in pair}
     wide = 1 + max((found[node] for node in linked), default=0)
     for place, node in enumerate(node for node in range(len(nodes)) if node not in linked):

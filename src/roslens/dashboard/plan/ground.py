@@ -31,7 +31,7 @@ class Part(msgspec.Struct, frozen=True):
         key: names it, on every page alike: ``node:/lidar``, ``topic:/scan``.
         width: of its box, with its name.
         height: of its box.
-        lane: the namespace in whose box it stands; with ``@host`` before it where hosts are told apart.
+        lane: the namespace in whose box it stands; with ``@host`` before it where hosts are distinguished.
         node: whether it is a node; everything else joins nodes.
         quiet: whether it says nothing of where nodes stand, as ``/rosout`` does.
     """

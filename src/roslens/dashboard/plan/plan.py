@@ -36,10 +36,10 @@ class Plan(msgspec.Struct, frozen=True):
 
 
 def ground_of(parts: Sequence[Part], wires: Sequence[Wire]) -> Ground:
-    """Return a new ground for a graph; the same for the same graph, in whatever order it is told."""
+    """Return a new ground for a graph; the same for the same graph, in whatever order it is given."""
     ordered = sorted(parts, key=lambda part: part.key)
-    told = sorted(set(wires))
-    return survey(ordered, columns_of(ordered, told), told)
+    ordered_wires = sorted(set(wires))
+    return survey(ordered, columns_of(ordered, ordered_wires), ordered_wires)
 
 
 def plan(ground: Ground, parts: Sequence[Part], wires: Sequence[Wire]) -> Plan:

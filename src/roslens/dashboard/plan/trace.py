@@ -66,9 +66,9 @@ def trace(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) ->
     y = f"{source.y:.1f}"
     parts = [f"M{source.x + source.width / 2:.1f} {y}"]
     for column, height in enumerate((*way, target.y), source.column):
-        told = f"{height:.1f}"
-        parts.append(tracks.rightward(column, y, told))
-        y = told
+        level = f"{height:.1f}"
+        parts.append(tracks.rightward(column, y, level))
+        y = level
     end = target.x - target.width / 2
     last = way[-1] if way else source.y
     word = (tracks.middle(target.column - 1), (last + target.y) / 2)
@@ -87,9 +87,9 @@ def _back(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) ->
     parts = [f"M{right:.1f} {source.y:.1f}", _turn(right, source.y, begin, 1)]
     y = f"{begin:.1f}"
     for step, height in enumerate((*way, end)):
-        told = f"{height:.1f}"
-        parts.append(tracks.leftward(source.column - step, y, told))
-        y = told
+        level = f"{height:.1f}"
+        parts.append(tracks.leftward(source.column - step, y, level))
+        y = level
     word = (tracks.middle(target.column), ((way[-1] if way else begin) + end) / 2)
     return "".join((*parts, _entry(target, end))), _rounded(word)
 

@@ -42,10 +42,10 @@ def source_html(
             flagged, glyph = " flagged", glyph_html(line.findings[0].severity.value)
             margin = f'<div class="margin">{notes(line.findings)}</div>'
         number = line.number
-        told = f'<span class="marks">{marked(line.marks)}</span>' if line.marks else ""
+        marks = f'<span class="marks">{marked(line.marks)}</span>' if line.marks else ""
         rows.append(
             f'<div class="row{flagged}" id="L{number}"><a class="n" href="#L{number}" aria-label="line {number}">'
-            f'{number}</a><span class="g">{glyph}</span><code>{_pieces(line.pieces)}</code>{told}{margin}</div>\n'
+            f'{number}</a><span class="g">{glyph}</span><code>{_pieces(line.pieces)}</code>{marks}{margin}</div>\n'
         )
     return Markup("".join(rows))  # noqa: S704 - every text was escaped below, notes are markup
 

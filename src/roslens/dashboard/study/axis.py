@@ -9,6 +9,8 @@ import msgspec
 
 from roslens.dashboard.charts.figures import compact
 
+_THOUSAND = 1000
+
 
 class Axis(msgspec.Struct, frozen=True):
     """From ``low`` to ``high`` over ``length`` units of a drawing, which begins at ``start``."""
@@ -27,10 +29,15 @@ class Axis(msgspec.Struct, frozen=True):
 
     def ends(self) -> tuple[tuple[float, str], ...]:
         """Return the places of both ends with what is written there."""
-        return (self.place(self.low), compact(self.low)), (self.place(self.high), compact(self.high))
+        return (self.place(self.low), _written(self.low)), (self.place(self.high), _written(self.high))
 
     def _seen(self, value: float) -> float:
         return math.log1p(max(value, 0)) if self.logarithmic else value
+
+
+def _written(value: float) -> str:
+    text = compact(value)
+    return f"{float(text):,.0f}" if abs(value) >= _THOUSAND else text
 
 
 def axis_of(values: Sequence[float], start: float, length: float, *, logarithmic: bool = False) -> Axis:

@@ -242,8 +242,11 @@ def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         total += 1
         own += finding.gated
         by_rule.setdefault((-finding.severity.rank, finding.rule), []).append(finding)
-    keys = sorted(by_rule, key=lambda key: (key[0], -len(by_rule[key]), key[1]))
-    ordered = [finding for key in keys for finding in sorted(by_rule[key], key=lambda one: -one.excess)]
+    gated = {key: sum(one.gated for one in found) for key, found in by_rule.items()}
+    keys = sorted(by_rule, key=lambda key: (key[0], -gated[key], -len(by_rule[key]), key[1]))
+    ordered = [
+        finding for key in keys for finding in sorted(by_rule[key], key=lambda one: (not one.gated, -one.excess))
+    ]
     page = ordered[start : start + request.limits.findings]
     counts = {key[1]: len(found) for key, found in by_rule.items()}
     groups = _grouped(_shown(site, page, request), counts, by_file=False)
@@ -279,7 +282,7 @@ def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int
     for key in keys[start:]:
         if room <= 0:
             break
-        ordered = sorted(members[key], key=lambda one: (-one.severity.rank, -one.excess))
+        ordered = sorted(members[key], key=lambda one: (not one.gated, -one.severity.rank, -one.excess))
         shown = _shown(site, ordered[:room], request)
         room -= len(shown)
         groups.append(FindingGroup(key, len(ordered), shown))

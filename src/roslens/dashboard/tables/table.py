@@ -15,8 +15,9 @@ Value = str | float | int | None
 
 
 class Column(msgspec.Struct, frozen=True):
-    """A column. ``kind`` is text, name, code, number, day or mark (severity or rating).
+    """A column.
 
+    ``kind`` is text, prose (whole sentences), name, code, number, day or mark (severity or rating).
     ``bar`` draws the share of the most.
     ``optional`` columns are the first to go on a narrow screen; ``sparse`` ones are not shown where no row fills them.
     """

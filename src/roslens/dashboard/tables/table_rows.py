@@ -43,7 +43,7 @@ def _ends(place: int, column: Column) -> tuple[str, str]:
 def _classes(column: Column) -> str:
     names = [
         *(("num",) if column.kind == "number" else ()),
-        *(("day",) if column.kind == "day" else ()),
+        *((column.kind,) if column.kind in {"day", "prose"} else ()),
         *(("optional",) if column.optional else ()),
         *(("barred",) if column.bar else ()),
     ]
@@ -66,7 +66,9 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
     if column.kind == "mark":
         return mark_html(str(cell.value), cell.text or "")
     # A plain string: what is joined to safe markup would be escaped once more.
-    text = str(ticks(shown(column, cell, digits)) if column.kind == "text" else escape(shown(column, cell, digits)))
+    text = str(
+        ticks(shown(column, cell, digits)) if column.kind in {"text", "prose"} else escape(shown(column, cell, digits))
+    )
     if column.kind in {"code", "name"}:
         text = _breakable(text)
     if column.kind == "code" and text:

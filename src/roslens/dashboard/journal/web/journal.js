@@ -2,6 +2,7 @@
 // The server makes every row, so that what is shown is what was escaped there.
 
 import { startKeys } from "../keys.js";
+import { duration } from "../live/states.js";
 import { showPlace, startTheme } from "../shell.js";
 
 const LOOK_MS = 1000;
@@ -57,7 +58,7 @@ function count() {
     // By seconds that passed here: the clock of who looks may be another than the monitor's.
     one.dataset.end ??= performance.now() / 1000 + Number(one.dataset.left);
     const left = Math.round(Number(one.dataset.end) - performance.now() / 1000);
-    one.textContent = left > 0 ? `${left} s left` : "its time is over";
+    one.textContent = left > 0 ? `${duration(left)} left` : "its time is over";
   }
 }
 

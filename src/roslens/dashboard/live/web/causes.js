@@ -20,7 +20,7 @@ export class Causes {
     this.section.hidden = boxes.length === 0;
     const svg = this.section.querySelector("svg");
     for (const [name, value] of [["width", width], ["height", height], ["viewBox", `0 0 ${width} ${height}`]]) svg.setAttribute(name, value);
-    svg.replaceChildren(...lines.map(line), ...boxes.map(box));
+    svg.replaceChildren(...lines.map(line), ...lines.map(words), ...boxes.map(box));
     this.section.querySelector("ul").replaceChildren(...lines.map((one) => sentence(one, boxes)));
     const more = this.section.querySelector("p");
     more.hidden = !left;
@@ -29,7 +29,12 @@ export class Causes {
 }
 
 function line(one) {
-  return draw("g", { class: "why" }, draw("title", { text: one.evidence }), draw("path", { d: one.path }),
+  return draw("g", { class: "tie" }, draw("title", { text: one.evidence }), draw("path", { d: one.path }));
+}
+
+// Above all lines, of which none goes through them.
+function words(one) {
+  return draw("g", { class: "why" }, draw("title", { text: one.evidence }),
     draw("text", { x: one.x, y: one.y, text: `← ${one.relation}` }),
     draw("text", { class: "shows", x: one.x, y: one.y + 18, text: cut(one.evidence, 29) }));
 }

@@ -33,7 +33,7 @@ const causes = new Causes(by("causes"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
 
 const remembers = Boolean(by("time"));
-const plots = remembers ? new Plots(by("plots"), () => moments.at ?? moments.now) : null;
+const plots = remembers ? new Plots(by("plots"), () => moments.at ?? moments.now, () => moments.begun) : null;
 const detail = new Detail(by("detail"), { close: () => choose("", "keys"), at: () => moments?.at ?? null, plots, grown: () => tree.reveal() });
 let latest = null;
 
@@ -58,6 +58,7 @@ function choose(entity, from) {
 function went(at) {
   setParameters({ at: at === null ? "" : String(Math.round(at * 10) / 10) });
   plots.moved();
+  sayPulse();
   if (at === null && latest) show(latest);
 }
 
@@ -127,23 +128,30 @@ if (mark) latest = first;
 by("first").remove();
 const moments = remembers ? new Moments({
   element: by("time"), slider: by("slider"), play: by("play"), speed: by("speed"), reach: by("reach"), marks: by("marks"), back: by("now"), then: by("then"),
-  said: by("moment"), told: by("marks-said"), hold: by("hold"), differences: by("differences"), live: first.live,
+  said: by("moment"), count: by("marks-said"), hold: by("hold"), differences: by("differences"), live: first.live,
 }, went, (snapshot) => show(snapshot)) : null;
 if (moments) new Sparks(tree, () => moments.at ?? moments.now);
 const pulse = by("pulse");
 const lost = by("lost");
+
+/** What is shown of another moment is not how it is now. */
+function sayPulse() {
+  const { is } = pulse.dataset;
+  const then = is !== "lost" && moments && moments.at !== null;
+  by("pulse-word").textContent = then ? "past" : { live: "live", over: "recording", unsure: "connecting", lost: "lost" }[is];
+}
 
 function heard(state, seconds) {
   const calm = first.live ? "live" : "over";
   const is = state === "live" ? calm : state === "unsure" ? "unsure" : "lost";
   if (pulse.dataset.is !== is) {
     pulse.dataset.is = is;
-    by("pulse-word").textContent = { live: "live", over: "recording", unsure: "connecting", lost: "lost" }[is];
+    sayPulse();
     document.documentElement.classList.toggle("is-lost", is === "lost");
     lost.hidden = is !== "lost";
   }
   if (is !== "lost") return;
-  const silent = state === "stuck" ? `The monitor has told nothing new for ${Math.floor(seconds)} s.` : `Nothing heard from the monitor for ${Math.floor(seconds)} s.`;
+  const silent = state === "stuck" ? `The monitor has reported nothing new for ${Math.floor(seconds)} s.` : `Nothing heard from the monitor for ${Math.floor(seconds)} s.`;
   const text = `${silent} Below is how it was at ${by("when").textContent}.`;
   if (lost.textContent !== text) lost.textContent = text;
 }
@@ -163,6 +171,7 @@ function readAddress() {
   const at = Number.parseFloat(parameters().get("at"));
   if (moments && (moments.at ?? NaN) !== at && !(Number.isNaN(at) && moments.at === null)) moments.go(Number.isNaN(at) ? null : at, true);
   if (moments && moments.at === null && latest) show(latest);
+  sayPulse();
   search.value = parameters().get("q") || "";
   worse.checked = parameters().get("worse") === "1";
   tree.filter(search.value, worse.checked);

@@ -10,12 +10,13 @@ const STEPS = 2000;
 const KINDS = { alarm: "alarm", gone: "gone", restart: "restarted", action: "action", change: "changed" };
 
 export class Moments {
-  /** `went(at)` is told of another moment, which is null for now; `show(snapshot)` draws what was then. */
+  /** `went(at)` is called with another moment, which is null for now; `show(snapshot)` draws what was then. */
   constructor(parts, went, show) {
     Object.assign(this, parts, { went, show });
     this.at = null;
     this.now = 0;
     this.found = null;
+    this.begun = Number.NEGATIVE_INFINITY;
     this.wanted = undefined;
     this.asking = false;
     this.playing = 0;
@@ -49,6 +50,7 @@ export class Moments {
       const answer = await fetch(`timeline.json${asked}`);
       if (answer.status !== 200) return;
       const found = await answer.json();
+      this.begun = found.first;
       this.found = reach && until ? { ...found, first: Math.max(found.first, until - reach) } : found;
     } catch {
       return;
@@ -80,7 +82,7 @@ export class Moments {
       const x = (100 * (one.time - first)) / length;
       return draw("g", { class: `mark-of ${one.kind}`, "data-time": one.time }, draw("title", {}, words), draw("rect", { x: `${x}%`, y: 0, width: 5, height: 14, class: "reach" }), draw("rect", { x: `${x}%`, y: one.kind === "change" ? 9 : 2, width: 2, height: one.kind === "change" ? 5 : 12 }));
     }));
-    this.told.textContent = `${this.found.marks.length} marks; [ and ] go to the one before and after`;
+    this.count.textContent = `${this.found.marks.length} marks; [ and ] go to the one before and after`;
   }
 
   /** Show another moment; null is now. */

@@ -197,9 +197,9 @@ export class Picture {
       const named = shown.by.length > 1 ? `${shown.by.length} topics` : shown.by.length ? `${nameOf(shown.by[0])} ${rate}` : rate;
       const more = [link.age !== undefined && link.age !== null && `age ${span(link.age)}`, start.kind === "topic" ? "" : link.bandwidth].filter(Boolean).join(" · ");
       this.grown = say(shown, named.trim(), more) || this.grown;
-      const told = [link.rate, link.latency && `latency ${link.latency}`, link.age !== undefined && link.age !== null && `age ${span(link.age)}`, link.bandwidth];
+      const figures = [link.rate, link.latency && `latency ${link.latency}`, link.age !== undefined && link.age !== null && `age ${span(link.age)}`, link.bandwidth];
       const topics = shown.by.slice(0, NAMED).map((one) => one.slice("topic:".length));
-      shown.title.textContent = [[`${start.name} → ${end.name}: ${word(state)}`, ...told].filter(Boolean).join(", "), ...topics].join("\n");
+      shown.title.textContent = [[`${start.name} → ${end.name}: ${word(state)}`, ...figures].filter(Boolean).join(", "), ...topics].join("\n");
     }
     sweep(this.lines, there);
     if (moved || this.grown) this.spread();

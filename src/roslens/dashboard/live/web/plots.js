@@ -33,8 +33,8 @@ export function amount(value, unit) {
 }
 
 export class Plots {
-  constructor(element, moment) {
-    Object.assign(this, { element, moment, entity: "", drawn: [], chosen: new Map(), zoom: null, reach: 300, asked: 0 });
+  constructor(element, moment, begun) {
+    Object.assign(this, { element, moment, begun, entity: "", drawn: [], chosen: new Map(), zoom: null, reach: 300, asked: 0 });
     this.bar = make("div", { class: "bar-line plot-bar" });
     this.room = make("div", { class: "plot-room" });
     element.replaceChildren(this.bar, this.room);
@@ -106,6 +106,7 @@ export class Plots {
       for (const every of groups.values()) this.drawn.push(this.plot(every));
     } else [...groups.values()].forEach((every, at) => this.drawn[at].setData(joined(every), !this.zoom));
     [...groups.values()].forEach((every, at) => this.describe(this.drawn[at], every));
+    for (const one of this.drawn) if (one.cursor.left === undefined || one.cursor.left < 0) one.setLegend({ idx: one.data[0].length - 1 }, false);
     this.span();
   }
 
@@ -114,7 +115,7 @@ export class Plots {
     const reach = make("select", { "aria-label": "How far back", "data-plot": "reach", onchange: (event) => { this.reach = Number(event.target.value); this.zoom = null; this.load(); } },
       ...[[120, "2 min"], [300, "5 min"], [1800, "30 min"], [7200, "2 h"], [86400, "1 day"], [604800, "1 week"]].map(([value, text]) => make("option", { value, text, selected: value === this.reach })));
     const all = make("button", { type: "button", class: "plain", text: "Whole stretch", "data-plot": "all", hidden: !this.zoom, onclick: () => { this.zoom = null; this.load(); } });
-    const every = make("details", { class: "plot-signals", open: this.bar.querySelector("details")?.open || false }, make("summary", { text: `${keys.size} of ${this.found.series.length} signals` }),
+    const every = make("details", { class: "plot-signals", open: this.bar.querySelector("details")?.open || false }, make("summary", { text: `${keys.size} of ${this.found.series.length} signals drawn` }),
       make("div", {}, ...this.found.series.map((one) => make("label", { class: "check" }, make("input", { type: "checkbox", "data-plot": one.key, checked: keys.has(one.key), onchange: (event) => { event.target.checked ? keys.add(one.key) : keys.delete(one.key); this.draw(this.uPlot); } }), one.title))));
     this.bar.replaceChildren(make("h4", { text: "Over time" }), reach, all, every);
     if (focused) this.bar.querySelector(`[data-plot="${CSS.escape(focused)}"]`)?.focus();
@@ -142,9 +143,11 @@ export class Plots {
         } },
       },
       axes: [{ ...axis, values: (_, ticks) => ticks.map((one) => written(one, 0)), space: 70 }, { ...axis, size: 66, values: (_, ticks) => ticks.map((one) => amount(one, first.unit)) }],
-      series: [{ label: "at", value: (_, time) => (time === null ? "–" : written(time)) },
+      series: [{ label: "at", value: (_, time) => ((time ?? null) === null ? "–" : written(time)) },
         ...every.map((one, at) => ({ label: one.title, stroke: colours[at % colours.length], width: 1.6, dash: at >= 3 ? [6, 3] : undefined, spanGaps: false, points: { show: false }, value: (_, value) => amount(value, one.unit) }))],
       hooks: {
+        // Without a cursor the legend has the last values.
+        setLegend: [(drawn) => { if (drawn.legend.idx === null || drawn.legend.idx === undefined) drawn.setLegend({ idx: drawn.data[0].length - 1 }, false); }],
         drawClear: [(drawn) => band(drawn, first)],
         draw: [(drawn) => here(drawn, this.moment())],
         setSelect: [(drawn) => {
@@ -170,7 +173,7 @@ export class Plots {
 
   span() {
     const { since, until } = this.found;
-    const begun = Math.max(since, beginning());
+    const begun = Math.max(since, beginning(), this.begun());
     for (const one of this.drawn) one.setScale("x", { min: begun < until ? begun : since, max: until });
   }
 

@@ -5,7 +5,7 @@ const MOST = 400;
 
 export class Sees {
   constructor(tree, picture, detail) {
-    Object.assign(this, { tree, picture, detail, told: "", open: false, asking: false });
+    Object.assign(this, { tree, picture, detail, sent: "", open: false, asking: false });
     this.reader = crypto.getRandomValues(new Uint32Array(3)).reduce((text, one) => text + one.toString(16).padStart(8, "0"), "");
     setInterval(() => this.look(), LOOK_MS);
   }
@@ -13,7 +13,7 @@ export class Sees {
   /** A stream was opened: of this reader nothing is known there yet. */
   opened() {
     this.open = true;
-    this.told = "";
+    this.sent = "";
     this.look();
   }
 
@@ -23,12 +23,12 @@ export class Sees {
     const seen = { reader: this.reader, rows: this.tree.keysSeen().slice(0, MOST).join("."), select: this.detail.entity, picture: this.picture.seen ? "1" : "" };
     if (words.length) seen.links = `${this.picture.version}:${words.join(".")}`;
     const now = new URLSearchParams(seen).toString();
-    if (now === this.told) return;
+    if (now === this.sent) return;
     this.asking = true;
     try {
       const answer = await fetch(`sees?${now}`);
       // Who is not known yet says it again.
-      if (answer.status !== 200) this.told = now;
+      if (answer.status !== 200) this.sent = now;
     } catch {
       // The page says by itself that nothing is heard of the monitor.
     }

@@ -6,11 +6,11 @@ const SILENT_MS = 3000;
 const AGAIN_MS = 2000;
 
 /**
- * Calls `told(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live",
+ * Calls `changed(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live",
  * "unsure", "lost" or "stuck" as it goes. `first` is what the page holds, `mark` what the monitor calls it, `reader`
  * what the monitor calls this page; `opened()` says that it does so from now on.
  */
-export function listen(first, mark, reader, told, heard, opened) {
+export function listen(first, mark, reader, changed, heard, opened) {
   let last = performance.now();
   let fresh = last;
   let { live } = first;
@@ -32,7 +32,7 @@ export function listen(first, mark, reader, told, heard, opened) {
     live = state.live;
     fresh = performance.now();
     alive();
-    told(state, read);
+    changed(state, read);
   }
 
   /** Whether a change is of what the page holds; where it is not, all of it is asked for. */

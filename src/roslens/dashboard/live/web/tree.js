@@ -10,7 +10,7 @@ const OPEN_NODES = 300;
 const SHORT = 150;
 const ROW_HEIGHT = 28;
 const BESIDE = 5;
-const OBSERVED = { inside: "counted inside the node", protocol: "told by the middleware", tap: "received by a tap", recording: "from the recording", agent: "sampled on its host", scripted: "scripted" };
+const OBSERVED = { inside: "counted inside the node", protocol: "reported by the middleware", tap: "received by a tap", recording: "from the recording", agent: "sampled on its host", scripted: "scripted" };
 const BAD = new Set(["suspended", "unknown", "low", "high", "absent"]);
 
 export class Tree {

@@ -30,7 +30,7 @@ export class Way {
     const found = wanted && picture.items.has(picture.selected) ? this.find(picture.selected, wanted) : null;
     picture.svg.classList.toggle("on-way", Boolean(found?.hops.length));
     if (found?.hops.length) picture.bright(new Set(found.stops), new Set(found.hops.map(([start, end]) => picture.lines.get(`${start.entity}\n${end.entity}`))));
-    const text = !wanted ? "" : !picture.selected ? "Choose where it begins." : found ? told(nameOf(picture.selected), wanted, found) : `${wanted} is not in the picture.`;
+    const text = !wanted ? "" : !picture.selected ? "Choose where it begins." : found ? described(nameOf(picture.selected), wanted, found) : `${wanted} is not in the picture.`;
     if (this.said.textContent !== text) this.said.textContent = text;
   }
 
@@ -52,7 +52,7 @@ export class Way {
 }
 
 /** Each time something is received, data has become older by the age of that connection. */
-function told(from, to, { hops }) {
+function described(from, to, { hops }) {
   if (!hops.length) return from === to ? "It begins there." : `No way leads along the arrows from ${from} to ${to}.`;
   const received = hops.filter(([, end]) => end.entity.startsWith("node:"));
   const parts = received.map(([start, , link]) => {

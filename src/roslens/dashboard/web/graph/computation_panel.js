@@ -50,11 +50,11 @@ export class TellingStage extends Stage {
 
   /** Every finding, whatever is drawn; of one element where a number is given. */
   listFindings(number = -1) {
-    const told = (rows) => [...rows].filter(([place]) => number < 0 || this.graph.about[place].includes(number));
-    const [sure, doubted] = [told(this.rows.sure), told(this.rows.doubted)];
+    const about = (rows) => [...rows].filter(([place]) => number < 0 || this.graph.about[place].includes(number));
+    const [sure, doubted] = [about(this.rows.sure), about(this.rows.doubted)];
     if (!sure.length && !doubted.length) return number < 0 ? [make("h3", { text: "Findings" }), make("p", { class: "quiet", text: "None." })] : [];
     const list = (found) => [
-      make("ul", { class: "told" }, ...found.slice(0, MOST).map(([place, row]) => this.findingItem(place, row, number))),
+      make("ul", { class: "reported" }, ...found.slice(0, MOST).map(([place, row]) => this.findingItem(place, row, number))),
       found.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${figure(found.length)} shown; the table below has all.` }) : null,
     ].filter(Boolean);
     return [
@@ -84,12 +84,12 @@ export class TellingStage extends Stage {
   }
 
   /** All nodes that are shown, those first that most is joined to; who looks for others finds them by name. */
-  listNodes(told) {
+  listNodes(listed) {
     const joined = (number) => this.graph.nodes[number].needs.length + this.dependents[number].length;
-    const left = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node" && !told.includes(number)).sort((a, b) => joined(b) - joined(a));
+    const left = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node" && !listed.includes(number)).sort((a, b) => joined(b) - joined(a));
     if (!left.length) return [];
     return [
-      make("h3", { text: told.length ? `Other nodes (${figure(left.length)})` : `Nodes (${figure(left.length)})` }),
+      make("h3", { text: listed.length ? `Other nodes (${figure(left.length)})` : `Nodes (${figure(left.length)})` }),
       make("ul", {}, ...left.slice(0, MOST).map((one) => this.pick(one))),
       left.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${figure(left.length)} shown, those that most is joined to; find others by name.` }) : null,
     ];

@@ -17,7 +17,7 @@ export class LineNames {
     this.reach = draw("g", { class: "reach" });
     view.scene.titles.before(this.reach);
     view.svg.querySelector(".nodes").before(this.group);
-    this.told = null;
+    this.drawn = null;
   }
 
   /** The line of an element of the picture: its name, its mark, or the room in which a pointer reaches it. */
@@ -33,9 +33,9 @@ export class LineNames {
     const readable = view.camera.k >= READABLE;
     const named = readable && (lines.length <= MOST || view.selected >= 0) ? lines.filter(near) : [];
     const state = [lines, lines.length, readable, view.selected];
-    if (this.told && state.every((part, place) => part === this.told[place])) return;
-    if (!this.told || this.told[0] !== lines) this.reach.replaceChildren(...lines.map((one, number) => draw("path", { d: one.path, "data-line": number })));
-    this.told = state;
+    if (this.drawn && state.every((part, place) => part === this.drawn[place])) return;
+    if (!this.drawn || this.drawn[0] !== lines) this.reach.replaceChildren(...lines.map((one, number) => draw("path", { d: one.path, "data-line": number })));
+    this.drawn = state;
     const taken = [...view.places].map(([number, { x, y }]) => boxOf(x, y, view.graph.nodes[number].w, view.graph.nodes[number].h));
     const parts = [];
     lines.forEach((one, number) => {

@@ -4,6 +4,7 @@ import { draw } from "../dom.js";
 
 const WIDTH = 150;
 const HEIGHT = 96;
+const MARGIN = 10;
 
 export class Minimap {
   constructor(view) {
@@ -32,7 +33,26 @@ export class Minimap {
         return draw("rect", { class: severity || "calm", x: at.x - w / 2, y: at.y - h / 2, width: w, height: h });
       }));
     }
+    this.stand(k, x, y, width, height);
     for (const [name, value] of Object.entries({ x: -x / k, y: -y / k, width: width / k, height: height / k })) this.frame.setAttribute(name, value.toFixed(1));
+  }
+
+  /** Stand in the corner where the fewest boxes are below; the fourth corner has the buttons. */
+  stand(k, x, y, width, height) {
+    const [side, end] = [MARGIN + WIDTH / 2, MARGIN + HEIGHT / 2];
+    const middles = { left: [side, height - end], top: [side, end], right: [width - side, end] };
+    const below = { left: 0, top: 0, right: 0 };
+    for (const [number, at] of this.view.places) {
+      const { w, h } = this.view.graph.nodes[number];
+      for (const [name, [across, down]] of Object.entries(middles)) {
+        if (Math.abs(k * at.x + x - across) < (WIDTH + k * w) / 2 && Math.abs(k * at.y + y - down) < (HEIGHT + k * h) / 2) below[name] += 1;
+      }
+    }
+    const [best] = Object.entries(below).sort((a, b) => a[1] - b[1])[0];
+    // Where it stands already is as good as any other.
+    if (!this.corner || below[best] < below[this.corner]) this.corner = best;
+    this.svg.dataset.corner = this.corner;
+    this.svg.style.left = this.corner === "right" ? `${width - WIDTH - MARGIN}px` : "";
   }
 
   go(event) {

@@ -5,10 +5,10 @@ import { figure, glyph, make } from "../dom.js";
 
 const MOST = 12;
 
-export function list(title, entries, empty) {
+export function list(title, entries, empty, counted = true) {
   const shown = entries.slice(0, MOST);
   return [
-    make("h3", { text: entries.length ? `${title} (${entries.length})` : title }),
+    make("h3", { text: entries.length && counted ? `${title} (${entries.length})` : title }),
     entries.length ? make("ul", {}, ...shown) : make("p", { class: "quiet", text: empty }),
     entries.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${entries.length} shown` }) : null,
   ];
@@ -21,7 +21,7 @@ export function contentOf(view, number) {
     return [
       make("h2", { text: `${figure(view.visible.size)} packages` }),
       make("p", { class: "quiet", text: `Select one to see what it needs, what needs it and which rules it breaks.` }),
-      ...list(`Highest: ${view.colour.title.charAt(0).toLocaleLowerCase()}${view.colour.title.slice(1)}`, worst(view), sums === "all" ? "Nothing to show." : "Nothing among those shown."),
+      ...list(`${view.colour.title}: ${view.colour.better === "higher" ? "lowest" : "highest"}`, worst(view), sums === "all" ? "Nothing to show." : "Nothing among those shown.", false),
     ];
   }
   const node = view.graph.nodes[number];

@@ -6,7 +6,7 @@ Writes recordings of PoseStamped on 20 topics to a temporary folder, then lets p
 tallies of all topics from the index, the same with the age of every message, and the rosbags library going through
 all messages without decoding them. Rates are messages by CPU seconds from before the file is opened to the last
 tally, in a process that has imported what it needs; peak memory is that of the process. Machines are shared, so the
-least of several rounds is told: what others take of the caches is in the longer ones. The ratio to rosbags is the
+least of several rounds is reported: what others take of the caches is in the longer ones. The ratio to rosbags is the
 median of those of the rounds.
 """
 

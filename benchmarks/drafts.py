@@ -13,7 +13,7 @@ a second, on topics where 19 of 20 times between messages are below half a secon
 after it began, an alarm about its topic is raised that is not there without it. A topic whose alarm stands already when
 the fault begins is not counted.
 
-Recordings are told apart by the hash of their names: those for tuning and those that are held out. Shorter ones than
+Recordings are distinguished by the hash of their names: those for tuning and those that are held out. Shorter ones than
 20 s are left out, and so are those of which nothing can be drafted.
 """
 
@@ -153,7 +153,7 @@ FAULTS: dict[str, tuple[Callable[[Ints, int, random.Random], Ints], float]] = {
 def alarms_of(reference: Reference, stretch: Stretch) -> list[Alarm]:
     """Return what a reference raises on a part of a recording."""
     log = AlarmLog()
-    replay(stretch, reference, told=lambda step: log.add(step.changes))
+    replay(stretch, reference, report=lambda step: log.add(step.changes))
     return list(log.alarms())
 
 
@@ -191,15 +191,15 @@ def measured(traffic: Traffic, *, each: bool) -> Outcome | None:
             for key, times in traffic.arrivals.items()
         }
         found = alarms_of(reference, Stretch(traffic, middle, end, spoilt))
-        standing = {_topic(one) for one in plain if one.told <= begin / SECOND <= one.until}
-        known = {(one.first.expectation, _topic(one), round(one.told, 3)) for one in plain}
+        standing = {_topic(one) for one in plain if one.reported <= begin / SECOND <= one.until}
+        known = {(one.first.expectation, _topic(one), round(one.reported, 3)) for one in plain}
         for topic in sorted(rated - standing):
             if not _speaks(traffic.arrivals, topic, begin, fault):
                 continue
             new = any(
                 _topic(one) == topic
-                and one.told >= begin / SECOND
-                and (one.first.expectation, topic, round(one.told, 3)) not in known
+                and one.reported >= begin / SECOND
+                and (one.first.expectation, topic, round(one.reported, 3)) not in known
                 for one in found
             )
             asked[fault] += 1
@@ -220,14 +220,14 @@ def _topic(alarm: Alarm) -> str:
 def _ended(traffic: Traffic, alarm: Alarm) -> bool:
     """Whether an alarm is about a topic on which nothing comes any more, up to the end of the recording."""
     last = int(max(_of_topic(traffic.arrivals, _topic(alarm)), default=0))
-    return alarm.until == float("inf") and last < traffic.end - SILENCE_S * SECOND and alarm.told > last / SECOND
+    return alarm.until == float("inf") and last < traffic.end - SILENCE_S * SECOND and alarm.reported > last / SECOND
 
 
 def _silent(traffic: Traffic, alarm: Alarm) -> bool:
     """Whether an alarm is about a topic that fell silent for as long as the fault that is put in."""
     times = _of_topic(traffic.arrivals, _topic(alarm))
     gaps = np.diff(times)
-    recent = (times[1:] <= alarm.told * SECOND + SECOND) & (times[1:] >= (alarm.told - RECENT_S) * SECOND)
+    recent = (times[1:] <= alarm.reported * SECOND + SECOND) & (times[1:] >= (alarm.reported - RECENT_S) * SECOND)
     usual = len(gaps) and float(np.percentile(gaps, 95)) <= FASTEST_S * SECOND
     return bool(usual and (gaps[recent] >= SILENCE_S * SECOND).any())
 

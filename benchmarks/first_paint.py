@@ -1,9 +1,9 @@
 """How soon pages with a graph show something in headless Chromium, and what the browser does until they are ready.
 
 Usage: PYTHONPATH=tests first_paint.py [--profile]. A made-up run of 4,000 packages with 50,000 findings, and a graph of
-500 nodes and 3,000 connections, are served by this process. Told are medians of some loads: the first paint by the
+500 nodes and 3,000 connections, are served by this process. Reported are medians of some loads: the first paint by the
 clock, which holds only on a calm machine, and seconds of a processor, of this process and of the page's main thread.
-With --profile the functions that took most of the latter are told.
+With --profile the functions that took most of the latter are reported.
 """
 
 from __future__ import annotations
@@ -61,19 +61,12 @@ class Served:
         self.socket.bind(("127.0.0.1", 0))
         self.socket.listen()
         self.url = f"http://127.0.0.1:{self.socket.getsockname()[1]}"
-        self._server: uvicorn.Server | None = None
-        self._ready = threading.Event()
-        threading.Thread(target=self._serve, daemon=True).start()
-        self._ready.wait()
-
-    def _serve(self) -> None:
         made: Any = importlib.import_module("dashboard.fake_run")
         site = made.FakeRun(packages=4000, findings=50_000, sources=False).site()
         site.book.systems.clear()
         site.book.systems.update(systems_of({"robot": robot()}))
-        self._server = uvicorn.Server(uvicorn.Config(create_app(site), log_level="error", lifespan="off", ws="none"))
-        self._ready.set()
-        self._server.run(sockets=[self.socket])
+        server = uvicorn.Server(uvicorn.Config(create_app(site), log_level="error", lifespan="off", ws="none"))
+        threading.Thread(target=server.run, kwargs={"sockets": [self.socket]}, daemon=True).start()
 
 
 def measure(browser: Browser, url: str, *, profile: bool) -> None:
@@ -90,9 +83,9 @@ def measure(browser: Browser, url: str, *, profile: bool) -> None:
         began = time.process_time()
         page.goto(url, wait_until="load")
         page.wait_for_function("performance.getEntriesByType('paint').length > 1")
-        told = {one["name"]: one["value"] for one in devtools.send("Performance.getMetrics")["metrics"]}
+        reported = {one["name"]: one["value"] for one in devtools.send("Performance.getMetrics")["metrics"]}
         paint = page.evaluate(PAINT)["first-contentful-paint"]
-        rows.append((paint, time.process_time() - began, *_spent(told), _elements(page)))
+        rows.append((paint, time.process_time() - began, *_spent(reported), _elements(page)))
         if profile:
             functions.update(_by_function(devtools.send("Profiler.stop")["profile"]))
         page.close()
@@ -103,8 +96,8 @@ def measure(browser: Browser, url: str, *, profile: bool) -> None:
         print(f"    {microseconds / 1000 / LOADS:7.1f} ms  {name}")
 
 
-def _spent(told: dict[str, float]) -> Sequence[float]:
-    return [told[f"{what}Duration"] for what in ("Task", "Script", "Layout", "RecalcStyle")]
+def _spent(reported: dict[str, float]) -> Sequence[float]:
+    return [reported[f"{what}Duration"] for what in ("Task", "Script", "Layout", "RecalcStyle")]
 
 
 def _elements(page: Page) -> float:

@@ -2,8 +2,8 @@
 
     python benchmarks/fixes.py CLONE… [--include FOLDER]… [--compile N] [--sample FILE --seed N]
 
-Each clone is copied, and every rule with a fix is on. Told are the findings that were mended by rule, places that do
-not parse afterwards and did before, what a second ``--fix`` changes, and, of up to N sources of each clone that were
+Each clone is copied, and every rule with a fix is on. Reported are the findings that were mended by rule, places that
+do not parse afterwards and did before, what a second ``--fix`` changes, and, of up to N sources of each clone that were
 changed or include what was, how many ``g++ -fsyntax-only`` takes before and after; headers are looked for below the
 include folders of the clone and in each FOLDER (``--quote``: for names in quotes only). ``--sample`` writes 40 hunks of
 the diffs, drawn by the seed, for somebody to read. ``--as-is`` takes the rules that are on by default instead of all.
@@ -49,15 +49,15 @@ def main() -> int:
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     for clone in options.clones:
         with tempfile.TemporaryDirectory(prefix="roslens-fixes-") as scratch:
-            told = measured(clone.resolve(), Path(scratch), options)
-        rules += told["rules"]
-        hunks += told["hunks"]
+            row = measured(clone.resolve(), Path(scratch), options)
+        rules += row["rules"]
+        hunks += row["hunks"]
         print(
-            f"| {clone.name.replace('+', '/')} | {told['fixed']} | {told['files']} | {told['left']} | {told['faults']} "
-            f"| {told['again']} | {told['before']} | {told['after']} |",
+            f"| {clone.name.replace('+', '/')} | {row['fixed']} | {row['files']} | {row['left']} | {row['faults']} "
+            f"| {row['again']} | {row['before']} | {row['after']} |",
             flush=True,
         )
-        for line in told["broken"]:
+        for line in row["broken"]:
             print(f"    {line}", file=sys.stderr, flush=True)
     print()
     for rule, number in rules.most_common():
@@ -69,7 +69,7 @@ def main() -> int:
 
 
 def measured(clone: Path, scratch: Path, options: argparse.Namespace) -> dict[str, Any]:
-    """Return what is told of one clone."""
+    """Return what is reported of one clone."""
     root, before = scratch / "after" / clone.name, scratch / "before" / clone.name
     for place in (root, before):
         shutil.copytree(clone, place, symlinks=True, ignore=shutil.ignore_patterns(".git", ".roslens"))

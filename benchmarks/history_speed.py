@@ -3,7 +3,7 @@
     python benchmarks/history_speed.py CLONE [--revisions N] [--rounds N]
 
 CLONE is a work tree of a repository with all its commits; it is cloned to a temporary folder. ``roslens history
---every 1`` analyses its last N revisions of the main line, once cold and once more; told are how long each took (as
+--every 1`` analyses its last N revisions of the main line, once cold and once more; reported are how long each took (as
 kept with its run), processor seconds, and what is kept. Then ``roslens check`` runs without and with
 ``--process-metrics`` in turn, each time without a cache; the ratio of their processor seconds is what these cost.
 """

@@ -31,7 +31,7 @@ GID = bytes(range(16))
 
 
 class Stamp:
-    """A time, kept and told as generated classes do."""
+    """A time, kept and reported as generated classes do."""
 
     __slots__ = ("_nanosec", "_sec")
 

@@ -2,8 +2,8 @@
 
 Usage: live_page.py [connections] [readers] [seconds] [--all]. Each reader says what it sees as the page does: 45 rows
 of opened nodes, others than those of the next reader, and forty lines of the picture. With --all none says so, and
-each is told everything. A made-up robot has so many connections, each of which tells once
-a second; its page is served by a process of its own. Told are CPU seconds by seconds of the clock, so that a busy
+each gets everything. A made-up robot has so many connections, each of which tells once
+a second; its page is served by a process of its own. Reported are CPU seconds by seconds of the clock, so that a busy
 machine changes little but the first paint. The browser is Chromium where it is installed, its processes counted by
 itself.
 """
@@ -87,7 +87,7 @@ class Robot:
         self._draw = Random(1).random
 
     def frame(self, turn: int, now: float) -> Frame:
-        """Return what is told in a turn."""
+        """Return what is reported in a turn."""
         tallies = [self._tally(wire, now) for wire in self._wires[turn % TURNS :: TURNS]]
         graph = None
         if not turn % TOOL_TURNS if self._tools else not turn:
@@ -113,7 +113,7 @@ class Robot:
 def robot_served(connections: int, *, soak: bool) -> None:
     """Serve until the input ends; each line of it is answered with what was used so far.
 
-    In a ``soak`` there are tools, and little is kept of the past, of which the bytes are told too.
+    In a ``soak`` there are tools, and little is kept of the past, of which the bytes are reported too.
     """
     session = Session(load_reference([GivenText("large.yaml", REFERENCE)], BY_KEY), start=time.time() - 1)
     page = PageSource("large", clock=time.ctime, live=True, steady=time.monotonic, spent=time.thread_time)
@@ -223,11 +223,11 @@ def say_seen(url: str, readers: int) -> None:
     for reader in range(readers):
         begin = reader * len(rows) // readers
         places = [(reader * count // readers + place) % count for place in range(LINES)]
-        told = {
+        reported = {
             "reader": f"r{reader}", "rows": ".".join(rows[begin : begin + ROWS]), "picture": "1",
             "links": f"{version}:{'.'.join(map(str, places))}",
         }  # fmt: skip
-        urlopen(f"{url}sees?{urlencode(told)}").close()
+        urlopen(f"{url}sees?{urlencode(reported)}").close()
 
 
 def with_readers(served: Served, readers: int, seconds: float, *, everything: bool) -> None:
@@ -239,13 +239,13 @@ def with_readers(served: Served, readers: int, seconds: float, *, everything: bo
         # What was asked for as a whole is made as a whole for a while, and every topic has its first turn in a round;
         # meanwhile the past keeps for the first time how everything stands.
         time.sleep(LASTING_S + ROUND_S)
-    before, told = served.used(), sum(one.bytes for one in reading)
+    before, reported = served.used(), sum(one.bytes for one in reading)
     time.sleep(seconds)
-    after, told = served.used(), sum(one.bytes for one in reading) - told
+    after, reported = served.used(), sum(one.bytes for one in reading) - reported
     wall = after["wall"] - before["wall"]
     spent = {key: after[key] - before[key] for key in before}
     page = spent["all"] - spent["watch"] + spent["make"]
-    rate = told / wall / max(readers, 1) / 1000
+    rate = reported / wall / max(readers, 1) / 1000
     print(
         f"{readers} readers: {spent['made'] / wall:.2f} snapshots a second, {page / wall:.1%} of a core for the page "
         f"({spent['make'] / max(spent['made'], 1) * 1000:.0f} ms to make one, {spent['make'] / wall:.1%}; "

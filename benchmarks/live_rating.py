@@ -3,7 +3,7 @@
 Usage: live_rating.py [seconds of the steady run]. Prints the share of a core at 10,000 tallies a second over 2,000
 connections with 1,000 wildcard expectations, and how many tallies a second a core can take at most. Both are of steady
 traffic with every value inside its range, decoding included; no two tallies say the same. The peak of memory holds the
-packed frames of both runs, so their size is told too.
+packed frames of both runs, so their size is reported too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import time
 from random import Random
 
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Expectation, Reference, Selector, Timing, Told
+from roslens.judge.reference.expectation import Details, Expectation, Reference, Selector, Timing
 from roslens.live.rate.monitor import Monitor
 from roslens.model.entity import EntityKind
 from roslens.model.traffic.tally import Moments, Observer, Tally
@@ -52,8 +52,8 @@ def reference() -> Reference:
         )[kind % 5]
         entity = EntityKind.TOPIC if kind < 10 else EntityKind.CONNECTION
         name = f"/robot{group}/*/signal" if kind % 2 else f"/robot{group}/**"
-        told = Told(f"bench.{number}", timing=Timing(grace=1.0))
-        sentences.append(Expectation(told, Selector(entity, name), quantity, range_))
+        details = Details(f"bench.{number}", timing=Timing(grace=1.0))
+        sentences.append(Expectation(details, Selector(entity, name), quantity, range_))
     return Reference("bench", expectations=tuple(sentences))
 
 

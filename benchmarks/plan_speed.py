@@ -76,8 +76,8 @@ def main() -> None:
         own = own_s(parts, wires)
         dot = dot_s(parts, wires) if asked else None
         asked = dot is not None
-        told = f"{dot:8.2f} {dot / own:6.0f}" if dot is not None else f"  none, or not within {LONGEST_S} s"
-        print(f"{count:8} {len(wires):6} {own:9.3f} {told}", flush=True)
+        reported = f"{dot:8.2f} {dot / own:6.0f}" if dot is not None else f"  none, or not within {LONGEST_S} s"
+        print(f"{count:8} {len(wires):6} {own:9.3f} {reported}", flush=True)
 
 
 if __name__ == "__main__":

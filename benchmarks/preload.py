@@ -88,9 +88,9 @@ def _real(python: str, library: Path, folder: str) -> None:
     for number in range(2 * REAL_ROUNDS):
         preloaded = bool(number % 2)
         extra = {"LD_PRELOAD": str(library), "ROSLENS_COUNTERS": folder} if preloaded else {}
-        for role, told in _pair(python, extra).items():
-            messages = told["typed"] + told["raw"]
-            used.setdefault((role, preloaded), []).append(told["cpu"] / max(1, messages) * 1e6)
+        for role, reported in _pair(python, extra).items():
+            messages = reported["typed"] + reported["raw"]
+            used.setdefault((role, preloaded), []).append(reported["cpu"] / max(1, messages) * 1e6)
     for role in ("talker", "listener"):
         bare, counted = used[role, False], used[role, True]
         print(
@@ -115,10 +115,10 @@ def _pair(python: str, extra: dict[str, str]) -> dict[str, dict[str, Any]]:
         )
         for role in ("listener", "talker")
     }  # fmt: skip
-    told = {role: json.loads(node.stdout.readline() if node.stdout else "") for role, node in nodes.items()}
+    reported = {role: json.loads(node.stdout.readline() if node.stdout else "") for role, node in nodes.items()}
     for node in nodes.values():
         node.communicate("")
-    return told
+    return reported
 
 
 if __name__ == "__main__":

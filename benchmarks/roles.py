@@ -1,4 +1,4 @@
-"""How well the roles of packages are told that nobody looked at: leave one repository out, 180 packages of 45.
+"""How well the roles of packages that nobody looked at are guessed: leave one repository out, 180 packages of 45.
 
     python benchmarks/roles.py                       from the recorded marks
     python benchmarks/roles.py --record FOLDER       look at the clones again, checked with `roslens check FOLDER`
@@ -8,7 +8,7 @@
 The roles are those that the authors of the 2016 study gave by hand (tests/fixtures/study). Words of the marks were
 chosen with all packages in view, so the words are not held out, only the weights. The independent ones are of packages
 with code, one of each of 57 repositories drawn at random of those that benchmarks/study_2026.py fetches and the study
-has not: one person gave them by name and description before seeing what is told.
+has not: one person gave them by name and description before seeing what is guessed.
 """
 
 from __future__ import annotations
@@ -127,16 +127,16 @@ def left_out(rows: Sequence[tuple[str, str, str, frozenset[str]]], only: Sequenc
     """
     names, marks, roles = matrix(rows)
     repositories = np.array([row[1] for row in rows])
-    told = roles.copy()
+    reported = roles.copy()
     near = fit(names, marks, roles)
     for repository in only or sorted(set(repositories)):
         here = repositories == repository
-        told[here] = (marks[here] @ fit(names, marks[~here], roles[~here], near)).argmax(1)
-    return [ROLES[number] for number in told]
+        reported[here] = (marks[here] @ fit(names, marks[~here], roles[~here], near)).argmax(1)
+    return [ROLES[number] for number in reported]
 
 
 def independent(folder: Path, path: Path = TODAY) -> list[tuple[str, str, str]]:
-    """Return name, role by hand and role told of each package of today, by the last runs of two folders."""
+    """Return name, role by hand and guessed role of each package of today, by the last runs of two folders."""
     from roslens.source.study.role import RolesInRuns
     from roslens.store.runs import Store
 
@@ -147,26 +147,26 @@ def independent(folder: Path, path: Path = TODAY) -> list[tuple[str, str, str]]:
         with Store.open(folder / one / ".roslens" / "store.sqlite") as store:
             view, roles = store.view(None), RolesInRuns()
             for row in rows:
-                told = roles.decision(view, row["package"]) if row["list"] == one else None
-                if told is not None:
-                    found.append((f"{row['repository']}/{row['package']}", row["role"], told.role))
+                reported = roles.decision(view, row["package"]) if row["list"] == one else None
+                if reported is not None:
+                    found.append((f"{row['repository']}/{row['package']}", row["role"], reported.role))
     return found
 
 
-def tell(given: Sequence[str], told: Sequence[str]) -> None:
-    """Print how many are told as by hand, and how they are confused."""
-    right = sum(a == b for a, b in zip(given, told, strict=True))
-    print(f"accuracy {right / len(given):.3f} ({right}), kappa {kappa(given, told):.3f}")
+def tell(given: Sequence[str], reported: Sequence[str]) -> None:
+    """Print how many are guessed as by hand, and how they are confused."""
+    right = sum(a == b for a, b in zip(given, reported, strict=True))
+    print(f"accuracy {right / len(given):.3f} ({right}), kappa {kappa(given, reported):.3f}")
     print(f"{'by hand':>12} | " + " ".join(f"{role:>12}" for role in ROLES))
     for role in ROLES:
-        counts = Counter(b for a, b in zip(given, told, strict=True) if a == role)
+        counts = Counter(b for a, b in zip(given, reported, strict=True) if a == role)
         print(f"{role:>12} | " + " ".join(f"{counts[other]:>12}" for other in ROLES))
 
 
-def kappa(given: Sequence[str], told: Sequence[str]) -> float:
+def kappa(given: Sequence[str], reported: Sequence[str]) -> float:
     """Return Cohen's kappa: agreement beyond what chance brings."""
-    same = sum(a == b for a, b in zip(given, told, strict=True)) / len(given)
-    first, second = Counter(given), Counter(told)
+    same = sum(a == b for a, b in zip(given, reported, strict=True)) / len(given)
+    first, second = Counter(given), Counter(reported)
     chance = sum(first[role] * second[role] for role in ROLES) / len(given) ** 2
     return (same - chance) / (1 - chance)
 
@@ -183,18 +183,18 @@ def main() -> None:
         tell([one[1] for one in found], [one[2] for one in found])
         for name, role, other in found:
             if role != other:
-                print(f"  {name}: {role} by hand, {other} told")
+                print(f"  {name}: {role} by hand, {other} guessed")
         return
     if options.record:
         record(options.record)
     rows = recorded()
-    told = left_out(rows)
+    reported = left_out(rows)
     given = [row[2] for row in rows]
-    print(f"{len(rows)} packages of {len({row[1] for row in rows})} repositories, each told without its own repository")
-    tell(given, told)
-    for row, other in zip(rows, told, strict=True):
+    print(f"{len(rows)} packages of {len({row[1] for row in rows})} repositories, each guessed without its own one")
+    tell(given, reported)
+    for row, other in zip(rows, reported, strict=True):
         if row[2] != other:
-            print(f"  {row[1]}/{row[0]}: {row[2]} by hand, {other} told; {', '.join(sorted(row[3]))}")
+            print(f"  {row[1]}/{row[0]}: {row[2]} by hand, {other} guessed; {', '.join(sorted(row[3]))}")
     if options.write:
         names, marks, roles = matrix(rows)
         weights = fit(names, marks, roles)

@@ -82,8 +82,8 @@ def started(python: str, program: str, environment: dict[str, str]) -> subproces
 def costs(python: str, environment: dict[str, str]) -> list[tuple[float, int]]:
     """Return CPU microseconds a message, and how many messages came, of a subscription and of a tap."""
     both = [started(python, program, environment) for program in (SUBSCRIPTION, TAP)]
-    told = [process.communicate(timeout=60)[0].split()[-2:] for process in both]
-    return [(float(microseconds), int(count)) for microseconds, count in told]
+    reported = [process.communicate(timeout=60)[0].split()[-2:] for process in both]
+    return [(float(microseconds), int(count)) for microseconds, count in reported]
 
 
 def main() -> None:

@@ -2,7 +2,7 @@
 
     python benchmarks/unparsed.py [-v] [--json FILE] FOLDER
 
-FOLDER holds clones, one a folder. Files are found and told apart as by `roslens check` with nothing configured: own
+FOLDER holds clones, one a folder. Files are found and classified as by `roslens check` with nothing configured: own
 code, tests, vendored and generated files are counted apart. The cause of a file is that of its first place, judged by
 text; -v lists the places. What is parsed is C, C++ and Python.
 """

@@ -48,8 +48,10 @@ def pytest_collection_modifyitems(items):
     """Put what waits for nodes first in the share of one worker, and what waits for a browser in that of the next.
 
     So two workers mostly wait while the others compute, and those that are done first take what is left of the rest.
+    Whole robots wait longest, and even longer where one is tried again: the run would end with one of them alone.
     """
     real = [item for item in items if item.get_closest_marker("real")]
+    real.sort(key=lambda item: "scenarios" not in item.path.parts)
     browser = [item for item in items if item.get_closest_marker("browser") and not item.get_closest_marker("real")]
     waiting = {*real, *browser}
     rest = [item for item in items if item not in waiting]

@@ -18,9 +18,9 @@ def ended_early(nodes: Iterable[tuple[subprocess.Popen, Path]]) -> str:
     Args:
         nodes: processes, each with the file that it writes its errors to.
     """
-    told = []
+    reported = []
     for process, errors in nodes:
         if (process.poll() or 0) > 0:
             lines = errors.read_text(errors="replace").strip().splitlines() or ["it wrote nothing"]
-            told.append(f"a node ended with {process.returncode}: " + " / ".join(lines[-LINES:]))
-    return "; ".join(told)
+            reported.append(f"a node ended with {process.returncode}: " + " / ".join(lines[-LINES:]))
+    return "; ".join(reported)

@@ -18,16 +18,18 @@ from pace import CALM_NS
 
 HERE = Path(__file__).parent
 
+WAKE_EVERY_S = 0.05
+"""How long the sleeper sleeps at a time."""
 LATE_S = 0.1
 """A sleeper woken later than this means that no program got its time."""
 SLOW = 1.6
 """Processor time for an empty loop, in that of a calm machine, from which on what shall happen in time may not."""
 CROWDED = 2.0
 """Time for a loop, in what it takes of a processor, from which on others have more of the machine than the test."""
-LOOK_EVERY_S = 2.0
-"""How often the sleeper turns a loop; takes a hundredth of one processor."""
-COUNT_EVERY_S = 0.5
-"""How often the sleeper looks who took how much; takes less than a hundredth of one processor."""
+LOOK_EVERY_S = 4.0
+"""How often the sleeper turns a loop; takes half a hundredth of one processor."""
+COUNT_EVERY_S = 1.0
+"""How often the sleeper looks who took how much; takes half a hundredth of one processor."""
 ANSWER_S = 20.0
 """A sleeper that answers later than this has told enough."""
 _SLEEPER = """
@@ -57,8 +59,8 @@ def watch():
     looked = counted = 0.0
     while True:
         begun = time.monotonic()
-        asked = select.select([0], [], [], 0.02)[0]
-        late = time.monotonic() - begun - 0.02
+        asked = select.select([0], [], [], WAKE_EVERY_S)[0]
+        late = time.monotonic() - begun - WAKE_EVERY_S
         if late > LATE_S:
             tell("own late" if family.was_it(begun) else "late", late)
         elif begun - counted > COUNT_EVERY_S:
@@ -86,7 +88,7 @@ class Sleeper:
     """
 
     def __init__(self) -> None:
-        bounds = f"CALM_NS, LATE_S, LOOK_EVERY_S = {CALM_NS}, {LATE_S}, {LOOK_EVERY_S}\n"
+        bounds = f"CALM_NS, LATE_S, LOOK_EVERY_S, WAKE_EVERY_S = {CALM_NS}, {LATE_S}, {LOOK_EVERY_S}, {WAKE_EVERY_S}\n"
         bounds += f"SLOW, CROWDED, COUNT_EVERY_S, HERE = {SLOW}, {CROWDED}, {COUNT_EVERY_S}, {str(HERE)!r}\n"
         self._process = subprocess.Popen(
             [sys.executable, "-S", "-c", bounds + _SLEEPER], stdin=subprocess.PIPE, stdout=subprocess.PIPE

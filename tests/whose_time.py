@@ -56,7 +56,7 @@ class Family:
         for name in os.listdir("/proc"):  # noqa: PTH208 - as below
             if name.isdigit() and int(name) != self._without:
                 try:
-                    with open(f"/proc/{name}/stat") as file:  # noqa: PTH123 - twice a second, of all processes
+                    with open(f"/proc/{name}/stat") as file:  # noqa: PTH123 - once a second, of all processes
                         values = file.read().rpartition(")")[2].split()
                 except OSError:
                     continue

@@ -1,4 +1,4 @@
-"""Who imports whom in ``src``, told apart by when an import is carried out, and the circles in it."""
+"""Who imports whom in ``src``, distinguished by when an import is carried out, and the circles in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Constraints about nothing, as they are told."""
+"""Constraints about nothing, as they are reported."""
 
 from __future__ import annotations
 

@@ -266,10 +266,10 @@ def test_pages_fix_first_what_the_terminal_does(walking, capsys, tmp_path_factor
     git(walking, "commit", "-qam", "second")
     with (walking / "talk/talk/walking.py").open("a") as stream:
         stream.write(tangled.format("added"))
-    told = first_in_the_terminal(check(walking, capsys, "--baseline", "HEAD", code=1, form="text"))
-    assert told[0][0]
-    assert first_on_the_page(walking, tmp_path_factory.mktemp("compared") / "out") == told
-    told = first_in_the_terminal(check(walking, capsys, code=1, form="text"))
-    assert told
-    assert not any(new for new, _ in told)
-    assert first_on_the_page(walking, tmp_path_factory.mktemp("alone") / "out") == told
+    reported = first_in_the_terminal(check(walking, capsys, "--baseline", "HEAD", code=1, form="text"))
+    assert reported[0][0]
+    assert first_on_the_page(walking, tmp_path_factory.mktemp("compared") / "out") == reported
+    reported = first_in_the_terminal(check(walking, capsys, code=1, form="text"))
+    assert reported
+    assert not any(new for new, _ in reported)
+    assert first_on_the_page(walking, tmp_path_factory.mktemp("alone") / "out") == reported

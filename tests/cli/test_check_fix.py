@@ -95,9 +95,9 @@ def fixable(capfd):
 def test_it_mends_what_it_said_it_would_and_takes_it_back(arm, capfd):
     before = tree(arm)
     assert "5 of these can be fixed safely: roslens check --fix" in check(capfd, code=0).out
-    told = check(capfd, "--diff", code=1)
+    reported = check(capfd, "--diff", code=1)
     assert tree(arm) == before, "--diff changes nothing"
-    assert "would fix 5 of 5 findings with a fix in 3 files" in told.err
+    assert "would fix 5 of 5 findings with a fix in 3 files" in reported.err
     assert fixable(capfd) == {
         "cpp.guard",
         "cpp.override",
@@ -118,7 +118,7 @@ def test_it_mends_what_it_said_it_would_and_takes_it_back(arm, capfd):
     # What the diff said is what was done.
     for path, content in before.items():
         path.write_bytes(content)
-    subprocess.run(["git", "apply", "-"], input=told.out.encode(), cwd=arm, check=True)
+    subprocess.run(["git", "apply", "-"], input=reported.out.encode(), cwd=arm, check=True)
     assert tree(arm) == after
     # A second time there is nothing left, and what was done can still be taken back.
     done = check(capfd, "--fix", code=0)
@@ -144,9 +144,9 @@ def test_what_is_silenced_accepted_or_of_another_rule_is_left(arm, capfd):
 
 def test_files_of_others_are_left(arm, capfd):
     (arm / "roslens.toml").write_text('[workspace]\nvendored = ["arm/include"]\n')
-    told = check(capfd, "--diff", code=1)
-    assert "arm.hpp" not in told.out
-    assert "would fix 3 of 3" in told.err
+    reported = check(capfd, "--diff", code=1)
+    assert "arm.hpp" not in reported.out
+    assert "would fix 3 of 3" in reported.err
 
 
 def test_a_read_only_file_is_a_failure_and_the_others_are_mended(arm, capfd):

@@ -1,4 +1,4 @@
-"""``roslens check --watch``: what was saved is told from what was not, and answered as a check would."""
+"""``roslens check --watch``: what was saved is distinguished from what was not, and answered as a check would."""
 
 import os
 import time
@@ -93,8 +93,8 @@ def test_a_file_that_cannot_be_read_is_told_and_the_watch_goes_on(fresh, talking
     (talking / "talk/talk/nodes.py").write_text("x = 1\n")
     (talking / "talk/talk/walking.py").unlink()
     (talking / "talk/talk/walking.py").mkdir()
-    told = list(answers(fresh, files, lambda: 0.0))
-    assert any(line.startswith("talk/talk/nodes.py: ") for line in told)
+    reported = list(answers(fresh, files, lambda: 0.0))
+    assert any(line.startswith("talk/talk/nodes.py: ") for line in reported)
 
 
 @pytest.mark.timed
@@ -122,6 +122,6 @@ def test_the_watch_begins_after_the_check_and_ends_by_ctrl_c(talking, capsys, mo
     monkeypatch.setattr("roslens.cli.check.check_watch.pause", interrupted)
     words = ["check", str(talking), "--watch", "--jobs", "1", "--no-graph", "--no-store", "--fail-on", "never"]
     assert main(words) in {0, 3}
-    told = capsys.readouterr()
-    assert told.out.startswith("ws · 1 package")
-    assert "roslens: watching " in told.err
+    reported = capsys.readouterr()
+    assert reported.out.startswith("ws · 1 package")
+    assert "roslens: watching " in reported.err

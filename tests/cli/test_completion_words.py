@@ -89,7 +89,7 @@ def test_bash_offers_them(workspace, capsys, tmp_path, line, offered):
     words = " ".join(f"'{word}'" for word in ("roslens", *line))
     asked = f'source "{script}"; COMP_WORDS=({words}); COMP_CWORD={len(line)}; _shtab_roslens; echo "${{COMPREPLY[@]}}"'
     path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
-    told = subprocess.run(
+    reported = subprocess.run(
         [shutil.which("bash") or "bash", "--norc", "-c", asked],
         cwd=workspace,
         env={**os.environ, "PATH": path},
@@ -98,4 +98,4 @@ def test_bash_offers_them(workspace, capsys, tmp_path, line, offered):
         check=False,
         timeout=120,
     )
-    assert told.stdout.split() == offered, told.stderr
+    assert reported.stdout.split() == offered, reported.stderr

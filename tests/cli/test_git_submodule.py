@@ -1,4 +1,4 @@
-"""Submodules of a revision: read where their objects are, told where they are not."""
+"""Submodules of a revision: read where their objects are, reported where they are not."""
 
 import os
 import shutil

@@ -71,11 +71,11 @@ def test_without_a_launch_file_all_packages_are_compared(history, capsys):
 
 
 def test_what_one_revision_lacks_is_new_on_the_other(history, capsys):
-    told = compared(history, capsys, "--launch", "talk/new.launch.xml", "--diff", "HEAD", ".")
-    assert "+ /talker" in told.out
-    assert 'in "HEAD": no launch file "talk/new.launch.xml"' in told.err
-    told = compared(history, capsys, "--launch", "talk/nw.launch.xml", "--diff", "HEAD", ".", code=2)
-    assert 'Did you mean "talk/new.launch.xml"?' in told.err
+    reported = compared(history, capsys, "--launch", "talk/new.launch.xml", "--diff", "HEAD", ".")
+    assert "+ /talker" in reported.out
+    assert 'in "HEAD": no launch file "talk/new.launch.xml"' in reported.err
+    reported = compared(history, capsys, "--launch", "talk/nw.launch.xml", "--diff", "HEAD", ".", code=2)
+    assert 'Did you mean "talk/new.launch.xml"?' in reported.err
 
 
 def test_the_workspace_itself_is_left_alone(history, capsys):
@@ -163,19 +163,19 @@ def test_documents_say_that_findings_are_not_compared(history, capsys):
     for name, arguments in (("a.json", ()), ("b.json", ("--arg", "listening:=false"))):
         main(["graph", str(history), *LAUNCH, *arguments, "--format", "json", "-o", str(history / name)])
     documents = (str(history / "a.json"), str(history / "b.json"))
-    told = compared(history, capsys, "--diff", *documents, "--format", "json")
-    assert json.loads(told.out)["findings"] is None
-    assert "findings are not compared" in told.err
+    reported = compared(history, capsys, "--diff", *documents, "--format", "json")
+    assert json.loads(reported.out)["findings"] is None
+    assert "findings are not compared" in reported.err
 
 
 def test_a_submodule_that_is_missing_is_told(history, capsys):
     commit = "1234567890" * 4
     git(history, "update-index", "--add", "--cacheinfo", f"160000,{commit},vendor/driver")
     git(history, "commit", "-qm", "driver")
-    told = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").err
-    assert 'submodule vendor/driver of "HEAD" is missing' in told
-    assert "git -C vendor/driver fetch origin 1234567890" in told
-    assert '"before"' not in told
+    reported = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").err
+    assert 'submodule vendor/driver of "HEAD" is missing' in reported
+    assert "git -C vendor/driver fetch origin 1234567890" in reported
+    assert '"before"' not in reported
 
 
 def test_a_finding_in_a_file_of_another_name_has_moved(history, capsys):

@@ -1,10 +1,10 @@
-"""What was not understood of builds is told where there are nodes too, in short."""
+"""What was not understood of builds is reported where there are nodes too, in short."""
 
 import json
 
 import pytest
 
-from roslens.cli.graph.graph_missed import told_by_file, told_once
+from roslens.cli.graph.graph_missed import reported_by_file, reported_once
 from roslens.cli.main import main
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
@@ -44,8 +44,8 @@ def test_text_and_json_tell_it(workspace, capsys):
     assert 'the command is not defined in the workspace; and in 1 more place "make_more()"' in out
     assert 'p/CMakeLists.txt:6  the command is not defined in the workspace "wrap_all()"' in out
     assert main(["graph", str(workspace), "--format", "json"]) == 0
-    (told,) = json.loads(capsys.readouterr().out)["configurations"]
-    assert [(one["text"], one["proof"]["line"]) for one in told["unresolved"]] == [
+    (reported,) = json.loads(capsys.readouterr().out)["configurations"]
+    assert [(one["text"], one["proof"]["line"]) for one in reported["unresolved"]] == [
         ("make_more()", 4),
         ("wrap_all()", 6),
     ]
@@ -58,7 +58,7 @@ def test_one_node_alone_is_not_drowned(workspace, capsys):
 
 def test_what_is_the_same_is_told_once():
     missed = [Unresolved("f()", Evidence("b/C.txt", line), "why") for line in (9, 3, 3, 5)]
-    (one, other) = told_once([*missed, Unresolved("g()", Evidence("b/C.txt", 1), "why")])
+    (one, other) = reported_once([*missed, Unresolved("g()", Evidence("b/C.txt", 1), "why")])
     assert (one.evidence.line, one.reason) == (3, "why; and in 2 more places")
     assert other.reason == "why"
 
@@ -69,7 +69,7 @@ def test_what_is_the_same_in_a_file_is_told_once():
         Unresolved("f()", Evidence("b/c.cpp", 1), "another reason"),
         Unresolved("f()", Evidence("b/d.cpp", 1), "why"),
     ]
-    (one, *rest) = told_by_file([*missed, *others])
+    (one, *rest) = reported_by_file([*missed, *others])
     assert (one.text, one.evidence.line, one.reason) == ("g()", 3, "why; and 2 more in this file")
     assert rest == others
 

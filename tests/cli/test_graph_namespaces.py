@@ -37,8 +37,8 @@ INSIDE = '<launch><node pkg="talk" type="{type}" name="talker"><param name="rate
 OUTSIDE = '<launch><param name="rate" value="1"/><node pkg="talk" type="{type}" name="talker"/></launch>'
 
 
-def told(folder, launch, kind, code, capsys):
-    """Return rule, severity and entity of what is told of the parameter."""
+def reported(folder, launch, kind, code, capsys):
+    """Return rule, severity and entity of what is reported of the parameter."""
     source = f"{'src' if kind == 'talk_cpp' else 'scripts'}/{code[0]}"
     files = {
         "package.xml": MANIFEST, "CMakeLists.txt": CMAKE, source: code[1],
@@ -80,6 +80,6 @@ def told(folder, launch, kind, code, capsys):
 def test_where_it_is_set_and_where_it_is_read(launch, python, cpp, entity, tmp_path, capsys):
     wanted = [("graph.parameter_namespace", "warning", entity)] if entity else []
     script = ("talk.py", PYTHON.format(name=python))
-    assert told(tmp_path / "python", launch, "talk.py", script, capsys) == wanted
+    assert reported(tmp_path / "python", launch, "talk.py", script, capsys) == wanted
     program = ("talk.cpp", CPP.replace("(HANDLE)", f"({cpp})" if cpp else ""))
-    assert told(tmp_path / "cpp", launch, "talk_cpp", program, capsys) == wanted
+    assert reported(tmp_path / "cpp", launch, "talk_cpp", program, capsys) == wanted

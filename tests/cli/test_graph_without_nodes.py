@@ -33,9 +33,9 @@ def test_programs_that_are_not_found_are_told(workspace, capsys):
     (workspace / "p" / "setup.py").write_text(SETUP)
     (workspace / "p" / "p" / "talk.py").write_text(TALK)
     assert main(["graph", str(workspace)]) == 3
-    told = capsys.readouterr()
-    assert told.out == "no nodes\n"
-    assert "p/setup.py:2: talk is not installed to lib/p: ros2 run and launch files look there" in told.err
+    reported = capsys.readouterr()
+    assert reported.out == "no nodes\n"
+    assert "p/setup.py:2: talk is not installed to lib/p: ros2 run and launch files look there" in reported.err
     (workspace / "p" / "setup.cfg").write_text("[install]\ninstall_scripts=$base/lib/p\n")
     assert main(["graph", str(workspace)]) == 0
     assert "lib/p" not in capsys.readouterr().err

@@ -17,7 +17,15 @@ from roslens.cli.workplace.workplace import open_store
 _NUMBERS = count()
 
 
-@pytest.fixture(scope="module", params=["file", pytest.param("database", marks=pytest.mark.real)])
+# Any other test asks a database at night only: what a store answers is the same (`tests/store/postgres/test_same.py`).
+on_both = pytest.mark.parametrize(
+    "place", ["file", pytest.param("database", marks=pytest.mark.real)], indirect=True, scope="module"
+)
+
+
+@pytest.fixture(
+    scope="module", params=["file", pytest.param("database", marks=[pytest.mark.real, pytest.mark.nightly])]
+)
 def place(request):
     """Yield what gives the address of another store each time; empty for files."""
     if request.param == "file":
@@ -98,6 +106,7 @@ def test_the_end_of_each_month(workspace, capsys):
     assert [point["name"] for point in trend(capsys, root, "loc")["points"]] == ["2020-09-23", "2020-10-24"]
 
 
+@on_both
 def test_what_is_checked_now_is_the_last_point_where_it_differs(workspace, capsys):
     root, *_ = workspace
     quiet = ["-q", "--jobs", "1", "--no-graph", "--fail-on", "never", "--format", "json", "-o", str(root / "r.json")]
@@ -129,6 +138,7 @@ def test_a_run_of_the_folder_above_is_no_point_of_a_repository(workspace, capsys
     assert trend(capsys, one.root, "loc")["packages"] == {"a": [23, 23, 4]}
 
 
+@on_both
 def test_two_days_and_a_release_are_compared(workspace, capsys):
     root, *_ = workspace
     found = json.loads(out(capsys, "compare", "2020-09-30", "2020-10-31", root, "--format", "json"))
@@ -198,9 +208,9 @@ def test_another_repository_makes_other_revisions(workspace, capsys):
     assert main(["history", str(root), "--every", "release", "-q"]) == 0
     capsys.readouterr()
     assert main(["trend", "loc", str(root), "--format", "json"]) == 0
-    told = capsys.readouterr()
-    assert "1 revisions that were analysed are not behind the head" in told.err
-    assert json.loads(told.out)["whole"] == [23, 28, 47]
+    reported = capsys.readouterr()
+    assert "1 revisions that were analysed are not behind the head" in reported.err
+    assert json.loads(reported.out)["whole"] == [23, 28, 47]
 
 
 def test_only_the_packages_that_are_wanted(workspace, capsys):

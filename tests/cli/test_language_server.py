@@ -22,7 +22,7 @@ class Editor:
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
         self.root = root
         self.number = 0
-        self.told = []
+        self.reported = []
 
     def send(self, method, params, *, answered=True):
         message = {"jsonrpc": "2.0", "method": method, "params": params}
@@ -45,7 +45,7 @@ class Editor:
             message = json.loads(self.process.stdout.read(length))
             if wanted(message):
                 return message
-            self.told.append(message)
+            self.reported.append(message)
 
     def notify(self, method, params):
         self.send(method, params, answered=False)
@@ -53,11 +53,11 @@ class Editor:
     def start(self):
         uri = self.root.as_uri()
         folders = [{"uri": uri, "name": "ws"}]
-        told = self.send(
+        reported = self.send(
             "initialize", {"processId": None, "rootUri": uri, "workspaceFolders": folders, "capabilities": {}}
         )
         self.notify("initialized", {})
-        return told["capabilities"]
+        return reported["capabilities"]
 
     def open(self, path):
         place = self.root / path
@@ -214,7 +214,7 @@ def test_a_wrong_configuration_is_shown_and_the_server_goes_on(editor):
     (editor.root / "roslens.toml").write_text("modles = []\n")
     editor.start()
     assert editor.open("talk/talk/walking.py") == []
-    (shown,) = [one["params"]["message"] for one in editor.told if one.get("method") == "window/showMessage"]
+    (shown,) = [one["params"]["message"] for one in editor.reported if one.get("method") == "window/showMessage"]
     assert "unknown key 'modles'" in shown
     assert editor.stop() == 0
 

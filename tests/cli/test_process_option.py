@@ -1,4 +1,4 @@
-"""Process metrics by the command line: asked for, kept, told, and what cannot be told."""
+"""Process metrics by the command line: asked for, kept, reported, and what cannot be determined."""
 
 import json
 
@@ -95,7 +95,7 @@ def test_a_model_bounds_what_history_says(tmp_path, capsys):
     assert "package:inner" not in broken
     churned = values(found, "file:outer/src/a.cpp")["churn"]
     assert broken["file:outer/src/a.cpp"]["value"] == churned > 5
-    # Without a history nothing of it was judged, which is told and no clean run.
+    # Without a history nothing of it was judged, which is reported and no clean run.
     code, without = report(made.root, capsys, *options)
     assert code == 3
     assert [one["what"] for one in without["failures"]] == [

@@ -63,11 +63,11 @@ class Scene:
         os.utime(self.path, ns=(before.st_atime_ns, before.st_mtime_ns + 1))
 
     def looks(self, count=4):
-        told = []
+        reported = []
         for _ in range(count):
             self.now += 1.0
-            told += self.renewal.look(Step(self.now)).notes
-        return [one.kind.value for one in told]
+            reported += self.renewal.look(Step(self.now)).notes
+        return [one.kind.value for one in reported]
 
     @property
     def names(self):

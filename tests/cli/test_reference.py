@@ -7,9 +7,16 @@ from roslens.cli.reference import main, pages
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference"
 
 
-@pytest.mark.parametrize("path", sorted(pages()))
-def test_the_page_is_fresh(path: str):
-    assert (REFERENCE / path).read_text("utf-8") == pages()[path], "`make docs` writes it anew"
+def test_every_page_is_fresh():
+    wanted = pages()
+    assert len(wanted) > 300
+    stale = [path for path, text in wanted.items() if _kept(path) != text]
+    assert stale == [], "`make docs` writes them anew"
+
+
+def _kept(path: str) -> str:
+    place = REFERENCE / path
+    return place.read_text("utf-8") if place.exists() else ""
 
 
 def test_help_writes_nothing(tmp_path, monkeypatch, capsys):

@@ -1,4 +1,4 @@
-"""What is told of the way to a first cause."""
+"""What is reported of the way to a first cause."""
 
 from roslens.cli.references.reference_causes import lines, rows
 from roslens.model.entity import EntityId, EntityKind

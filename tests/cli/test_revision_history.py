@@ -13,7 +13,15 @@ from roslens.cli.past.past_store import kept_past
 _NUMBERS = count()
 
 
-@pytest.fixture(scope="module", params=["file", pytest.param("database", marks=pytest.mark.real)])
+# Any other test asks a database at night only: what a store answers is the same (`tests/store/postgres/test_same.py`).
+on_both = pytest.mark.parametrize(
+    "place", ["file", pytest.param("database", marks=pytest.mark.real)], indirect=True, scope="module"
+)
+
+
+@pytest.fixture(
+    scope="module", params=["file", pytest.param("database", marks=[pytest.mark.real, pytest.mark.nightly])]
+)
 def place(request):
     """Yield what gives the address of another store each time; empty for files."""
     if request.param == "file":
@@ -80,7 +88,7 @@ def out(capsys, *words: str, code: int = 0) -> str:
     return capsys.readouterr().out
 
 
-def told(capsys, *words: str) -> str:
+def reported(capsys, *words: str) -> str:
     assert main([str(word) for word in words]) == 2
     return capsys.readouterr().err
 
@@ -103,6 +111,7 @@ def test_each_release_and_the_head_are_runs(made):
     assert (made.root / "p/src/a.cpp").read_text() == "int a() { return 1; }\n"
 
 
+@on_both
 def test_a_second_time_nothing_is_analysed(made, capsys):
     assert main(["history", str(made.root), "--every", "release"]) == 0
     assert "4 revisions, 0 of them analysed now" in capsys.readouterr().err
@@ -161,6 +170,7 @@ def test_the_tree_of_today_is_the_last_point(made, capsys):
     assert "~ p: loc 13 -> 1" in text
 
 
+@on_both
 def test_new_and_resolved_between_two_releases(made, capsys):
     text = out(capsys, "compare", "1.0.0", "1.1.0", made.root)
     assert "[ros.cyclomatic_complexity.max]" in text or "[ros.function_limits]" in text
@@ -181,33 +191,33 @@ def test_a_commit_between_is_analysed_when_it_is_asked_for(made, capsys):
 
 
 def test_both_meanings_are_told_apart(made, capsys, tmp_path):
-    assert "neither a FILE nor --every" in told(capsys, "history")
-    assert "is a folder" in told(capsys, "history", made.root)
-    assert "--signal with --every" in told(capsys, "history", made.root, "--every", "1", "--signal", "rate")
-    assert "--model without --every" in told(capsys, "history", tmp_path / "x.sqlite", "--model", "ros")
-    assert "neither one of release" in told(capsys, "history", made.root, "--every", "sometimes")
-    assert "no revision since" in told(capsys, "history", made.root, "--every", "1", "--since", "2030-01-01")
-    assert "expected a date" in told(capsys, "history", made.root, "--every", "1", "--since", "soon")
+    assert "neither a FILE nor --every" in reported(capsys, "history")
+    assert "is a folder" in reported(capsys, "history", made.root)
+    assert "--signal with --every" in reported(capsys, "history", made.root, "--every", "1", "--signal", "rate")
+    assert "--model without --every" in reported(capsys, "history", tmp_path / "x.sqlite", "--model", "ros")
+    assert "neither one of release" in reported(capsys, "history", made.root, "--every", "sometimes")
+    assert "no revision since" in reported(capsys, "history", made.root, "--every", "1", "--since", "2030-01-01")
+    assert "expected a date" in reported(capsys, "history", made.root, "--every", "1", "--since", "soon")
 
 
 def test_names_that_mean_nothing(made, capsys):
-    assert "Did you mean 1.0.0" in told(capsys, "compare", "1.0.O", "now", made.root)
-    assert "there is no run 77" in told(capsys, "compare", "77", "now", made.root)
-    assert "Did you mean loc" in told(capsys, "trend", "locs", made.root)
-    assert "has no loc in any revision" in told(capsys, "trend", "loc", made.root, "--package", "P")
+    assert "Did you mean 1.0.0" in reported(capsys, "compare", "1.0.O", "now", made.root)
+    assert "there is no run 77" in reported(capsys, "compare", "77", "now", made.root)
+    assert "Did you mean loc" in reported(capsys, "trend", "locs", made.root)
+    assert "has no loc in any revision" in reported(capsys, "trend", "loc", made.root, "--package", "P")
 
 
 def test_without_a_history(tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-    assert "no past revisions" in told(capsys, "trend", "loc", tmp_path)
-    assert "no git repository" in told(capsys, "history", tmp_path, "--every", "1")
+    assert "no past revisions" in reported(capsys, "trend", "loc", tmp_path)
+    assert "no git repository" in reported(capsys, "history", tmp_path, "--every", "1")
     empty = SmallRepository(tmp_path / "empty")
-    assert "has no commit yet" in told(capsys, "history", empty.root, "--every", "1")
+    assert "has no commit yet" in reported(capsys, "history", empty.root, "--every", "1")
     made = SmallRepository(tmp_path / "full")
     made.commit("one", day=0, package_DOT_xml=MANIFEST.format("p"))
     made.commit("two", day=1)
     made.git("clone", "-q", "--depth=1", f"file://{made.root}", str(tmp_path / "shallow"))
-    assert "is a shallow clone" in told(capsys, "history", tmp_path / "shallow", "--every", "1")
+    assert "is a shallow clone" in reported(capsys, "history", tmp_path / "shallow", "--every", "1")
 
 
 def test_a_part_of_a_repository(tmp_path, capsys):
@@ -265,10 +275,10 @@ def test_what_a_forced_push_took_away_is_left_out_and_said(tmp_path, capsys):
     made.commit("another two", day=2, a_DOT_py="x = 1\n" * 3)
     assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
     assert main(["trend", "loc", str(made.root), "--format", "json"]) == 0
-    told = capsys.readouterr()
-    assert json.loads(told.out)["whole"] == [1, 3]
-    assert gone not in told.out
-    assert "1 revisions that were analysed are not behind the head" in told.err
+    reported = capsys.readouterr()
+    assert json.loads(reported.out)["whole"] == [1, 3]
+    assert gone not in reported.out
+    assert "1 revisions that were analysed are not behind the head" in reported.err
 
 
 @pytest.mark.real
@@ -297,7 +307,7 @@ def test_the_database_goes_away_between_two_revisions(tmp_path, capsys, monkeypa
         found = json.loads(out(capsys, "trend", "loc", made.root, "--format", "json"))
         assert found["whole"] == [1, 2, 3]
         server.kill()
-        assert "does not let in" in told(capsys, "trend", "loc", made.root)
+        assert "does not let in" in reported(capsys, "trend", "loc", made.root)
 
 
 def test_a_partial_clone_says_what_brings_its_past(tmp_path, capsys):

@@ -169,9 +169,9 @@ def test_tables_and_report_hold_the_same_findings(run: Run) -> None:
 
 def test_the_terminal_counts_what_counts_for_gates(run: Run) -> None:
     counted = [one for one in run.report["findings"] if one["gated"]]
-    told = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
-    assert told
-    words = dict(re.findall(r"(\w+?)s? (\d+)", " ".join(reversed(told[1].replace(",", "").split()))))
+    reported = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
+    assert reported
+    words = dict(re.findall(r"(\w+?)s? (\d+)", " ".join(reversed(reported[1].replace(",", "").split()))))
     assert {word: int(count) for word, count in words.items()} == {
         word: count for word, count in by_severity(counted).items() if count
     }
@@ -221,9 +221,9 @@ def test_the_overview_adds_up(run: Run, site: Site) -> None:
     assert {word: int(count) for count, word in words} == {
         word: count for word, count in by_severity(gated).items() if count
     }
-    told = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
-    assert told
-    assert facts["headline"].startswith(told[1] + " in ")
+    reported = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
+    assert reported
+    assert facts["headline"].startswith(reported[1] + " in ")
     whole = page(site, "packages").tables[0]
     assert (total(whole, "findings"), total(whole, "aside")) == (len(gated), len(findings) - len(gated))
     assert [total(whole, f"{key}s") for key in ("error", "warning", "note")] == list(by_severity(gated).values())

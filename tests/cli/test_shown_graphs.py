@@ -10,15 +10,15 @@ def pages(root, out, capsys, *more):
     assert main(["check", str(root), "-q", "--jobs", "1", "--no-graph", "--fail-on", "never"]) == 0
     assert main(["report", str(root), "-o", str(out), *more]) == 0
     folder = out / "computation"
-    told = capsys.readouterr().err
-    return {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}, told
+    reported = capsys.readouterr().err
+    return {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}, reported
 
 
 def test_first_launch_files_have_pages_with_findings(talking, tmp_path, capsys):
-    found, told = pages(talking, tmp_path / "out", capsys)
+    found, reported = pages(talking, tmp_path / "out", capsys)
     assert list(found) == ["fleet.launch.xml.json"]
     assert [one["rule"] for one in found["fleet.launch.xml.json"]["findings"]] == ["graph.qos"]
-    assert "roslens:" not in told
+    assert "roslens:" not in reported
     node = (tmp_path / "out/nodes/fleet.launch.xml/listener.html").read_text()
     assert "talk/talk/nodes.py.html#L16" in node.replace("../", "")
 
@@ -28,12 +28,12 @@ def test_declared_ones_have_pages_under_their_names(talking, tmp_path, capsys):
         '[graph.configurations.quiet]\nlaunch = "talk/robot.launch.xml"\narguments = { listening = false }\n'
         '[graph.configurations.lost]\nlaunch = "talk/no.launch.xml"\n'
     )
-    found, told = pages(talking, tmp_path / "out", capsys)
+    found, reported = pages(talking, tmp_path / "out", capsys)
     assert [[one["name"] for one in page["elements"] if one["kind"] == "node"] for page in found.values()] == [
         ["/talker"]
     ]
     assert list(found) == ["quiet.json"]
-    assert 'no launch file "talk/no.launch.xml"' in told
+    assert 'no launch file "talk/no.launch.xml"' in reported
 
 
 def test_of_many_the_largest_are_shown_and_it_is_told(talking, tmp_path, capsys):
@@ -41,10 +41,10 @@ def test_of_many_the_largest_are_shown_and_it_is_told(talking, tmp_path, capsys)
         path = talking / f"talk/launch/more{number}.launch.xml"
         nodes = "".join(f'<node pkg="a{place}" exec="b"/>' for place in range(number + 1))
         path.write_text(f"<launch>{nodes}</launch>")
-    found, told = pages(talking, tmp_path / "out", capsys)
+    found, reported = pages(talking, tmp_path / "out", capsys)
     assert len(found) == 8
     assert "more0.launch.xml.json" not in found
-    assert "8 of 10 launch files" in told
+    assert "8 of 10 launch files" in reported
 
 
 def test_they_can_be_left_out_and_a_workspace_that_is_gone_loses_only_them(talking, tmp_path, capsys):

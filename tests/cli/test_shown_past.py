@@ -82,6 +82,25 @@ def test_a_trend_has_a_curve_a_package_and_a_table(site):
     assert PAGES["trend"](site, Request("nothing")) is None
 
 
+def test_what_only_revisions_have_keeps_its_name_and_unit_beside_a_run_of_the_files_as_they_are(tmp_path):
+    made = SmallRepository(tmp_path / "w")
+    made.commit("one", day=0, p__package_DOT_xml=MANIFEST.format("p"), p__a_DOT_cpp=function("a", 2))
+    made.commit("two", day=2, p__a_DOT_cpp=function("a", 20))
+    assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
+    (made.root / "p/a.cpp").write_text(function("a", 5))
+    assert main(["check", str(made.root), "-q", "--jobs", "1", "--fail-on", "never", "-o", str(tmp_path / "r")]) == 0
+    with open_store(str(made.root)) as store:
+        view = store.view()
+        with shown_past(argparse.Namespace(no_store=False, path=str(made.root)), view) as past:
+            site = site_of(view)
+            site.past = past
+            html, document = page(site, "trend", "age")
+            beside, _ = page(site, "history")
+    assert (document["title"], document["unit"]) == ("Age", "d")
+    assert "of the files as they are now there is no value" in html
+    assert "(2020-09-13) to now (" in beside
+
+
 def test_differences_in_order_of_time(site):
     first, second, third = (point.commit for point in site.past.points)
     html, document = page(site, "difference", before=first, after=second)

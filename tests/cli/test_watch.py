@@ -25,11 +25,11 @@ def bag(tmp_path_factory):
 def test_the_faults_of_the_recording_are_told_with_when_they_began(bag, capsys):
     assert main(["watch", "--bag", bag, "--reference", ROVER, "--no-color"]) == 1
     lines = capsys.readouterr().out.splitlines()
-    told = [(float(line.split()[0]), line.split()[3], line.split()[4]) for line in lines if " s " in line[:14]]
-    assert ("low", "topic:/scan") in [(state, entity) for at, state, entity in told if 29.5 <= at <= 31]
-    assert ("high", "topic:/odom") in [(state, entity) for at, state, entity in told if 44.5 <= at <= 46]
-    assert ("absent", "topic:/cmd_vel") in [(state, entity) for at, state, entity in told if 59.5 <= at <= 61]
-    entities = {entity for at, _, entity in told if at < 59}
+    reported = [(float(line.split()[0]), line.split()[3], line.split()[4]) for line in lines if " s " in line[:14]]
+    assert ("low", "topic:/scan") in [(state, entity) for at, state, entity in reported if 29.5 <= at <= 31]
+    assert ("high", "topic:/odom") in [(state, entity) for at, state, entity in reported if 44.5 <= at <= 46]
+    assert ("absent", "topic:/cmd_vel") in [(state, entity) for at, state, entity in reported if 59.5 <= at <= 61]
+    entities = {entity for at, _, entity in reported if at < 59}
     assert entities <= {"topic:/scan", "topic:/odom", "topic:/planner/status"}
     (over,) = [line for line in lines if "topic:/scan  rate" in line and "again, after" in line]
     assert 5 < float(over.rpartition("after ")[2].removesuffix(" s")) < 15
@@ -102,13 +102,13 @@ def test_a_draft_raises_nothing_on_what_is_steady_and_finds_the_faults(bag, tmp_
     _, _, listed = draft.read_text("utf-8").partition("# On what it was drafted from it raises:\n")
     capsys.readouterr()
     assert main(["reference", "test", str(draft), "--bag", bag]) == 1
-    told = capsys.readouterr().out.splitlines()
-    gaps = [line for line in told if "/odom" in line and "gap is high" in line]
+    reported = capsys.readouterr().out.splitlines()
+    gaps = [line for line in reported if "/odom" in line and "gap is high" in line]
     assert len(gaps) == 1
     assert 44.5 <= float(gaps[0].split()[0]) <= 46
     # What the draft lists is what the test of it raises.
     raised = [line.removeprefix("#").strip() for line in listed.splitlines() if line.startswith("#  ")]
-    assert [" ".join(line.split()) for line in raised] == [" ".join(line.split()) for line in told[:-1]]
+    assert [" ".join(line.split()) for line in raised] == [" ".join(line.split()) for line in reported[:-1]]
 
 
 def test_a_test_with_expectations(bag, tmp_path, capsys):
@@ -140,17 +140,17 @@ ABOUT_NOTHING = [
 def test_what_is_about_nothing_is_told_at_the_end(bag, tmp_path, capsys):
     scam = tmp_path / "r.yaml"
     scam.write_text(SCAM)
-    told = [f"{scam}:{line}: {text}" for line, text in zip((5, 4), ABOUT_NOTHING, strict=True)]
+    reported = [f"{scam}:{line}: {text}" for line, text in zip((5, 4), ABOUT_NOTHING, strict=True)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--no-color"])
     out = capsys.readouterr().out.splitlines()
-    assert out[-5:-2] == ["2 constraints are about nothing that was seen:", *(f"  {one}" for one in told)]
+    assert out[-5:-2] == ["2 constraints are about nothing that was seen:", *(f"  {one}" for one in reported)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--format", "json"])
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
-    assert [line["text"] for line in lines if line["is"] == "note"] == told
+    assert [line["text"] for line in lines if line["is"] == "note"] == reported
     main(["reference", "test", str(scam), "--bag", bag])
-    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]
+    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in reported]
     assert main(["reference", "check", str(scam), "--bag", bag]) == 0
-    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]
+    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in reported]
 
 
 def test_the_graph_goes_into_a_file(bag, tmp_path, capsys):

@@ -402,11 +402,11 @@ def test_a_running_system_is_served_while_it_is_watched(tmp_path):
         with build_opener(ProxyHandler({})).open(f"{match[0]}events", timeout=20) as answer:
             found = (json.loads(line.removeprefix(b"data: ")) for line in answer if line.startswith(b"data: {"))
             assert next(found)["live"]
-            # A share of a CPU takes two looks; that there is one then is told as a change.
+            # A share of a CPU takes two looks; that there is one then is reported as a change.
             assert any(
                 key == "cpu"
-                for _, told in zip(range(20), found, strict=False)
-                for key, _ in told.get("columns") or told.get("parts", {}).get("columns", ())
+                for _, reported in zip(range(20), found, strict=False)
+                for key, _ in reported.get("columns") or reported.get("parts", {}).get("columns", ())
             )
         watch.send_signal(signal.SIGINT)
         assert watch.wait(20) in {0, 3}

@@ -8,7 +8,7 @@ import pytest
 from roslens.cli.main import main
 from roslens.cli.watch.watch_live import _serve
 from roslens.cli.watch.watch_publish import publish_through, unpublished, wanted
-from roslens.judge.reference.expectation import Presence, PresenceMode, Reference, Selector, Told
+from roslens.judge.reference.expectation import Details, Presence, PresenceMode, Reference, Selector
 from roslens.live.join.session import Session
 from roslens.live.observe.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import PERIOD_S
@@ -19,7 +19,7 @@ from roslens.model.errors import UsageError
 pytestmark = pytest.mark.timed
 
 REFERENCE = Reference(
-    "r", presences=(Presence(Told("r.scan"), Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),)
+    "r", presences=(Presence(Details("r.scan"), Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),)
 )
 
 
@@ -66,16 +66,16 @@ def test_where_no_ros_is_observed_nothing_can_be_published():
 def test_every_observer_publishes_what_becomes_wrong_at_once():
     session = Session(REFERENCE, start=0.0)
     lines = [Line(), Line()]
-    told = publish_through(
+    reported = publish_through(
         [source(line) for line in lines], session, lambda: REFERENCE, Publishes(True, "/roslens/rated")
     )
     now = 0.0
     while not (step := session.look(now)).changes:
-        told(step)
+        reported(step)
         now += 0.25
         assert now < 60
     before = len(lines[0].frames)
-    told(step)
+    reported(step)
     assert lines[0].said == lines[1].said
     diagnostics, rated = lines[0].frames[before:]
     assert [(one.level, one.name) for one in diagnostics.statuses] == [(1, "roslens: topic /scan")]
@@ -85,17 +85,17 @@ def test_every_observer_publishes_what_becomes_wrong_at_once():
 
 def test_messages_that_were_lost_are_told_once():
     session = Session(REFERENCE, start=0.0)
-    told = publish_through([source(Line(lost=3))], session, lambda: REFERENCE, Publishes(True))
-    told(session.look(0.0))
-    told(session.look(2.0))
+    reported = publish_through([source(Line(lost=3))], session, lambda: REFERENCE, Publishes(True))
+    reported(session.look(0.0))
+    reported(session.look(2.0))
     (failure,) = session.look(4.0).failures or session.monitor.failures
     assert "could not be published" in failure.what
 
 
 def test_what_is_too_long_for_a_message_is_a_failure_and_no_crash():
     text = "x" * (MAX_BYTES + 1)
-    told = Told("r.scan", text=text)
-    reference = Reference("r", presences=(Presence(told, Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),))
+    details = Details("r.scan", text=text)
+    reference = Reference("r", presences=(Presence(details, Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),))
     session, line = Session(reference, start=0.0), Line()
     publish = publish_through([source(line)], session, lambda: reference, Publishes(False, "/rated"))
     publish(session.look(0.0))

@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from roslens.cli.page.watch_screen import screen
+from roslens.cli.page.watch_screen import screen, value_text
 from roslens.live.system.tree import SystemView
 from roslens.model.verdict import State
 from roslens.report.writing.terminal import Terminal
@@ -76,3 +76,9 @@ def test_the_first_line_counts_what_nothing_judges():
 def test_names_stand_under_each_other_whether_judged_or_not():
     lines = screen(Terminal(100, False, True), robot(counts=BAD), (), title="t", height=100, clock=str)
     assert [lines[2].index("base"), lines[3].index("/lidar"), lines[4].index("/scan")] == [13, 15, 17]
+
+
+def test_a_value_has_three_digits_whatever_letters_its_unit_has():
+    assert value_text("temperature", 71.52) == "71.5 degC"
+    assert value_text("network_in", 2_041_234.0) == "2.04 MB/s"
+    assert value_text("cpu", 99.0) == "99 %"

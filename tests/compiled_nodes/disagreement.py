@@ -128,7 +128,7 @@ class _Said:
     pattern: re.Pattern[str]
     quality: str
     anywhere: bool
-    """Whether it is told at another call than the one that makes it, of which there may be several."""
+    """Whether it is reported at another call than the one that makes it, of which there may be several."""
 
     def at(self, line: int) -> bool:
         return self.anywhere or line in self.lines

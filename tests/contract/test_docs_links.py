@@ -3,7 +3,6 @@
 import re
 from pathlib import Path
 
-import pytest
 import yaml
 
 ROOT = Path(__file__).parents[2]
@@ -26,9 +25,10 @@ def missing(page: Path, text: str) -> list[str]:
     return [target for target in targets(page, text) if not (page.parent / target).exists()]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
-def test_links_lead_to_files(page):
-    assert missing(page, page.read_text("utf-8")) == []
+def test_links_lead_to_files():
+    assert len(PAGES) > 300
+    nowhere = {page: targets for page in PAGES if (targets := missing(page, page.read_text("utf-8")))}
+    assert nowhere == {}
 
 
 def test_a_link_to_nowhere_is_seen():

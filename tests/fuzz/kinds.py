@@ -186,7 +186,7 @@ def _recording(content: bytes) -> None:
 
 def _frames(content: bytes) -> None:
     """The first byte says how far the sender got: without the key, with it, or as a child process of the monitor."""
-    from roslens.live.agent.link import Channel, LinkError, read_frame, read_pids, read_times, told_time
+    from roslens.live.agent.link import Channel, LinkError, read_frame, read_pids, read_times, reported_time
     from roslens.model.wire import FrameReader, WireError
 
     way, body = content[0] % 3 if content else 0, content[1:]
@@ -209,7 +209,7 @@ def _frames(content: bytes) -> None:
                 _session_takes(frame)
     except (LinkError, WireError) as error:
         assert str(error)  # noqa: PT017 - see above
-    for read in (read_pids, read_times, lambda piece: told_time(piece, 1.0, 2.0)):
+    for read in (read_pids, read_times, lambda piece: reported_time(piece, 1.0, 2.0)):
         try:
             read(body)
         except LinkError as error:

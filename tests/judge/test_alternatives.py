@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.alternatives import MOST, alternatives, each
-from roslens.judge.reference.expectation import Presence, PresenceMode, Selector, Told
+from roslens.judge.reference.expectation import Details, Presence, PresenceMode, Selector
 from roslens.model.entity import EntityKind
 
 
@@ -53,7 +53,7 @@ def test_there_are_not_too_many():
 
 def names_of(mode, name, *without):
     selector = Selector(EntityKind.NODE, name, without=without)
-    return [one.selector.name for one in each(Presence(Told("r.x.presence"), selector, mode))]
+    return [one.selector.name for one in each(Presence(Details("r.x.presence"), selector, mode))]
 
 
 def test_each_of_them_is_a_presence_of_its_own_where_all_have_to_be_there():
@@ -68,7 +68,7 @@ def test_what_is_left_out_need_not_be_there():
 
 
 def test_a_presence_keeps_all_else():
-    presence = Presence(Told("r.x.presence"), Selector(EntityKind.NODE, "/{a,b}", host="pc"), PresenceMode.ALWAYS)
+    presence = Presence(Details("r.x.presence"), Selector(EntityKind.NODE, "/{a,b}", host="pc"), PresenceMode.ALWAYS)
     first = each(presence)[0]
     assert msgspec.structs.replace(first, selector=presence.selector) == presence
     assert first.selector.host == "pc"

@@ -27,15 +27,15 @@ SITE = b"kind: reference\nname: site\nconstraints: [{id: scan, override: true, t
 MERGED = merge_references(read_references([GivenText("base.yaml", BASE), GivenText("site.yaml", SITE)], BY_KEY))
 
 
-def told(subject: Subject) -> list[tuple[str, str, str, str]]:
+def reported(subject: Subject) -> list[tuple[str, str, str, str]]:
     return [
-        (one.declared.constraint.told.where, one.provided, one.role, one.replaced_by)
+        (one.declared.constraint.details.where, one.provided, one.role, one.replaced_by)
         for one in explain_entity(MERGED, subject)
     ]
 
 
 def test_sentences_come_in_the_order_of_the_documents_and_replaced_ones_last():
-    assert told(Subject(EntityKind.TOPIC, "/scan")) == [
+    assert reported(Subject(EntityKind.TOPIC, "/scan")) == [
         ("base.yaml:4", "", "", ""),
         ("base.yaml:5", "", "", ""),
         ("site.yaml:3", "", "", ""),
@@ -48,18 +48,18 @@ def test_sentences_come_in_the_order_of_the_documents_and_replaced_ones_last():
 
 
 def test_what_is_known_of_the_entity_decides():
-    places = [row[0] for row in told(Subject(EntityKind.TOPIC, "/scan", publisher="/other"))]
+    places = [row[0] for row in reported(Subject(EntityKind.TOPIC, "/scan", publisher="/other"))]
     assert "base.yaml:6" not in places
-    assert ("base.yaml:6", "", "", "") in told(Subject(EntityKind.TOPIC, "/scan", publisher="/lidar"))
+    assert ("base.yaml:6", "", "", "") in reported(Subject(EntityKind.TOPIC, "/scan", publisher="/lidar"))
 
 
 def test_other_entities_take_part_in_other_ways():
-    assert told(Subject(EntityKind.TOPIC, "/mode")) == [
+    assert reported(Subject(EntityKind.TOPIC, "/mode")) == [
         ("base.yaml:4", "", "", ""),
         ("base.yaml:5", "", "it is the condition", ""),
         ("base.yaml:9", "", "it holds the condition", ""),
     ]
-    assert told(Subject(EntityKind.TOPIC, "/scan2")) == []
+    assert reported(Subject(EntityKind.TOPIC, "/scan2")) == []
 
 
 def test_what_is_left_of_several_ranges():

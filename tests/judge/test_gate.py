@@ -1,4 +1,6 @@
-"""The conditions of a gate: each holds, is broken, or cannot be told; never the last as one of the others."""
+"""The conditions of a gate: each holds, is broken, or cannot be determined; never the last as one of the others."""
+
+import re
 
 import pytest
 
@@ -12,6 +14,8 @@ FACTS = GateFacts({"errors": 2}, Lines(200, 30), {"errors": 0, "warnings": 3}, L
     [
         (GateConditions(errors=1), FACTS, False, "2 errors, at most 1"),
         (GateConditions(errors=2), FACTS, True, "2 errors, at most 2"),
+        (GateConditions(errors=0), GateFacts({"errors": 1}, Lines()), False, "1 error, at most 0"),
+        (GateConditions(new_notes=0), GateFacts({}, Lines(), {"notes": 1}), False, "1 new note, at most 0"),
         (GateConditions(warnings=0), FACTS, True, "0 warnings, at most 0"),
         (GateConditions(new_errors=0), FACTS, True, "0 new errors, at most 0"),
         (GateConditions(new_warnings=2), FACTS, False, "3 new warnings, at most 2"),
@@ -26,6 +30,7 @@ def test_a_condition(conditions, facts, holds, text):
     (one,) = evaluate(conditions, facts)
     assert one.holds is holds
     assert text in one.text
+    assert not re.search(r"\b1 (new )?\w+s\b", one.text)
 
 
 def test_all_that_are_asked_for_in_their_order():

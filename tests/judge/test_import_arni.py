@@ -50,7 +50,7 @@ def test_every_line_of_a_specification_is_accounted_for():
         "[::1] cpu": ("<= 70", 0),
         "/cam* rate": ("5..10", 0),
     }
-    assert [(one.selector.name, one.told.timing.lasting) for one in reference.presences] == [("/scan", 5)]
+    assert [(one.selector.name, one.details.timing.lasting) for one in reference.presences] == [("/scan", 5)]
     connection = next(one for one in reference.expectations if one.selector.kind is EntityKind.CONNECTION)
     assert connection.selector == Selector(EntityKind.CONNECTION, "/scan", publisher="/lidar", subscriber="/amcl")
     counts = {outcome: sum(entry.outcome is outcome for entry in entries) for outcome in Outcome}
@@ -192,9 +192,9 @@ def test_whatever_is_imported_can_be_read(items: list[tuple[str, dict[str, str]]
         body = ", ".join(f"{field}: {limits}" for field, limits in fields.items())
         lines.append(f'- "{seuid}": {{{body}}}')
     reference, entries = brought("\n".join(lines))
-    told = sum(len(fields) for _, fields in items)
-    assert len([entry for entry in entries if any(f" {field}:" in entry for field in _fields(items))]) == told
-    assert len(reference.expectations) <= told
+    reported = sum(len(fields) for _, fields in items)
+    assert len([entry for entry in entries if any(f" {field}:" in entry for field in _fields(items))]) == reported
+    assert len(reference.expectations) <= reported
 
 
 def _fields(items: list[tuple[str, dict[str, str]]]) -> set[str]:

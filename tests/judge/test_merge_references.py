@@ -40,7 +40,11 @@ def fault(*lists: str) -> str:
 
 def test_sentences_on_other_quantities_and_entities_all_hold():
     reference = merged("{topic: /a, rate: 1..2}", "{topic: /a, latency: <= 1 s}", "{topic: /b, rate: 5..6}")
-    assert [one.told.id for one in reference.expectations] == ["a.topic.a.rate", "b.topic.a.latency", "c.topic.b.rate"]
+    assert [one.details.id for one in reference.expectations] == [
+        "a.topic.a.rate",
+        "b.topic.a.latency",
+        "c.topic.b.rate",
+    ]
 
 
 def test_overlapping_ranges_on_one_entity_both_hold():
@@ -52,11 +56,11 @@ def test_an_override_replaces_the_sentence_and_keeps_its_id():
         reference = merged(
             "{topic: /a, id: x, rate: 1..2, latency: <= 1 s}", f"{{topic: /b, id: {named}, override: true, rate: 7..8}}"
         )
-        assert [(one.told.id, one.selector.name, one.range) for one in reference.expectations] == [
+        assert [(one.details.id, one.selector.name, one.range) for one in reference.expectations] == [
             ("a.x.latency", "/a", Range(maximum=1)),
             ("a.x.rate", "/b", Range(7, 8)),
         ]
-        assert reference.expectations[1].told.where == "b.yaml:3"
+        assert reference.expectations[1].details.where == "b.yaml:3"
 
 
 def test_an_override_with_any_takes_a_sentence_away():

@@ -43,7 +43,7 @@ def test_a_document_says_what_it_expects():
     reference = load_reference([path], BY_KEY)
     assert (reference.name, reference.title) == ("robot", "One robot, wherever it is put")
     assert reference.documents == (str(path),)
-    ids = [constraint.told.id for constraint in constraints_of(reference)]
+    ids = [constraint.details.id for constraint in constraints_of(reference)]
     assert ids == [
         "robot.chain.scan.cmd_vel.age",
         "robot.field.battery.cells[0].voltage.value",
@@ -58,18 +58,18 @@ def test_a_document_says_what_it_expects():
         "robot.topic.scan.lidar.presence",
         "robot.topic.scan.lidar.rate",
     ]
-    rate = next(one for one in reference.expectations if one.told.id == "robot.topic.scan.lidar.rate")
+    rate = next(one for one in reference.expectations if one.details.id == "robot.topic.scan.lidar.rate")
     assert rate.selector == Selector(EntityKind.TOPIC, "/scan", type="sensor_msgs/msg/LaserScan", publisher="/lidar")
     assert (rate.range, rate.written, rate.percentile) == (Range(27, 33), "30 Hz ± 10 %", 0)
-    assert rate.told.severity is Severity.ERROR
-    assert rate.told.where == f"{path}:9"
-    assert rate.told.text == "Look at the cable of the lidar."
-    assert rate.told.group == "drive"
-    assert rate.told.timing == Timing(lasting=2, recovering=3, margin=0.05, grace=10, window=1)
-    latency = next(one for one in reference.expectations if one.told.id == "robot.topic.**.image.latency")
+    assert rate.details.severity is Severity.ERROR
+    assert rate.details.where == f"{path}:9"
+    assert rate.details.text == "Look at the cable of the lidar."
+    assert rate.details.group == "drive"
+    assert rate.details.timing == Timing(lasting=2, recovering=3, margin=0.05, grace=10, window=1)
+    latency = next(one for one in reference.expectations if one.details.id == "robot.topic.**.image.latency")
     assert (latency.range, latency.percentile) == (Range(maximum=0.03), 95)
     assert latency.selector == Selector(EntityKind.TOPIC, "**/image", without=("/debug/**",))
-    assert (latency.told.severity, latency.told.timing.lasting) == (Severity.NOTE, 0)
+    assert (latency.details.severity, latency.details.timing.lasting) == (Severity.NOTE, 0)
     memory = next(one for one in reference.expectations if one.quantity == "memory")
     assert memory.range == Range(maximum=1.5 * 2**30)
     assert [(one.selector.name, one.mode) for one in reference.presences] == [
@@ -90,7 +90,7 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
     assert reference.name == "robot+left+right+fleet"
     names = {one.selector.name for one in reference.expectations if one.selector.kind is EntityKind.TOPIC}
     assert names == {"/left/scan", "/right/scan", "/left/{,**/}image", "/right/{,**/}image"}
-    bounds = {one.told.id: one.range.maximum for one in reference.expectations if "amcl" in one.told.id}
+    bounds = {one.details.id: one.range.maximum for one in reference.expectations if "amcl" in one.details.id}
     assert bounds == {"robot.left.scan-to-amcl.latency": 0.05, "robot.right.scan-to-amcl.latency": 0.02}
     # Hosts are in no namespace: what is said of them twice is said once.
     assert sum(one.quantity == "memory" for one in reference.expectations) == 1
@@ -206,7 +206,7 @@ def test_equal_names_by_default_are_told_apart():
         HEAD
         + "constraints:\n- {topic: /a, rate: 1..2}\n- {topic: /a, rate: p5 >= 1}\n- {topic: /a, type: T, rate: 1..2}"
     )
-    assert [one.told.id for one in read(text).expectations] == [
+    assert [one.details.id for one in read(text).expectations] == [
         "r.topic.a.rate",
         "r.topic.a~2.rate",
         "r.topic.a~3.rate",
@@ -225,7 +225,7 @@ def test_what_is_included_twice_is_read_once(tmp_path: Path):
     for name in "ab":
         (tmp_path / f"{name}.yaml").write_text(f"kind: reference\nname: {name}\ninclude: base.yaml")
     reference = load_reference([tmp_path / "a.yaml", tmp_path / "b.yaml"], BY_KEY)
-    assert [one.told.id for one in reference.expectations] == ["base.x.rate"]
+    assert [one.details.id for one in reference.expectations] == ["base.x.rate"]
     assert reference.name == "base+a+b"
 
 
@@ -299,5 +299,5 @@ def test_texts_that_yaml_would_change_are_taken_as_written():
     lines = read(
         HEAD + "constraints:\n- node: /n\n  text: |\n    One.\n    Two.\n  threads: 1 ..\n    12\n"
     ).expectations[0]
-    assert (lines.told.text, lines.written) == ("One.\nTwo.", "1 .. 12")
+    assert (lines.details.text, lines.written) == ("One.\nTwo.", "1 .. 12")
     assert isinstance(read(HEAD + "constraints: [{node: 12:30, expected: never}]").presences[0], Presence)

@@ -24,7 +24,7 @@ def test_a_lifecycle_state_is_expected_of_nodes():
     (check,) = read("{node: '/map*', lifecycle: active, severity: error}").states
     assert (check.of, check.allowed, check.range) == (StateOf.LIFECYCLE, ("active",), None)
     assert (check.selector.kind, check.selector.name) == (EntityKind.NODE, "/map*")
-    assert check.told.id == "rover.node.map*.lifecycle"
+    assert check.details.id == "rover.node.map*.lifecycle"
     assert (subject_words(check), expected_words(check)) == ("node /map*", "lifecycle active")
 
 

@@ -63,19 +63,19 @@ chains:
     ]
 
 
-def told(constraint, kinds=tuple(EntityKind), graph=GRAPH):
+def reported(constraint, kinds=tuple(EntityKind), graph=GRAPH):
     text = f"kind: reference\nname: r\nconstraints:\n  - {constraint}\n"
     reference = load_reference([GivenText("r.yaml", text.encode())], BY_KEY)
     return [one.advice for one in unmatched(reference, subjects_of(graph), kinds)]
 
 
 def test_patterns_get_names_too_and_types_are_told():
-    assert told("{topic: '/scann/*', rate: 1..2}") == ["Did you mean '/scan'?"]
-    assert told("{topic: '/*can', type: sensor_msgs/msg/PointCloud2, rate: 1..2}") == [
+    assert reported("{topic: '/scann/*', rate: 1..2}") == ["Did you mean '/scan'?"]
+    assert reported("{topic: '/*can', type: sensor_msgs/msg/PointCloud2, rate: 1..2}") == [
         "/scan is there, but of type sensor_msgs/msg/LaserScan"
     ]
-    assert told("{node: /lidar, on: base, cpu: <= 5 %}") == ["/lidar is there, but on robot-1"]
-    assert told("{topic: /zzz, rate: 1..2}") == [""]
+    assert reported("{node: /lidar, on: base, cpu: <= 5 %}") == ["/lidar is there, but on robot-1"]
+    assert reported("{topic: /zzz, rate: 1..2}") == [""]
 
 
 def test_connections_are_where_their_publisher_is():
@@ -84,12 +84,12 @@ def test_connections_are_where_their_publisher_is():
         (Node("/a", "one"), Node("/b", "two")),
         (Endpoint("/a", Role.PUBLISHER, "/x", "t/T"), Endpoint("/b", Role.SUBSCRIPTION, "/x", "t/T")),
     )
-    assert told("{connection: /x, on: one, rate: 1..2}", graph=graph) == []
-    assert told("{connection: /x, on: two, rate: 1..2}", graph=graph) == ["/x is there, but on one"]
+    assert reported("{connection: /x, on: one, rate: 1..2}", graph=graph) == []
+    assert reported("{connection: /x, on: two, rate: 1..2}", graph=graph) == ["/x is there, but on one"]
 
 
 def test_what_cannot_be_seen_is_not_missed():
-    assert told("{host: base, cpu: <= 5 %}", kinds=(EntityKind.TOPIC,)) == []
+    assert reported("{host: base, cpu: <= 5 %}", kinds=(EntityKind.TOPIC,)) == []
 
 
 def test_patterns_of_field_checks_and_what_they_compare_with_are_looked_for():

@@ -40,7 +40,7 @@ def test_every_way_and_command_is_among_the_moments():
 
 
 def test_what_is_left_is_seen(tmp_path):
-    """A process that took leave of its parent and session, and a file, are told; those of others are not."""
+    """A process that took leave of its parent and session, and a file, are reported; those of others are not."""
     code = "import os, time\nos.fork() and os._exit(0)\nos.setsid()\ntime.sleep(100)"
     with place(tmp_path / "place", mount=False) as where:
         assert not where.processes()

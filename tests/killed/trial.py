@@ -133,7 +133,7 @@ def _ended(where: Place, moment: Moment, seconds: float, chance: random.Random) 
         try:
             process.communicate(timeout=ENDS_S)
         except subprocess.TimeoutExpired:
-            # A worker that was killed may leave one that waits for it: that it is still there is what is told.
+            # A worker that was killed may leave one that waits for it: that it is still there is what is reported.
             return
 
 

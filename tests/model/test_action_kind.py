@@ -27,8 +27,8 @@ def test_defaults_are_among_the_choices_and_required_arguments_have_none():
             assert not (one.required and one.default is not None), (kind.key, one.name)
             assert (one.type is ArgumentType.CHOICE) <= bool(one.choices)
             if one.choices and one.default is not None:
-                told = (one.default,) if one.type is ArgumentType.CHOICE else one.default
-                assert set(told) <= set(one.choices)
+                reported = (one.default,) if one.type is ArgumentType.CHOICE else one.default
+                assert set(reported) <= set(one.choices)
             msgspec.json.encode(one.default)
 
 

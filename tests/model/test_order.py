@@ -30,5 +30,5 @@ def test_what_is_no_order_ends_the_line(stream):
 def test_what_cannot_be_told_is_not_sent():
     with pytest.raises(OrderError, match="bytes"):
         encode_order(Order(VERSION, "a", Verb.DO, "publish", "", {"text": "x" * MAX_BYTES}))
-    with pytest.raises(OrderError, match="cannot be told"):
+    with pytest.raises(OrderError, match="cannot be sent"):
         encode_order(Order(VERSION, "a", Verb.DO, "publish", "", {"value": object()}))

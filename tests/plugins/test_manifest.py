@@ -1,4 +1,4 @@
-"""A manifest that cannot work is told with what it says and what it should say."""
+"""A manifest that cannot work is reported with what it says and what it should say."""
 
 import msgspec
 import pytest

@@ -1,4 +1,4 @@
-"""Options have the type that the plug-in declares, or the user is told which."""
+"""Options have the type that the plug-in declares, or the user learns which."""
 
 import pytest
 

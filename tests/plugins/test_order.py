@@ -1,4 +1,4 @@
-"""Plug-ins run after what they need; what they will not get is told."""
+"""Plug-ins run after what they need; what they will not get is reported."""
 
 import pytest
 

@@ -56,7 +56,7 @@ def disagreements(program: str, runs: Sequence[Run]) -> list[Disagreement]:
 def _line(fact: Fact) -> int:
     """Return the line at which something is made: a fact speaks of the call of the function that makes it.
 
-    Of a parameter that a function declares no more is told than that call: it is 0.
+    Of a parameter that a function declares no more is reported than that call: it is 0.
     """
     if isinstance(fact, ParameterFact):
         return 0
@@ -69,14 +69,14 @@ def _all(facts: NodeFacts) -> list[tuple[str, Fact]]:
 
 
 def _missed(facts: NodeFacts, runs: Sequence[Run]) -> list[Disagreement]:
-    told = {evidence.line for evidence, _ in facts.unresolved}
+    reported = {evidence.line for evidence, _ in facts.unresolved}
     known: dict[tuple[int, str], list[Text]] = {}
     for role, one in _all(facts):
         known.setdefault((_line(one), role), []).append(one.name)
     wrong = []
     for made in {made for run in runs for made in run.made}:
         names = known.get((made.line * (made.role != "parameter"), made.role), [])
-        if made.line not in told and not any(may_be(text, made.name) for text in names):
+        if made.line not in reported and not any(may_be(text, made.name) for text in names):
             wrong.append(Disagreement("missed", made.line, made.name, f"known are {sorted(map(str, names))}"))
     return wrong
 

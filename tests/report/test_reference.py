@@ -19,18 +19,18 @@ def test_the_keys_of_the_json_report(view):
     stream = io.StringIO()
     write_json(view, stream)
     report = json.loads(stream.getvalue())
-    told = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", PAGE, re.MULTILINE))
+    reported = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", PAGE, re.MULTILINE))
     for name, items in report.items():
         if name == "schema":
             continue
         found = {key for item in (items if isinstance(items, list) else [items]) for key in item}
-        assert set(keys(told[name])) == found, name
+        assert set(keys(reported[name])) == found, name
 
 
 def test_the_columns_of_the_tables(view):
-    told = dict(re.findall(r"^\| `(\w+)\.csv` \| (.*) \|$", PAGE, re.MULTILINE))
-    assert set(told) == set(TABLES)
-    for name, text in told.items():
+    reported = dict(re.findall(r"^\| `(\w+)\.csv` \| (.*) \|$", PAGE, re.MULTILINE))
+    assert set(reported) == set(TABLES)
+    for name, text in reported.items():
         stream = io.StringIO()
         write_table(view, name, stream)
         head = stream.getvalue().splitlines()[0].split(",")

@@ -113,3 +113,47 @@ def test_of_very_many_marks_the_newest_are_told(
     found = long.recall.marks(START, long.last)
     assert found[-1].time > long.last - DAY_S
     assert sum(one.count for one in found if one.kind == "alarm") == 5_000
+
+
+HUGE = 10 * 2**30
+"""Bytes of what a watch of a large robot keeps in months."""
+
+
+def grow(path: Path) -> None:
+    """Make a file of SQLite as long as :data:`HUGE`, with a hole in place of the pages."""
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        (page,) = connection.execute("PRAGMA page_size").fetchone()
+    with path.open("r+b") as file:
+        counter = file.read(28)[24:]
+        file.seek(28)
+        file.write((HUGE // page).to_bytes(4, "big"))
+        # By this the length is known to be of this state of the file.
+        file.seek(92)
+        file.write(counter)
+        file.truncate(HUGE)
+
+
+def read_so_far() -> int:
+    """Return how many bytes this thread has read of files."""
+    text = Path("/proc/thread-self/io").read_text(encoding="ascii")
+    return int(text.partition("rchar: ")[2].split()[0])
+
+
+def test_ten_gigabytes_are_opened_added_to_and_asked_without_being_read(tmp_path: Path) -> None:
+    path = tmp_path / "huge.sqlite"
+    large = Large(path, 1)
+    grow(path)
+    before = read_so_far()
+    with History.open(path) as history:
+        assert history.size >= HUGE
+        history.add_moment(Moment(large.last + 1, Graph("ros2", (), ()), ()))
+        history.flush()
+    assert large.recall.span() is not None
+    assert large.recall.moment(large.last) is not None
+    assert large.recall.happened(large.last, 50)
+    assert large.recall.stretches("topic:/t1", large.last - 300, large.last, 600)
+    assert read_so_far() - before < 2**21
+    found = path.stat()
+    assert found.st_size >= HUGE
+    assert found.st_blocks * 512 < 2**27, "nothing rewrites it"

@@ -105,20 +105,20 @@ def test_the_second_writer_waits_for_the_first(path, sample, write_small):
 
 
 def test_who_waits_is_told_for_whom(path, sample, write_small):
-    told = []
+    reported = []
     with Store.open(path) as store:
         write_small(store)
     with other_writer(path, sample) as other, Store.open(path, wait_s=60) as store:
 
         def waiting(who):
-            told.append(who)
+            reported.append(who)
             other.stdin.write("complete\n")
             other.stdin.flush()
 
         with store.writing(sample.header("key-2"), waiting):
-            assert told == [f"process {other.pid}, started 2024-05-03T08:00:00+00:00"]
+            assert reported == [f"process {other.pid}, started 2024-05-03T08:00:00+00:00"]
         with store.writing(sample.header("key-2"), waiting):
-            assert len(told) == 1
+            assert len(reported) == 1
 
 
 def test_a_reader_of_a_store_without_runs_learns_that_the_first_is_being_made(path, sample):

@@ -93,8 +93,8 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         connection.executescript(dump.read_text("utf-8"))
     with Store.open(path) as store:
         view = store.view()
-        told = [one.packages for one in view.header.repositories]
-        assert told == ([("arm", "drive")] if dump.stem >= "schema_0007" else [])
+        reported = [one.packages for one in view.header.repositories]
+        assert reported == ([("arm", "drive")] if dump.stem >= "schema_0007" else [])
         assert msgspec.structs.replace(view.header, repositories=()) == sample.header()
         assert [package.name for package in view.packages()] == ["arm", "drive"]
         assert [finding.severity for finding in view.findings()] == [Severity.WARNING, Severity.NOTE, Severity.ERROR]
@@ -108,8 +108,8 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         aside = [(one.state.value, one.finding.path) for one in view.set_aside()]
         assert aside == ([("suppressed", "src/drive/src/drive.cpp")] if dump.stem >= "schema_0005" else [])
         process = [(one.head, one.files) for one in view.process]
-        told = ("c0ffee", {"src/drive/src/drive.cpp": {"revisions": 3.0}})
-        assert process == ([told] if dump.stem >= "schema_0006" else [])
+        reported = ("c0ffee", {"src/drive/src/drive.cpp": {"revisions": 3.0}})
+        assert process == ([reported] if dump.stem >= "schema_0006" else [])
         commits = [one.commits for one in store.revisions()]
         assert commits == ([(("arm", "c0ffee"), ("drive", ""))] if dump.stem >= "schema_0009" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()

@@ -109,17 +109,17 @@ def test_units_can_be_read_by_key(path, sample, write_small):
 
 
 def test_a_finding_keeps_its_witnesses_and_the_others(path, sample):
-    told = Finding(
+    reported = Finding(
         "cpp.explicit", Severity.WARNING, "m", "a.cpp", 3, witnesses=("cpplint.runtime/explicit",), others=("a.cpp:9",)
     )
     arm = sample.arm()
-    result = type(arm)(arm.package, arm.files, arm.entities, (told,), ())
+    result = type(arm)(arm.package, arm.files, arm.entities, (reported,), ())
     with Store.open(path) as store:
         with store.writing(sample.header()) as writer:
             writer.add("unit-arm", result)
             writer.complete(WorkspaceResult(), sample.header())
-        assert list(store.view().findings()) == [told]
-        assert store.unit("unit-arm").findings == (told,)
+        assert list(store.view().findings()) == [reported]
+        assert store.unit("unit-arm").findings == (reported,)
 
 
 def test_prune_keeps_the_newest_and_what_they_share(path, sample, write_small):

@@ -36,7 +36,7 @@ def limit_process(memory_bytes: int = MEMORY_BYTES, file_bytes: int = FILE_BYTES
 
 
 def limit_processor(pid: int, seconds: float) -> None:
-    """Bound the time of a processor that a process may take: at its end it is told so (``SIGXCPU``), which ends it.
+    """Bound the time of a processor that a process may take: at its end a signal ends it (``SIGXCPU``).
 
     The kernel counts whole seconds. Nothing is bounded where the system cannot bound another process.
     """

@@ -81,8 +81,13 @@ exit codes: 0 clean, 1 findings at or above --fail-on, 2 usage or bad input,
 130 interrupted, 141 nobody reads the output"""
 
 
-def parser() -> CommandParser:
-    """Return the parser of the whole command line; shell completion is generated from it too."""
+def parser(only: str | None = None) -> CommandParser:
+    """Return the parser of the whole command line; shell completion is generated from it too.
+
+    Args:
+        only: the command whose options are wanted. The options of all others are then left out, which is most of what
+            it takes to make the parser. None for all.
+    """
     top = CommandParser(
         prog="roslens",
         description="How good is the source of your robot, and does it behave when it runs? Measures and judges ROS 1 "
@@ -100,15 +105,21 @@ def parser() -> CommandParser:
             epilog=f"examples:\n{module.EXAMPLES}",
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
-        module.add_arguments(one)
+        if only in {None, verb}:
+            module.add_arguments(one)
         one.set_defaults(run=module.run, top_parser=top)
     return top
+
+
+def _verb(given: Sequence[str]) -> str | None:
+    """Return the command that is certainly meant; None where it may be any, or where it wants the options of all."""
+    return given[0] if given and given[0] in COMMANDS and given[0] != "completion" else None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    top = parser()
+    top = parser(_verb(given))
     options, unknown = top.parse_known_args(given)
     if unknown:
         refuse(unknown, top, options)

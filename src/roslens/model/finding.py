@@ -11,7 +11,7 @@ import msgspec
 from roslens.model.edit import Edit
 
 MOST_EXCESS = 1e9
-"""What is further beyond its bound is not told apart, so that infinite values have a number too."""
+"""What is further beyond its bound is not distinguished, so that infinite values have a number too."""
 
 
 class Severity(str, Enum):

@@ -42,7 +42,7 @@ class RepositoryProcess(msgspec.Struct, frozen=True, omit_defaults=True):
         path: of its root below that of the workspace; ``.`` where the workspace is in it.
         head: the commit that was looked at.
         head_s: when that was committed, in seconds since 1970.
-        as_of_s: the time that ages are told at; the head's own unless one was given.
+        as_of_s: the time at which ages are taken; the head's own unless one was given.
         skewed: how many commits are dated before a parent of theirs.
         skew_s: by how much the worst of them.
         values: of the repository, by quantity.

@@ -56,7 +56,7 @@ class Language(str, Enum):
 
 
 class Role(str, Enum):
-    """What a file is to its package; gates look at ``own`` code unless told otherwise."""
+    """What a file is to its package; gates look at ``own`` code unless configured otherwise."""
 
     OWN = "own"
     TEST = "test"

@@ -1,6 +1,6 @@
 """Which findings are meant, said by their tags.
 
-Two ways to say it, told apart by a comma or a leading sign:
+Two ways to say it, distinguished by a comma or a leading sign:
 
 - an expression: ``complexity and not (his or kth)``. ``not`` binds tighter than ``and``, ``and`` tighter than
   ``or``; ``!``, ``&`` and ``|`` are other spellings.

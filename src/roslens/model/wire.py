@@ -48,9 +48,9 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
         shed: records that were dropped since the last frame because the line was down or the budget spent.
         counted_at: where the counters lie that the tallies were read from, the same for everybody who reads them, so
             that nothing is counted twice; empty where there are none.
-        looked: up to when the sender has looked at all traffic that it observes, in seconds on its own clock, and told
-            what it saw with this frame or before; 0 where the frame says nothing of that. What no tally tells by then
-            was silent; after it, nothing is known.
+        looked: up to when the sender has looked at all traffic that it observes, in seconds on its own clock, and
+            reported what it saw with this frame or before; 0 where the frame says nothing of that. What no tally tells
+            by then was silent; after it, nothing is known.
     """
 
     version: int
@@ -68,7 +68,7 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
 
     @property
     def vouched(self) -> float:
-        """Up to when the sender has looked; a sender that does not say has looked when it told traffic."""
+        """Up to when the sender has looked; a sender that does not say has looked when it reported traffic."""
         return self.looked or (self.time if self.tallies else 0.0)
 
 

@@ -24,7 +24,7 @@ from roslens.plugins.order import generations
 from roslens.plugins.outcome import Outcome
 from roslens.plugins.points import FileInput, PackageInput, ResultsInput, WorkspaceInput
 from roslens.plugins.pool import Workers
-from roslens.plugins.session import Options, Session, Told
+from roslens.plugins.session import Options, Reported, Session
 
 _FILES_PER_TASK = 64
 _TASKS_PER_WORKER = 4
@@ -39,7 +39,7 @@ def run_package(
     time_limit_s: float = 60.0,
     jobs: int = 1,
     log: Path | None = None,
-    progress: Told | None = None,
+    progress: Reported | None = None,
     workers: Workers | None = None,
 ) -> Outcome:
     """Call the file and package hooks of all plug-ins for one package.
@@ -73,7 +73,7 @@ def run_plugins(
     time_limit_s: float = 60.0,
     jobs: int = 1,
     log: Path | None = None,
-    progress: Told | None = None,
+    progress: Reported | None = None,
     workers: Workers | None = None,
     findings: Sequence[Finding] = (),
     measurements: Sequence[Measurement] = (),
@@ -106,7 +106,7 @@ def run_plugins(
 
 
 def _sendable(package: PackageInput, run: Session) -> PackageInput:
-    """Return the package without files whose names are no text: no worker could be told of them."""
+    """Return the package without files whose names are no text: no worker could be sent them."""
     strange = {file.path for file in package.files if not _is_text(file.path + file.absolute)}
     if not strange:
         return package

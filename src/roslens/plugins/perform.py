@@ -113,7 +113,7 @@ class Performer:
 
 
 class _Steps:
-    """The steps of one order: which still run, and what is told of them."""
+    """The steps of one order: which still run, and what is reported of them."""
 
     def __init__(self, order: Order, emit: Emit) -> None:
         self.done = order.done

@@ -36,8 +36,8 @@ def _unheard(_step: Step) -> None:
 class Workers(Protocol):
     """Whatever carries out jobs."""
 
-    def run(self, jobs: Sequence[Job], told: Callable[[Step], None] = ...) -> None:
-        """Carry out the jobs; ``told`` hears of each step that is over."""
+    def run(self, jobs: Sequence[Job], reported: Callable[[Step], None] = ...) -> None:
+        """Carry out the jobs; ``reported`` hears of each step that is over."""
 
 
 class ProcessWorkers:
@@ -87,8 +87,8 @@ class ProcessWorkers:
             self._folder.cleanup()
             self._folder = None
 
-    def run(self, jobs: Sequence[Job], told: Callable[[Step], None] = _unheard) -> None:
-        """Carry out the jobs; ``told`` hears of each step that is over."""
+    def run(self, jobs: Sequence[Job], reported: Callable[[Step], None] = _unheard) -> None:
+        """Carry out the jobs; ``reported`` hears of each step that is over."""
         waiting = deque(jobs)
         with selectors.DefaultSelector() as selector:
             try:
@@ -96,7 +96,7 @@ class ProcessWorkers:
                     self._assign(waiting, selector)
                     ready = selector.select(self._patience())
                     for key, _ in ready:
-                        self._hear(key.data, waiting, selector, told)
+                        self._hear(key.data, waiting, selector, reported)
                     self._end_hangs(waiting, selector)
             except BaseException:
                 for worker in self._workers:
@@ -141,7 +141,11 @@ class ProcessWorkers:
         return max(0.0, min(deadlines) - time.monotonic())
 
     def _hear(
-        self, worker: WorkerProcess, waiting: deque[Job], selector: selectors.BaseSelector, told: Callable[[Step], None]
+        self,
+        worker: WorkerProcess,
+        waiting: deque[Job],
+        selector: selectors.BaseSelector,
+        reported: Callable[[Step], None],
     ) -> None:
         try:
             piece = os.read(worker.stdout, _PIECE)
@@ -168,7 +172,7 @@ class ProcessWorkers:
                 worker.job.receive(answer)
                 if isinstance(answer, Gave) and answer.over:
                     self._keep_output(worker, f"{answer.step.plugin}: {answer.step.name}", answer.printed)
-                    told(answer.step)
+                    reported(answer.step)
 
     def _end_hangs(self, waiting: deque[Job], selector: selectors.BaseSelector) -> None:
         now = time.monotonic()
@@ -205,8 +209,8 @@ class ProcessWorkers:
 class InlineWorkers:
     """No process at all: hooks run here, without a time limit. For a debugger."""
 
-    def run(self, jobs: Sequence[Job], told: Callable[[Step], None] = _unheard) -> None:
-        """Carry out the jobs; ``told`` hears of each step that is over."""
+    def run(self, jobs: Sequence[Job], reported: Callable[[Step], None] = _unheard) -> None:
+        """Carry out the jobs; ``reported`` hears of each step that is over."""
         from roslens.plugins.perform import Performer
 
         for job in jobs:
@@ -214,6 +218,6 @@ class InlineWorkers:
             def keep(answer: Answer, job: Job = job) -> None:
                 job.receive(answer)
                 if isinstance(answer, Gave) and answer.over:
-                    told(answer.step)
+                    reported(answer.step)
 
             Performer(keep).perform(Order(job.task))

@@ -1,4 +1,4 @@
-"""The report that a hook writes into: checks each entry as it comes, where its author can be told the line."""
+"""The report that a hook writes into: checks each entry as it comes, where its author can be given the line."""
 
 from __future__ import annotations
 

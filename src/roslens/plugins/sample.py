@@ -1,6 +1,6 @@
 """A file or a folder as plug-ins would see it in a run: for the tests of plug-ins.
 
-It is told apart by names alone: what a real run learns from contents (roles, functions, classes) is
+Files are classified by names alone: what a real run learns from contents (roles, functions, classes) is
 left out.
 """
 

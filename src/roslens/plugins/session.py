@@ -37,7 +37,7 @@ from roslens.plugins.pool import HANGS_BEFORE_GIVING_UP, InlineWorkers, ProcessW
 Options = Mapping[str, Mapping[str, object]]
 """What the user set, by plug-in and option."""
 
-Told = Callable[[str], None]
+Reported = Callable[[str], None]
 """Hears of each call of a hook that is over."""
 
 
@@ -51,7 +51,7 @@ class Session:
         time_limit_s: float,
         jobs: int,
         log: Path | None,
-        progress: Told | None,
+        progress: Reported | None,
         workers: Workers | None,
     ) -> None:
         """Take what :func:`roslens.plugins.isolation.run_package` takes; wrong options leave a plug-in out."""
@@ -103,7 +103,7 @@ class Session:
         jobs = [Job(task, plugins=_plugins_of(task), home=_home_of(task)) for task in tasks]
         if not jobs:
             return
-        self._workers.run(jobs, self._told)
+        self._workers.run(jobs, self._reported)
         for job in jobs:
             self._keep(job)
 
@@ -121,7 +121,7 @@ class Session:
         ]
         return reduce(Outcome.__add__, settled, Outcome(failures=tuple(self._failures)))
 
-    def _told(self, step: Step) -> None:
+    def _reported(self, step: Step) -> None:
         if self._progress is not None and step.name != LOADING:
             self._progress(f"{step.plugin}: {step.name}")
 

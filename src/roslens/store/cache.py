@@ -33,9 +33,9 @@ _DAY_S = 86_400
 
 
 class FileStat(msgspec.Struct, frozen=True, array_like=True, gc=False):
-    """What a look at a file told: as long as size, time stamp and inode are these, so is the rest.
+    """What a look at a file reported: as long as size, time stamp and inode are these, so is the rest.
 
-    ``rules`` is a key of the settings by which ``language`` and ``role`` were told.
+    ``rules`` is a key of the settings by which ``language`` and ``role`` were determined.
     """
 
     size: int
@@ -116,7 +116,7 @@ class Cache:
         return self._attempt(read, {})
 
     def put_stats(self, stats: Mapping[str, FileStat], *, now_s: float) -> None:
-        """Keep what a look at files told.
+        """Keep what a look at files reported.
 
         Args:
             stats: by path.

@@ -238,12 +238,13 @@ class RunView:
             severity: exactly this one, or one of these.
             limit: at most so many.
             offset: without the first so many.
-            worst_first: those first whose value is furthest beyond its bound, see :attr:`Finding.excess`.
+            worst_first: those first that count for gates, of these those whose value is furthest beyond its bound, see
+                :attr:`Finding.excess`.
         """
         where = self._finding_conditions(package, rule, path, severity)
         known = self._tag_sets()
         where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
-        first = _EXCESS if worst_first else ""
+        first = f"finding.gated DESC, {_EXCESS}" if worst_first else ""
         for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset, first=first):
             yield rows.to_finding(row, known)
 

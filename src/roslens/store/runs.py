@@ -174,7 +174,7 @@ class Store:
 
         Args:
             header: of the run.
-            waiting: is told which process is waited for, where another one is writing.
+            waiting: called with the process that is waited for, where another one is writing.
         """
         # Imported late: a run in which nothing changed writes nothing.
         from roslens.store.writing.write import RunWriter

@@ -96,9 +96,9 @@ class Trends:
             return ()
         several = bool(self._revisions[-1].commits)
         found = [
-            msgspec.structs.replace(one, name=f"{told.path} {one.name}") if several else one
-            for told in self._past.view(self._revisions[-1].run).process
-            for one in told.releases
+            msgspec.structs.replace(one, name=f"{reported.path} {one.name}") if several else one
+            for reported in self._past.view(self._revisions[-1].run).process
+            for one in reported.releases
         ]
         return tuple(sorted(found, key=lambda one: (-one.time_s, one.name)) if several else found)
 
@@ -127,14 +127,14 @@ class Trends:
 
     @cached_property
     def quantities(self) -> Mapping[str, Quantity]:
-        """What the newest run may have measured, by key."""
-        return {one.key: one for one in self.views[-1].quantities()} if self.points else {}
+        """What the two newest runs may have measured, by key: that of the files as they are lacks some of it."""
+        return {one.key: one for view in self.views[-2:] for one in view.quantities()}
 
     @cached_property
     def keys(self) -> tuple[str, ...]:
         """What can be followed, sorted: quantities of packages, of the repository, and counts of findings."""
         found = {key for packages in self._packages for one in packages for key in one.values}
-        found.update(key for told in self._repositories for values in told.values() for key in values)
+        found.update(key for reported in self._repositories for values in reported.values() for key in values)
         return tuple(sorted(found | COUNTS.keys()))
 
     @cached_property
@@ -172,15 +172,15 @@ class Trends:
         whole: list[float | None] = []
         how = self._how(key)
         repositories: dict[str, list[float | None]] = {
-            path: [] for path in sorted({path for told in self._repositories for path in told})
+            path: [] for path in sorted({path for reported in self._repositories for path in reported})
         }
-        for packages, told in zip(self._packages, self._repositories, strict=True):
+        for packages, reported in zip(self._packages, self._repositories, strict=True):
             for path, column in repositories.items():
-                column.append(told.get(path, {}).get(key))
+                column.append(reported.get(path, {}).get(key))
             values = {one.id: _value(one, key) for one in packages}
             for name, column in columns.items():
                 column.append(values.get(name))
-            of_repositories = [found[key] for found in told.values() if key in found]
+            of_repositories = [found[key] for found in reported.values() if key in found]
             among = of_repositories if how.startswith("repository") else values.values()
             whole.append(_whole(how, [one for one in among if one is not None]))
         base = self.quantities.get(key.partition(".")[0])
@@ -199,8 +199,8 @@ class Trends:
         )  # fmt: skip
 
     def _how(self, key: str) -> str:
-        if any(key in values for told in self._repositories for values in told.values()):
-            if all(len(told) <= 1 for told in self._repositories):
+        if any(key in values for reported in self._repositories for values in reported.values()):
+            if all(len(reported) <= 1 for reported in self._repositories):
                 return "repository"
             return "repository_sum" if key in _OF_REPOSITORIES else "repository_median"
         base = self.quantities.get(key)

@@ -104,9 +104,9 @@ def test_why_there_are_no_nodes_is_told(tmp_path, capsys):
     (tmp_path / "p" / "package.xml").write_text('<package format="3"><name>p</name><version>1.0.0</version></package>')
     (tmp_path / "p" / "CMakeLists.txt").write_text("made_elsewhere(a b)\n")
     assert main(["graph", str(tmp_path)]) == 3
-    told = capsys.readouterr()
-    assert told.out == "no nodes\n"
-    assert "p/CMakeLists.txt:1: made_elsewhere(): the command is not defined in the workspace" in told.err
+    reported = capsys.readouterr()
+    assert reported.out == "no nodes\n"
+    assert "p/CMakeLists.txt:1: made_elsewhere(): the command is not defined in the workspace" in reported.err
 
 
 def test_a_hint_completes_what_code_cannot_tell(workspace, capsys):
@@ -187,8 +187,8 @@ def test_what_could_not_be_read_at_all_is_no_clean_graph(tmp_path, more):
 def test_an_argument_that_the_launch_file_does_not_declare_is_told(workspace, capsys):
     given = ["graph", workspace, "--launch", "talk/talk.launch.xml", "--arg", "wher:=there"]
     assert main(given) == 0
-    told = capsys.readouterr().err
-    assert "argument `wher` is given" in told
-    assert "Did you mean `where`?" in told
+    reported = capsys.readouterr().err
+    assert "argument `wher` is given" in reported
+    assert "Did you mean `where`?" in reported
     assert main([*given, "--quiet"]) == 0
     assert capsys.readouterr().err == ""

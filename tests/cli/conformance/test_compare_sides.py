@@ -113,10 +113,10 @@ def test_a_recording_is_held_against_source(tmp_path, monkeypatch, capsys):
     )
     code, found = compare(capsys, ".", "drive.bag")
     assert (code, found["kinds"]) == (1, ["source", "recording"])
-    told = {(one["kind"], one["name"], one["aspect"], one["reason"]) for one in found["disparities"]}
-    assert ("publisher", "/scan", "type", "contradiction") in told
-    assert ("publisher", "/extra", "presence", "unknown_to_source") in told
-    assert ("publisher", "/cmd_vel", "presence", "not_recorded") in told
+    reported = {(one["kind"], one["name"], one["aspect"], one["reason"]) for one in found["disparities"]}
+    assert ("publisher", "/scan", "type", "contradiction") in reported
+    assert ("publisher", "/extra", "presence", "unknown_to_source") in reported
+    assert ("publisher", "/cmd_vel", "presence", "not_recorded") in reported
     assert found["agreed"]["publisher"] == 1
 
 

@@ -23,7 +23,7 @@ def blamed(alert):
     return msgspec.structs.replace(alert, evidence="", follows=follows)
 
 
-def told(found, *, values=False):
+def reported(found, *, values=False):
     """Return what a snapshot says, without what only follows from when it was made."""
     return {
         "rows": [
@@ -65,7 +65,7 @@ def test_every_moment_is_shown_as_it_was():
     for time, then in run_with_faults(robot).items():
         again = snapshot(robot.page.past.snapshot(time))
         assert again.time == time
-        assert told(again) == told(then), time
+        assert reported(again) == reported(then), time
 
 
 def test_values_are_those_of_then():
@@ -76,7 +76,7 @@ def test_values_are_those_of_then():
     robot.rates["/scan"] = 12
     robot.run(60)
     again = snapshot(robot.page.past.snapshot(then.time))
-    assert told(again, values=True) == told(then, values=True)
+    assert reported(again, values=True) == reported(then, values=True)
 
 
 def test_a_node_that_died_under_a_busy_host_is_named_first_then_too():
@@ -210,4 +210,4 @@ def test_a_large_system_is_shown_as_it_was_within_moments():
     then = snapshot(robot.page.newest())
     robot.run(5)
     again = snapshot(robot.page.past.snapshot(then.time))
-    assert told(again) == told(then)
+    assert reported(again) == reported(then)

@@ -7,8 +7,9 @@ from random import Random
 import pytest
 from live.test_live_tree import SECONDS, Watched, history
 
-from roslens.cli.page.row_list import RowList
+from roslens.cli.page.row_list import MOST_GONE_ROWS, RowList
 from roslens.dashboard.live.snapshot import UNJUDGED
+from roslens.live.system.tree import SystemView
 
 
 @pytest.mark.parametrize("seed", range(30))
@@ -32,3 +33,17 @@ def test_rows_and_what_is_told_of_all_of_them_are_as_from_scratch(seed: int) -> 
         if before is not None:
             assert (before[1] is kept.order) == (before[0] == keys)
         before = keys, kept.order
+
+
+def test_what_went_is_given_up_and_rows_of_what_stays_are_kept() -> None:
+    """A tool comes and goes with every look: it leaves no more than a bounded number of rows behind."""
+    stays = SystemView("node:/stays", "/stays", "node", children=(SystemView("topic:/t", "/t", "topic"),))
+    kept = RowList()
+    first = {row.key: row for row in kept.of(SystemView("system", "", "system", children=(stays,)))}
+    most = 0
+    for number in range(4 * MOST_GONE_ROWS):
+        tool = SystemView(f"node:/tool{number}", f"/tool{number}", "node")
+        rows = kept.of(SystemView("system", "", "system", children=(stays, tool)))
+        assert [row for row in rows if first.get(row.key) is row] == list(first.values())
+        most = max(most, kept.remembered)
+    assert most <= MOST_GONE_ROWS + len(first) + 1

@@ -71,8 +71,8 @@ def test_something_else_is_said(tmp_path: Path) -> None:
 def test_one_of_a_newer_roslens_is_said(kept: Path) -> None:
     with sqlite3.connect(kept) as connection:
         connection.execute("PRAGMA user_version = 999")
-    told = r"written by a newer roslens \(schema 999\).*Upgrade roslens"
-    with pytest.raises(StoreError, match=told), history_beside(kept):
+    reported = r"written by a newer roslens \(schema 999\).*Upgrade roslens"
+    with pytest.raises(StoreError, match=reported), history_beside(kept):
         pass
 
 

@@ -118,7 +118,7 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Client]:
         ]
     )  # fmt: skip
     questions = questions_of("ask")
-    door = door_of(options, "127.0.0.1", acting=True, told=lambda entry: refusals_to(questions, entry))
+    door = door_of(options, "127.0.0.1", acting=True, report=lambda entry: refusals_to(questions, entry))
     with reacting_beside(options, "rover", questions) as (page, further):
         app = create_app(
             FakeRun(packages=3, findings=9, sources=False).site(), snapshot=page.newest, detail=page.detail,
@@ -161,9 +161,9 @@ def test_who_may_operate_answers_and_who_may_view_only_sees(site: Client, tmp_pa
 
     # What was done and who was refused is written down in rounds of its own.
     until(lambda: entries().get("outcome", {}).get("result") == "done" and "refused-answer" in entries())
-    told = entries()
+    reported = entries()
     assert HANDS.done == [decision]
-    assert any("Olga" in str(value) for fields in told.values() for value in fields.values())
+    assert any("Olga" in str(value) for fields in reported.values() for value in fields.values())
     assert "help_lidar" in site.get("/plan").text
     assert "Olga" in site.get("/journal").text
 

@@ -30,13 +30,13 @@ def compared(text, *more):
 
 def test_what_must_be_there_and_is_not_is_told_with_its_place():
     [one] = compared("  - node: /{lidar,camera}\n    expected: always\n    severity: error\n").disparities
-    assert (one.subject, one.told, one.reason) == ("node /camera", ("is always there", ABSENT), Reason.MISSING)
+    assert (one.subject, one.values, one.reason) == ("node /camera", ("is always there", ABSENT), Reason.MISSING)
     assert (one.severity, one.place.partition(":")[0], one.right) == (Severity.ERROR, "rover.yaml", "the reference")
 
 
 def test_what_must_never_be_there_is_told():
     [one] = compared("  - node: /spy\n    expected: never\n").disparities
-    assert (one.subject, one.reason, one.told[1]) == ("node /spy", Reason.NOT_EXPECTED, "there")
+    assert (one.subject, one.reason, one.values[1]) == ("node /spy", Reason.NOT_EXPECTED, "there")
 
 
 def test_a_sentence_about_nothing_says_what_may_be_meant():
@@ -47,11 +47,11 @@ def test_a_sentence_about_nothing_says_what_may_be_meant():
 
 def test_a_value_of_a_parameter_that_is_not_allowed_is_told():
     [one] = compared("  - parameter: /lidar/rate\n    value: 25\n").disparities
-    assert (one.subject, one.told[1]) == ("parameter /lidar/rate", "20")
+    assert (one.subject, one.values[1]) == ("parameter /lidar/rate", "20")
 
 
 def test_what_no_sentence_is_about_is_counted():
-    told = compared("  - topic: /scan\n    rate: 20..30 Hz\n").told
+    told = compared("  - topic: /scan\n    rate: 20..30 Hz\n").notes
     assert any("3 of 3 nodes" in text for text in told)
 
 
@@ -59,14 +59,14 @@ def test_source_that_lacks_what_is_expected_is_told_beside_what_runs():
     source = source_side(Configuration("l", "ros2"))
     rows = conformance((source, running_side(GRAPH, "live"), reference("  - node: /lidar\n    expected: always\n")))
     [row] = [one for one in rows.disparities if one.node == "/lidar" and not one.name]
-    assert row.told == (ABSENT, "there", "is always there")
+    assert row.values == (ABSENT, "there", "is always there")
 
 
 def test_what_neither_side_has_is_one_row():
     source = source_side(Configuration("l", "ros2"))
     rows = conformance((source, running_side(GRAPH, "live"), reference("  - node: /arm\n    expected: always\n")))
     [row] = [one for one in rows.disparities if one.reason is Reason.MISSING]
-    assert row.told == (ABSENT, ABSENT, "is always there")
+    assert row.values == (ABSENT, ABSENT, "is always there")
 
 
 def test_what_runs_not_though_source_and_reference_have_it_is_one_row():
@@ -75,6 +75,6 @@ def test_what_runs_not_though_source_and_reference_have_it_is_one_row():
     expected = reference("  - node: /arm\n    expected: always\n    text: Start it\n")
     rows = conformance((source, running_side(GRAPH, "live"), expected)).disparities
     [row] = [one for one in rows if one.node == "/arm"]
-    assert row.told == ("arm/arm", ABSENT, "is always there")
+    assert row.values == ("arm/arm", ABSENT, "is always there")
     assert (row.reason, row.severity) == (Reason.NOT_RUNNING, Severity.ERROR)
     assert row.why.endswith("Start it")

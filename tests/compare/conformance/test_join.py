@@ -59,7 +59,7 @@ def compared(graph, configuration=ROBOT, beside=()):
 
 
 def told(disparities):
-    return [(one.subject, one.aspect.value, one.told, one.reason) for one in disparities]
+    return [(one.subject, one.aspect.value, one.values, one.reason) for one in disparities]
 
 
 def without(graph, name):
@@ -265,7 +265,7 @@ def test_a_recording_that_has_the_graph_is_held_against_all_of_it():
 def test_three_sides_are_told_in_one_row():
     bag = recording(Endpoint("", PUBLISHER, "/scan", "sensor_msgs/msg/PointCloud2", qos=BEST))
     rows = found(source_side(ROBOT), running_side(running(), "live"), bag)
-    assert rows[0].told == (SCAN, SCAN, "sensor_msgs/msg/PointCloud2")
+    assert rows[0].values == (SCAN, SCAN, "sensor_msgs/msg/PointCloud2")
 
 
 def test_both_generations_at_once_are_refused():
@@ -303,8 +303,8 @@ def test_turned_around_each_cell_changes_place_and_nothing_else(one, two):
     if any(row.aspect is Aspect.NAME for row in there):
         assert len(there) == len(back)
         return
-    assert {(row.subject, row.aspect, row.told[::-1], row.reason, row.severity) for row in there} == {
-        (row.subject, row.aspect, row.told, row.reason, row.severity) for row in back
+    assert {(row.subject, row.aspect, row.values[::-1], row.reason, row.severity) for row in there} == {
+        (row.subject, row.aspect, row.values, row.reason, row.severity) for row in back
     }
 
 
@@ -318,7 +318,7 @@ def test_a_node_that_is_renamed_is_never_more_than_gone_and_come(graph, name):
     assert {row.node for row in there} <= {name, "/renamed"}
     assert len(there) in (1, 2)
     if len(there) == 1:
-        assert there[0].told == (name, "/renamed")
+        assert there[0].values == (name, "/renamed")
     else:
         assert {row.aspect for row in there} == {Aspect.PRESENCE}
 

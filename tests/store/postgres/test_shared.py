@@ -67,10 +67,10 @@ def test_another_process_writes(server, write_small):
                 write_small(store)
             with pytest.raises(StoreError, match=rf"the first one is being made \(process {other.pid} on "):
                 store.view()
-            told = []
-            with pytest.raises(StoreError, match="another run"), store.writing(RunHeader("mine", "/"), told.append):
+            reported = []
+            with pytest.raises(StoreError, match="another run"), store.writing(RunHeader("mine", "/"), reported.append):
                 pass
-            assert [one.partition(" on ")[0] for one in told] == [f"process {other.pid}"]
+            assert [one.partition(" on ")[0] for one in reported] == [f"process {other.pid}"]
         finally:
             other.kill()
     # One that was killed holds nothing.

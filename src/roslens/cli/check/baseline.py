@@ -47,7 +47,7 @@ def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
         "--baseline",
         metavar="REV|FILE|RUN",
         help="compare with a revision of git (where this work tree left it), a JSON or SARIF report, or a kept run by "
-        "number or `last`; only new findings fail the check then, and what is new comes first. "
+        "number or `last`; only new findings fail the check then, and new findings come first. "
         "One that cannot be read ends with exit code 3",
     )
     parser.add_argument("--new-only", action="store_true", help="show only what the baseline does not have")

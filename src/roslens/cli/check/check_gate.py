@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def gated(scope: Scope, conditions: GateConditions | None) -> Scope:
-    """Return the scope with the results of the conditions; what cannot be told becomes a failure."""
+    """Return the scope with the results of the conditions; what cannot be determined becomes a failure."""
     if conditions is None:
         return scope
     results = tuple(evaluate(conditions, _facts(scope, conditions)))

@@ -177,7 +177,7 @@ def new_first(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
 
 
 def _since(view: RunView, wanted: Wanted) -> Iterator[str]:
-    states = {True: "holds", False: "is broken", None: "cannot be told"}
+    states = {True: "holds", False: "is broken", None: "cannot be determined"}
     yield from (f"Gate {states[one.holds]}: {one.text}" for one in wanted.gate)
     if wanted.new is None:
         return

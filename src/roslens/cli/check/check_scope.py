@@ -50,9 +50,9 @@ def unchanged_files(options: argparse.Namespace, root: Path) -> Mapping[str, str
             expected="one of them",
             advice=f"--baseline {options.changed} --new-only shows new ones",
         )
-    from roslens.cli.git.revision import blobs_of, revision_of
+    from roslens.cli.git.revision import committed_blobs
 
-    return blobs_of(revision_of(root, options.changed))
+    return committed_blobs(root, options.changed)
 
 
 def left_to_whole_run(files: int) -> str:

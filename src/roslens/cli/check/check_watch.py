@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.model.errors import RoslensError, UsageError
+from roslens.model.words.plural import plural
 
 if TYPE_CHECKING:
     from roslens.cli.check.saved_files import SavedFiles
@@ -26,7 +27,7 @@ def add_watch_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--watch",
         action="store_true",
-        help="go on after the check: whenever a file is saved, say what is found in it (rules and limits; tools, "
+        help="keep running: whenever a file is saved, report the findings in it (rules and limits; tools, "
         "plug-ins and graphs are left to the next check); Ctrl-C ends it",
     )
 
@@ -66,7 +67,7 @@ def watch_files(options: argparse.Namespace, root: Path, configuration: Configur
     with Cache.open(kept) as cache:
         fresh = FreshPackages(options.paths, settings, Path(configuration.base or "."), cache)
         warm(fresh)
-        print(f"roslens: watching {len(fresh.files)} files; Ctrl-C ends", file=sys.stderr, flush=True)
+        print(f"roslens: watching {plural(len(fresh.files), 'file')}; Ctrl-C ends", file=sys.stderr, flush=True)
         files = SavedFiles(fresh.root, fresh.files)
         try:
             while True:
@@ -104,7 +105,7 @@ def answers(fresh: FreshPackages, files: SavedFiles, now: Callable[[], float]) -
         fresh.find()
         before = set(saved.paths)
         files.know(fresh.files)
-        yield f"roslens: looked for packages again, {len(fresh.files)} files"
+        yield f"roslens: looked for packages again, {plural(len(fresh.files), 'file')}"
         saved_paths = sorted(before & set(fresh.files))
     else:
         saved_paths = list(saved.paths)
@@ -113,7 +114,7 @@ def answers(fresh: FreshPackages, files: SavedFiles, now: Callable[[], float]) -
         if isinstance(found, str):
             yield found
         elif found is not None:
-            yield from _told(path, found, now() - begun)
+            yield from _reported(path, found, now() - begun)
 
 
 def look(fresh: FreshPackages, path: str) -> Fresh | str | None:
@@ -124,7 +125,7 @@ def look(fresh: FreshPackages, path: str) -> Fresh | str | None:
         return f"{path}: cannot be looked at: {error}"
 
 
-def _told(path: str, found: Fresh, took_s: float) -> Iterator[str]:
+def _reported(path: str, found: Fresh, took_s: float) -> Iterator[str]:
     counted = [one for one in found.findings if one.gated]
     count = f"{len(counted)} finding{'s' * (len(counted) != 1)}"
     aside = f", {len(found.set_aside)} set aside" if found.set_aside else ""

@@ -59,7 +59,7 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
         "--update", action="store_true", help="fetch the current heads of branches instead of the locked commits"
     )
     group.add_argument("--into", metavar="DIR", help="folder that the repositories come to (default: .)")
-    group.add_argument("--offline", action="store_true", help="contact no server; use what is on disk")
+    group.add_argument("--offline", action="store_true", help="contact no server; use local copies only")
 
 
 def refuse_without_fetch(options: argparse.Namespace) -> None:

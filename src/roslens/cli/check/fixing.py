@@ -156,10 +156,10 @@ def summary(results: Sequence[Mended], *, would: bool = False) -> str:
     if not left:
         return text
     reasons = Counter(one.why for one in left).most_common()
-    told = [f"{number} because {why}" for why, number in reasons[:MOST_REASONS]]
+    reported = [f"{number} because {why}" for why, number in reasons[:MOST_REASONS]]
     if len(reasons) > MOST_REASONS:
-        told.append(f"{sum(number for _, number in reasons[MOST_REASONS:])} for other reasons")
-    return f"{text}; {len(left)} not: {', '.join(told)}"
+        reported.append(f"{sum(number for _, number in reasons[MOST_REASONS:])} for other reasons")
+    return f"{text}; {len(left)} not: {', '.join(reported)}"
 
 
 def _number(count: int, what: str) -> str:

@@ -47,7 +47,7 @@ def changes_of(view: RunView, folder: Path | None) -> Mapping[str, int]:
 
 
 def shown_changes(options: argparse.Namespace, view: RunView) -> Mapping[str, int]:
-    """Return what was kept of the run that pages show, as its last check told; nothing of a run that is not kept."""
+    """Return what was kept of the run that pages show, as its last check has it; nothing of a run that is not kept."""
     from roslens.cli.workplace.workplace import some_folder
 
     folder = None if options.no_store else some_folder(options.path)

@@ -56,7 +56,7 @@ def kept_new(folder: Path, run: int) -> tuple[RuleCount, ...]:
 
 
 def shown_new(options: argparse.Namespace, view: RunView) -> tuple[RuleCount, ...]:
-    """Return what is new in the run that pages show, as its last check told; nothing of a run that is not kept."""
+    """Return what is new in the run that pages show, as its last check reported; nothing of a run that is not kept."""
     from roslens.cli.workplace.workplace import some_folder
 
     folder = None if options.no_store else some_folder(options.path)

@@ -1,4 +1,4 @@
-"""Which files of a workspace were saved, came or went since they were last looked at, told by time stamps."""
+"""Which files of a workspace were saved, came or went since they were last looked at, by their time stamps."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--false-positive", action="store_true", help="the finding is a false positive (default: true, and accepted)"
     )
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--list", action="store_true", help="show what is accepted")
+    what.add_argument("--list", action="store_true", help="list accepted findings")
     what.add_argument("--undo", action="store_true", help="remove entries, by fingerprint or its first digits")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
 

@@ -46,12 +46,12 @@ EXAMPLES = """\
   roslens check --format github                              annotations in a workflow of GitHub
   roslens check --tag 'complexity and not test' --fail-on warning
   roslens check --baseline origin/main --new-only            what this branch brings
-  roslens check --baseline report.json                       all, with what is new since a report
+  roslens check --baseline report.json                       all findings, new ones since a report marked
   roslens check --changed                                    findings in files that differ from HEAD
   roslens check --fetch --distro jazzy --repository navigation2 --into nav2
   roslens check --diff                                       what can be mended safely, as a diff
   roslens check --fix                                        mend it; --undo-fix takes it back
-  roslens check --changed --fix --fix-rule 'cpp.*'           of what is being worked on, these rules only
+  roslens check --changed --fix --fix-rule 'cpp.*'           these rules only, in changed files
   roslens check --watch                                      each file again as it is saved
   roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history
   roslens check --graph                  also what does not fit together once the launch files are started"""

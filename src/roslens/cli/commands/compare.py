@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 TEXT = "Compare two runs or revisions; or source, a running system, recordings and references with each other."
 EXAMPLES = """\
-  roslens compare release now                what is different since the last release
+  roslens compare release now                differences since the last release
   roslens compare v1.2.0 v1.3.0              two releases, analysed if they were not yet
   roslens compare 4 7                        two kept runs
   roslens compare origin/main now --format markdown -o comment.md

@@ -74,7 +74,7 @@ severity = {}
 [process]
 # What git's history says, too: revisions, contributors, churn, hotspots … (docs/reference/metrics/process.md).
 metrics = false
-# Ages are told at each repository's head, or at this date: "2026-01-31"
+# Ages are taken at each repository's head, or at this date: "2026-01-31"
 as_of = ""
 
 [tools]

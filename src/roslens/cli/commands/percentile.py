@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 TEXT = "Rank the packages of the last run among the ROS packages of many known repositories."
 EXAMPLES = """\
-  roslens percentile                             what is unusual of each package: beyond nine of ten
+  roslens percentile                             unusual values of each package: beyond nine of ten
   roslens percentile --package nav2_amcl         everything of one package
   roslens percentile --quantity loc --quantity cyclomatic_complexity
   roslens percentile --format csv -o standing.csv
@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only this one, with everything")
     parser.add_argument("--quantity", action="append", default=[], metavar="KEY", help="only this one")
-    parser.add_argument("--all", action="store_true", help="show show everything, not only what is unusual")
+    parser.add_argument("--all", action="store_true", help="show all values, not only unusual ones")
     parser.add_argument("--format", choices=("text", "csv", "json"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
 

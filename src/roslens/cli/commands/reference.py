@@ -22,21 +22,21 @@ TEXT = "Check, explain, draft, test, export or import references: documents that
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
-  roslens reference check robot.yaml --graph graph.yaml      and refuse actions on what is not there
+  roslens reference check robot.yaml --graph graph.yaml      and refuse actions on entities that are missing
   roslens reference explain base.yaml topic:/scan
   roslens reference explain base.yaml topic:/scan --bag drive.bag    and what was wrong with it there, and why
   roslens reference draft --bag drive.bag -o robot.yaml
   roslens reference draft --live 60s -o robot.yaml           from what runs here now
-  roslens reference draft --graph graph.yaml                 what is there, as `watch --graph-out` writes it
+  roslens reference draft --graph graph.yaml                 presence alone, of a graph of `watch --graph-out`
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
   roslens reference test robot.yaml                         the time lines beside it
   roslens reference mutate robot.yaml --bag drive.bag        which faults it would see
   roslens reference export robot.yaml --grafana -o robot.json    or --prometheus, --alertmanager, --foxglove
   roslens reference import arni.yaml -o robot.yaml"""
 
-_CHECK = "Say what is wrong with references, and what they expect together."
-_EXPLAIN = "Say what references expect of one entity, in which order, and where that stands."
-_IMPORT = "Make a reference of a specification of ARNI, and say what became of each of its lines."
+_CHECK = "Check references, and list what they expect together."
+_EXPLAIN = "Show what references expect of one entity, in which order, and where."
+_IMPORT = "Convert a specification of ARNI into a reference, and report how each line was mapped."
 _WIDEST = 72
 """Characters of a cell; `explain` shows all of them."""
 
@@ -56,7 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="GRAPH",
         help="reject names that a graph does not have: of a run, `3:drive.launch.xml`, or of a file",
     )
-    check.add_argument("-q", "--quiet", action="store_true", help="no table of what is expected")
+    check.add_argument("-q", "--quiet", action="store_true", help="no table of expectations")
     check.set_defaults(act=_check)
     explain = actions.add_parser("explain", help=_EXPLAIN, description=_EXPLAIN)
     explain.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
@@ -127,18 +127,18 @@ def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
     from roslens.model.entity import EntityKind
 
     reference = merged.reference
-    told: list[str] = []
+    unmatched_texts: list[str] = []
     if options.graph:
         there = subjects_of(given_graph(options.graph))
         refuse_unknown_targets(reference.reactions, there)
         known = (EntityKind.NODE, EntityKind.TOPIC, EntityKind.CONNECTION, EntityKind.SERVICE)
-        told += [str(one) for one in unmatched(reference, there, known)]
-        told += unmatched_statements(reference.reactions, there, known)
+        unmatched_texts += [str(one) for one in unmatched(reference, there, known)]
+        unmatched_texts += unmatched_statements(reference.reactions, there, known)
     if options.bag:
         there = subjects_of(open_bag(options.bag).graph())
-        told += [str(one) for one in unmatched(reference, there, RECORDED)]
-        told += unmatched_statements(reference.reactions, there, RECORDED)
-    return told
+        unmatched_texts += [str(one) for one in unmatched(reference, there, RECORDED)]
+        unmatched_texts += unmatched_statements(reference.reactions, there, RECORDED)
+    return unmatched_texts
 
 
 def _explain(options: argparse.Namespace) -> int:
@@ -174,11 +174,11 @@ def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[d
 
     constraints = [
         {
-            "id": one.declared.constraint.told.id,
+            "id": one.declared.constraint.details.id,
             "of": subject_words(one.declared.constraint),
             "expected": expected_words(one.declared.constraint),
             "where": one.declared.place,
-            "severity": one.declared.constraint.told.severity.value,
+            "severity": one.declared.constraint.details.severity.value,
             "provided": one.provided,
             "replaced_by": one.replaced_by,
         }
@@ -230,9 +230,9 @@ def _table(merged: Merged) -> str:
         (
             clipped(subject_words(constraint)),
             clipped(expected_words(constraint)),
-            constraint.told.severity.value,
-            constraint.told.id,
-            constraint.told.where,
+            constraint.details.severity.value,
+            constraint.details.id,
+            constraint.details.where,
         )
         for constraint in constraints_of(merged.reference)
     ]
@@ -267,13 +267,13 @@ def _explanation(number: int, applied: Applied) -> list[str]:
     from roslens.judge.reference.constraint_words import expected_words, subject_words
 
     constraint = applied.declared.constraint
-    told = constraint.told
-    lasting = f", once it has lasted {amount_text(told.timing.lasting, 's')}" if told.timing.lasting else ""
+    details = constraint.details
+    lasting = f", once it has lasted {amount_text(details.timing.lasting, 's')}" if details.timing.lasting else ""
     lines = [
         f"  {number}. {subject_words(constraint)}: {expected_words(constraint)}",
-        f"     {told.id} in {told.where}; else {told.severity.value}{lasting}",
+        f"     {details.id} in {details.where}; else {details.severity.value}{lasting}",
     ]
     lines += [f"     provided that {applied.provided}"] if applied.provided else []
     lines += [f"     {applied.role}"] if applied.role else []
     lines += [f"     does not hold any more: replaced in {applied.replaced_by}"] if applied.replaced_by else []
-    return [*lines, f"     {told.text}"] if told.text else lines
+    return [*lines, f"     {details.text}"] if details.text else lines

@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
 
     questions = _questions(options)
     door = door_of(
-        options, options.host, acting=options.live or options.accept, told=lambda entry: refusals_to(questions, entry)
+        options, options.host, acting=options.live or options.accept, report=lambda entry: refusals_to(questions, entry)
     )
     progress = progress_for(options)
     with (
@@ -206,4 +206,4 @@ def _journal(options: argparse.Namespace, title: str, page: PageSource | None) -
     from roslens.cli.workplace.user_folder import state_folder
 
     path = options.journal if options.journal != Path() else state_folder(os.environ) / "journal.jsonl"
-    return journal_pages(path, title, reactions=(lambda: page.reactions) if page else tuple, base="/")
+    return journal_pages(path, title, reactions=(lambda: page.reactions) if page else (lambda: None), base="/")

@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--package", action="append", default=[], metavar="NAME", help="only this package; may be given again"
     )
-    parser.add_argument("--since", metavar="DATE", help="leave out what is older, such as 2024-01-31")
+    parser.add_argument("--since", metavar="DATE", help="leave out revisions before this date, such as 2024-01-31")
     parser.add_argument("--format", choices=("text", "json", "csv"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
     parser.add_argument("--no-color", action="store_true", help="print no colours (as does NO_COLOR)")

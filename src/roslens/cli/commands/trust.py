@@ -8,7 +8,7 @@ from pathlib import Path
 TEXT = "Trust the plug-ins that a workspace's configuration names by path, with their current content."
 EXAMPLES = """\
   roslens trust                     those of the nearest roslens.toml
-  roslens trust ~/robot_ws/src --list    only say what would run, and whether it is trusted
+  roslens trust ~/robot_ws/src --list    list what would run, and whether it is trusted
   roslens trust --revoke            trust them no more"""
 
 

@@ -49,7 +49,7 @@ def live_side(options: argparse.Namespace) -> Side:
             print(f"roslens: looking at what runs, for {length:g} s at most", file=sys.stderr)
         run(
             session, sources_of(options), wall=time.time,
-            stopped=lambda _: stretch.over() or still.whole(time.monotonic()), told=lambda _: None,
+            stopped=lambda _: stretch.over() or still.whole(time.monotonic()), report=lambda _: None,
         )  # fmt: skip
     graph = session.graph()
     for failure in session.monitor.failures:
@@ -80,8 +80,8 @@ class _Still:
         )  # fmt: skip
         if shape != self._shape:
             self._shape, self._since = shape, now
-        told = all(one.name in graph.parameters for one in graph.nodes)
-        return bool(graph.nodes) and now - self._since >= (QUIET_S if told else _PATIENCE_S)
+        reported = all(one.name in graph.parameters for one in graph.nodes)
+        return bool(graph.nodes) and now - self._since >= (QUIET_S if reported else _PATIENCE_S)
 
 
 def _hosts(graph: Graph) -> str:

@@ -1,4 +1,4 @@
-"""What a word of ``roslens compare`` means, as far as it can be told without opening a workspace."""
+"""What a word of ``roslens compare`` means, as far as it can be determined without opening a workspace."""
 
 from __future__ import annotations
 

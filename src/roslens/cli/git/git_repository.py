@@ -89,6 +89,11 @@ def commit_of_revision(repository: Repository, name: str) -> str:
     return done.stdout.decode("ascii", "replace").strip() if not done.returncode else ""
 
 
+def is_unborn(repository: Repository) -> bool:
+    """Return whether nothing was committed yet to the branch that is checked out."""
+    return not commit_of_revision(repository, "HEAD")
+
+
 def names_like(repository: Repository, name: str) -> list[str]:
     """Return branches and tags whose names are like this one, the best first."""
     import difflib

@@ -46,8 +46,10 @@ def _folders(repository: Repository, commit: str, path: str) -> Iterator[Path]:
 
 def _name(repository: Repository, commit: str, path: str) -> str:
     """Return the submodule's name, which it keeps where it is moved; empty where nobody tells it."""
-    told = repository.git("config", "--blob", f"{commit}:.gitmodules", "-z", "--get-regexp", r"^submodule\..*\.path$")
-    for line in os.fsdecode(told.stdout).split("\0"):
+    reported = repository.git(
+        "config", "--blob", f"{commit}:.gitmodules", "-z", "--get-regexp", r"^submodule\..*\.path$"
+    )
+    for line in os.fsdecode(reported.stdout).split("\0"):
         key, _, value = line.partition("\n")
         if value == path:
             return key.removeprefix("submodule.").removesuffix(".path")

@@ -112,18 +112,20 @@ def _contents(repository: Repository, commit: str, entries: Sequence[_Entry]) ->
     """Yield the content of each, None where git does not have it."""
     if not entries:
         return
-    with tempfile.TemporaryFile() as asked, tempfile.TemporaryFile() as told:
+    with tempfile.TemporaryFile() as asked, tempfile.TemporaryFile() as reported:
         asked.write("".join(f"{entry.hash}\n" for entry in entries).encode())
         asked.seek(0)
         command, environment = repository.command("cat-file", "--batch"), repository.environment()
-        with subprocess.Popen(command, stdin=asked, stdout=subprocess.PIPE, stderr=told, env=environment) as process:
+        with subprocess.Popen(
+            command, stdin=asked, stdout=subprocess.PIPE, stderr=reported, env=environment
+        ) as process:
             assert process.stdout is not None  # noqa: S101 - a pipe was asked for
             for entry in entries:
                 head = process.stdout.readline().split()
                 if not head:
                     process.wait()
-                    told.seek(0)
-                    raise _incomplete(commit, told.read().decode("utf-8", "replace").strip())
+                    reported.seek(0)
+                    raise _incomplete(commit, reported.read().decode("utf-8", "replace").strip())
                 yield entry, _content(process.stdout, int(head[2])) if len(head) == 3 else None
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.cli.git.git_repository import Repository, commit_of_revision, names_like, repository_of, said
+from roslens.cli.git.git_repository import Repository, commit_of_revision, is_unborn, names_like, repository_of, said
 from roslens.model.errors import UsageError
 
 
@@ -64,6 +64,17 @@ def blobs_of(revision: Revision) -> dict[str, str]:
         if path and len(words := facts.split()) == 3:
             found[os.fsdecode(path)[len(repository.below) :]] = words[2].decode("ascii")
     return found
+
+
+def committed_blobs(root: Path, name: str) -> dict[str, str]:
+    """Return what `blobs_of` does of a revision by its name; no files for HEAD while nothing is committed yet.
+
+    Raises:
+        UsageError: the workspace is in no repository, there is no such revision, or git cannot list its files.
+    """
+    if name == "HEAD" and is_unborn(repository_of(str(root))):
+        return {}
+    return blobs_of(revision_of(root, name))
 
 
 def renamed_since(revision: Revision) -> dict[str, str]:

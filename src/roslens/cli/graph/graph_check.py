@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def add_check_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of checking."""
-    parser.add_argument("--check", action="store_true", help="tell what does not fit together instead of the graph")
+    parser.add_argument("--check", action="store_true", help="report what does not fit together instead of the graph")
     parser.add_argument(
         "--fail-on",
         choices=("note", "warning", "error", "never"),

@@ -216,12 +216,12 @@ def _opened(
 def _tell(name: str, lacking: Lacking) -> None:
     missing = [path for path in lacking.files if _is_read(path)]
     if missing:
-        told = f'{len(missing)} files of "{name}", {missing[0]} among them'
-        print(f"roslens: git does not have {told}; they are taken as empty", file=sys.stderr)
+        reported = f'{len(missing)} files of "{name}", {missing[0]} among them'
+        print(f"roslens: git does not have {reported}; they are taken as empty", file=sys.stderr)
     for path, commit in lacking.submodules:
         print(
             f'roslens: submodule {path} of "{name}" is missing: its commit {commit[:10]} is not on this machine, and '
-            f"what depends on it may be told as different; `git -C {path} fetch origin {commit[:10]}` gets it, after "
+            f"its dependents may be reported as different; `git -C {path} fetch origin {commit[:10]}` gets it, after "
             f"`git submodule update --init {path}`",
             file=sys.stderr,
         )

@@ -1,4 +1,4 @@
-"""Arguments given with a launch file that it does not take as they are: told beside its graph."""
+"""Arguments given with a launch file that it does not take as they are: reported beside its graph."""
 
 from __future__ import annotations
 

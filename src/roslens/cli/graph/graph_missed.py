@@ -1,4 +1,4 @@
-"""What was not understood of the builds and the code of packages, in short: what is the same is told once."""
+"""What was not understood of the builds and the code of packages, in short: what is the same is reported once."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.facts.launched import Unresolved
 
 
-def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
+def reported_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
     """Return what was not understood of builds: each text and reason once, at the first place where it is so."""
     places: dict[tuple[str, str], list[Unresolved]] = {}
     for one in missed:
@@ -26,7 +26,7 @@ def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
     return tuple(found)
 
 
-def told_by_file(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
+def reported_by_file(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
     """Return what was not understood of code: each reason once for a file, at the first place where it is so."""
     places: dict[tuple[str, str], list[Unresolved]] = {}
     for one in missed:

@@ -51,7 +51,7 @@ def open_source(options: argparse.Namespace, folder: str | None = None) -> Graph
         elsewhere=folder is not None,
     )
     for failure in source.failures:
-        # What is wrong with manifests is told by `check`; a workspace without packages has no graph.
+        # What is wrong with manifests is reported by `check`; a workspace without packages has no graph.
         if options.verbose or not source.facts.packages:
             print(f"roslens: {failure.what}; expected {failure.expected}", file=sys.stderr)
     return source

@@ -36,7 +36,7 @@ class GraphSource:
 
         Args:
             path: folder of it.
-            settings: how files are told apart, macros, hints.
+            settings: how files are classified, macros, hints.
             hinted_in: the file with the hints.
             environment: variables that conditions of manifests see.
             cache: the file in which is kept what was learned of files; None keeps nothing.
@@ -87,14 +87,14 @@ class GraphSource:
         """
         import msgspec
 
-        from roslens.cli.graph.graph_missed import told_by_file
+        from roslens.cli.graph.graph_missed import reported_by_file
         from roslens.source.extract.catalogue.catalogue import known_node
         from roslens.source.extract.configuration.assemble import assemble
 
         path, result = self.evaluated(launch, arguments)
         started = sorted({one.package.known for one in result.nodes if one.package.known})
         facts = self.facts.of(result.generation)
-        missed = told_by_file(
+        missed = reported_by_file(
             one for name in started for one in (*facts.missed_in_code(name), *facts.never_called(name))
         )
         result = msgspec.structs.replace(result, unresolved=(*result.unresolved, *missed))
@@ -130,7 +130,7 @@ class GraphSource:
         Raises:
             UsageError: the workspace has no package of that name.
         """
-        from roslens.cli.graph.graph_missed import told_once, with_roles
+        from roslens.cli.graph.graph_missed import reported_once, with_roles
         from roslens.source.extract.catalogue.catalogue import known_node
         from roslens.source.extract.configuration.assemble import assemble, targets_started
 
@@ -152,7 +152,7 @@ class GraphSource:
             from roslens.source.extract.facts.launched import Launch
 
             missed = [
-                *told_once(one for name in chosen for one in facts.missed(name)),
+                *reported_once(one for name in chosen for one in facts.missed(name)),
                 *(one for name in chosen for one in facts.missed_in_code(name)),
             ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
@@ -195,8 +195,8 @@ class GraphSource:
             made_here = [one for one in facts.made() if one.generation == generation]
             loose = unstarted(made_here, places_shown(own), facts.package_names, targets)
             shown = any(one.generation == generation for one in started)
-            told = {one.name for one in facts.packages if shown and generation in facts.versions(one.name)}
-            beside = sorted(wanted - told)
+            reported = {one.name for one in facts.packages if shown and generation in facts.versions(one.name)}
+            beside = sorted(wanted - reported)
             missed = self._missed_beside(beside, generation)
             code = {one.evidence.path for name in beside for one in facts.missed_in_code(name)}
             made = unstarted_configuration(
@@ -209,7 +209,7 @@ class GraphSource:
 
     def _missed_beside(self, packages: Sequence[str], generation: str) -> list[Unresolved]:
         """Return what was not understood of packages whose builds make no node of a version of ROS."""
-        from roslens.cli.graph.graph_missed import told_once
+        from roslens.cli.graph.graph_missed import reported_once
         from roslens.model.configuration import Unresolved
         from roslens.source.extract.parameters.assemble_proof import launch_proof
 
@@ -218,7 +218,7 @@ class GraphSource:
         found: list[Unresolved] = []
         for name in packages:
             versions = facts.versions(name) or (self._mostly(),)
-            for one in (*told_once(facts.missed(name)), *facts.missed_in_code(name)):
+            for one in (*reported_once(facts.missed(name)), *facts.missed_in_code(name)):
                 path = one.evidence.path
                 if files[path] == generation if path in files else generation in versions:
                     role = facts.roles.get(path, "")

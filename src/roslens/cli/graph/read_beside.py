@@ -1,4 +1,4 @@
-"""Computation graphs that are read while pages are served already, and what readers are told until then."""
+"""Computation graphs that are read while pages are served already, and what readers see until then."""
 
 from __future__ import annotations
 

@@ -102,13 +102,13 @@ def _only(names: Sequence[str], wanted: str, number: str) -> str:
     found = [name for name in names if name == wanted or not wanted]
     if len(found) == 1:
         return found[0]
-    told = ", ".join(names[:_MOST_NAMED]) + (", …" if len(names) > _MOST_NAMED else "")
+    reported = ", ".join(names[:_MOST_NAMED]) + (", …" if len(names) > _MOST_NAMED else "")
     if not names:
         raise UsageError(f"run {number} has no launch file", expected="a workspace with one")
     if not found:
-        raise UsageError(f"run {number} has no configuration {wanted!r}", expected=f"one of {told}")
+        raise UsageError(f"run {number} has no configuration {wanted!r}", expected=f"one of {reported}")
     raise UsageError(
-        f"run {number} has {len(names)} configurations: {told}",
+        f"run {number} has {len(names)} configurations: {reported}",
         expected="one of them",
         advice=f"Choose it: --graph '{number}:{names[0]}'",
     )

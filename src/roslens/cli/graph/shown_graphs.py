@@ -81,8 +81,8 @@ def shown_graphs(
     """Return the configurations that a run declares, or of its largest launch files that no other includes.
 
     They are read from the files as they are now. Besides them stands what readers have to know of that: nothing where
-    files are as the run saw them. None where the workspace is not there any more. What could not be assembled is told
-    on standard error.
+    files are as the run saw them. None where the workspace is not there any more. What could not be assembled is
+    reported on standard error.
 
     Args:
         view: the run: it knows where its workspace is and what the user chose.

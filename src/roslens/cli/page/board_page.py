@@ -1,4 +1,4 @@
-"""What the live page is told besides the system: its references, and what somebody noted of alerts."""
+"""What the live page is given besides the system: its references, and what somebody noted of alerts."""
 
 from __future__ import annotations
 

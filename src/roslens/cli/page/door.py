@@ -55,7 +55,7 @@ def add_door_arguments(parser: argparse.ArgumentParser | argparse._ArgumentGroup
 
 def door_of(
     options: argparse.Namespace, host: str, *, acting: bool = False, wall: Callable[[], float] = time.time,
-    told: Callable[[Entry], None] = lambda _: None,
+    report: Callable[[Entry], None] = lambda _: None,
 ) -> Door:  # fmt: skip
     """Return how a server that listens on ``host`` is entered.
 
@@ -64,7 +64,7 @@ def door_of(
         host: name or address that is listened on.
         acting: whether there is something that who may operate can do.
         wall: seconds since the epoch.
-        told: is told what the file of `--audit` is told.
+        report: called with each entry that the file of `--audit` gets.
 
     Raises:
         UsageError: the tokens, the certificate or its key are not what they should be.
@@ -88,7 +88,7 @@ def door_of(
     written = AuditFile(options.audit) if options.audit is not None else forgotten
 
     def audit(entry: Entry) -> None:
-        told(entry)
+        report(entry)
         written(entry)
 
     access = Access(

@@ -83,7 +83,7 @@ def bounded(found: Snapshot) -> Snapshot:
     return msgspec.structs.replace(found, alerts=tuple(alerts), wrong=len(found.alerts), follow=follow)
 
 
-def told_of(event: Event) -> bool:
+def reported_of(event: Event) -> bool:
     """Whether to tell an event: programs come and go all the time; of those that hold nodes the nodes tell it."""
     return not (event.entity.startswith(_PROCESS) and event.change in (Change.APPEARED, Change.VANISHED))
 

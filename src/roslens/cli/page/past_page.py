@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.page.page_document import bounded, document, event_line, told_of, verdict_line
+from roslens.cli.page.page_document import bounded, document, event_line, reported_of, verdict_line
 from roslens.cli.page.row_list import shown_name, shown_text
 from roslens.cli.page.watch_detail import detail_of, limits_of
 from roslens.cli.page.watch_graph import GraphPicture
@@ -139,7 +139,7 @@ class PastPage:
             return None
         view, moment = seen
         events, verdicts = self._recall.happened(at, _KEPT)
-        lines = [event_line(one, self._clock) for one in events if told_of(one)]
+        lines = [event_line(one, self._clock) for one in events if reported_of(one)]
         lines += [verdict_line(one, self._clock) for one in verdicts]
         with self._lock:
             if self._drawn is None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.page.half_lines import encodable
 from roslens.cli.page.watch_graph import PLUMBING
-from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
+from roslens.dashboard.live.board import ConstraintRow, Proposal, References, Twice
 from roslens.judge.ranges.amount import amount_text
 from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.merge_references import constraints_of
@@ -18,7 +18,7 @@ from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.live.drafting.draft_lines import LESS, MORE, rounded
 from roslens.live.system.shown_rows import is_shown
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.verdict import Verdict
+from roslens.model.verdict import State, Verdict
 
 if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
@@ -45,27 +45,27 @@ def references_of(
     # Without nodes it is a recording of topics alone.
     kinds = tuple(EntityKind) if graph.nodes else (EntityKind.TOPIC,)
     there = {*subjects_of(graph), *_sampled(view)}
-    advice = {one.constraint.told.id: one.advice for one in unmatched(reference, there, kinds)}
+    advice = {one.constraint.details.id: one.advice for one in unmatched(reference, there, kinds)}
     sentences = []
     for said in constraints_of(reference):
-        about = by_sentence.get(said.told.id, [])
+        about = by_sentence.get(said.details.id, [])
         # What is expected by its whole name is judged as absent where it is not there.
-        entities = [] if said.told.id in advice else sorted({encodable(str(verdict.entity)) for verdict in about})
+        entities = [] if said.details.id in advice else sorted({encodable(str(verdict.entity)) for verdict in about})
         states = Counter(verdict.state.value for verdict in about)
         sentences.append(
-            Sentence(
-                said.told.id,
+            ConstraintRow(
+                said.details.id,
                 encodable(subject_words(said)),
                 encodable(expected_words(said)),
-                said.told.severity.value,
-                encodable(said.told.where),
+                said.details.severity.value,
+                encodable(said.details.where),
                 len(entities),
                 tuple(entities[:MOST_NAMED]),
                 dict(sorted(states.items())),
-                encodable(advice.get(said.told.id, "")),
+                encodable(advice.get(said.details.id, "")),
             )
         )
-    sentences.sort(key=lambda one: bool(one.count))
+    sentences.sort(key=lambda one: (bool(one.count), not _deviates(one)))
     proposals = list(_proposals(view, recall, now)) if recall is not None else []
     left_out = max(len(proposals) - MOST_PROPOSED, 0)
     return References(
@@ -75,6 +75,10 @@ def references_of(
         tuple(proposals[:MOST_PROPOSED]),
         left_out,
     )
+
+
+def _deviates(one: ConstraintRow) -> bool:
+    return any(State(state).bad for state in one.states)
 
 
 def _sampled(view: SystemView) -> Iterable[Subject]:
@@ -134,5 +138,6 @@ def _rate(topic: str, pieces: Sequence[Piece]) -> Proposal | None:
     name = json.dumps(encodable(topic))
     line = f'- {{topic: {name}, rate: "{low:g}..{high:g} Hz"}}'
     seconds = sum(one.seconds for one in pieces)
-    evidence = f"{amount_text(float(f'{min(values):.3g}'), 'Hz')} to {max(values):.3g} Hz in {seconds} s"
+    least, most = (amount_text(float(f"{one:.3g}"), "Hz") for one in (min(values), max(values)))
+    evidence = f"observed {least if least == most else f'{least} to {most}'} during {seconds} s"
     return Proposal(f"topic:{encodable(topic)}", line, evidence)

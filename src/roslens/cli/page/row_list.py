@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from functools import lru_cache
 from hashlib import blake2b
 from operator import attrgetter
@@ -29,8 +30,8 @@ RECORDED = "all nodes (a recording names no hosts)"
 """In place of a host, above what was recorded."""
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
-_SPARE = 1000
-"""Rows of parts that went which are kept besides the present ones."""
+MOST_GONE_ROWS = 300
+"""So many rows of parts that went are kept at most. To give up all rows together would cost twice their memory once."""
 _SHOWN = attrgetter("shown")
 _Kept: TypeAlias = "tuple[SystemView, Row | None, tuple[Row, ...]]"
 """A part, its row where it is shown, and that with all below it."""
@@ -47,11 +48,17 @@ class RowList:
 
     def __init__(self) -> None:
         self._kept: dict[str, _Kept] = {}
+        self._there = 0
         self._live = True
         self._rows: tuple[Row, ...] = ()
         self.order = object()
         self.columns: frozenset[str] = frozenset()
         self.unjudged = 0
+
+    @property
+    def remembered(self) -> int:
+        """Of how many parts rows are kept, those that went included."""
+        return len(self._kept)
 
     def of(self, whole: SystemView, *, live: bool = True) -> tuple[Row, ...]:
         """Return the rows of everything below the whole, in order; where nothing is live, hosts are not missing."""
@@ -77,8 +84,11 @@ class RowList:
         rows: list[Row] = []
         for part in whole.children:
             rows += self._below(part, 0, "")
-        if len(self._kept) > 2 * len(rows) + _SPARE:
-            self._kept.clear()
+        if len(self._kept) > self._there + MOST_GONE_ROWS:
+            there = {key for part in whole.children for key in _keys(part, "")}
+            for key in self._kept.keys() - there:
+                del self._kept[key]
+            self._there = len(there)
         return tuple(rows)
 
     def _below(self, part: SystemView, depth: int, above: str) -> tuple[Row, ...]:
@@ -114,6 +124,15 @@ class RowList:
     def _name_again(self, part: SystemView, before: SystemView, row: Row) -> str:
         """Return the name of a part that had one; what has none is called by what is below it."""
         return row.name if part.name and part.name == before.name else self._name(part)
+
+
+def _keys(part: SystemView, above: str) -> Iterator[str]:
+    """Yield the key of a part and of what is shown below it."""
+    key = row_key(above, part.id)
+    yield key
+    if is_shown(part):
+        for one in part.children:
+            yield from _keys(one, key)
 
 
 def _alike(part: SystemView, before: SystemView) -> bool:

@@ -13,7 +13,7 @@ _TOPIC, _CONNECTION = "topic:", "connection:"
 
 
 def topics_seen(seen: Seen, shown: Snapshot | None) -> frozenset[str]:
-    """Return the names of the topics; ``shown`` is the newest snapshot, of which readers told what they see."""
+    """Return the names of the topics; ``shown`` is the newest snapshot, of which readers reported what they see."""
     found = {name for entity in seen.entities for name in _topic_of(entity)}
     if shown is None:
         return frozenset(found)

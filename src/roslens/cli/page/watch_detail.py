@@ -17,7 +17,7 @@ from roslens.model.verdict import State, Verdict
 
 OBSERVED = {
     "inside": "counted inside the node",
-    "protocol": "told by the middleware",
+    "protocol": "reported by the middleware",
     "tap": "received by a tap",
     "recording": "from the recording",
     "agent": "sampled on its host",

@@ -76,7 +76,7 @@ class GraphPicture:
         if as_lines:
             whole, loose, many = whole_lines(halves, topics)
             bad = [topic for topic in loose if _bad(states.get(topic, UNJUDGED))]
-            topics, left_out = bad, _told(left_out, many)
+            topics, left_out = bad, _reported(left_out, many)
             lines = {ends: (one.line, one.by) for ends, one in whole.items()}
         else:
             lines = {}
@@ -98,8 +98,8 @@ class GraphPicture:
         picture = Picture(
             self._sheet.version, plan.width, plan.height, items, links, left_out, boxes=plan.boxes, as_lines=as_lines
         )
-        told = [(pair, lines[pair][1]) for pair in ends]
-        self._drawn = DrawnLines(graph, rows, judged, grounds, picture, halves, told)
+        reported = [(pair, lines[pair][1]) for pair in ends]
+        self._drawn = DrawnLines(graph, rows, judged, grounds, picture, halves, reported)
         return picture
 
     def _item(self, entity: str, part: Part, place: tuple[float, float], states: Mapping[str, str]) -> Item:
@@ -148,7 +148,7 @@ def _link(start: int, end: int, line: HalfLine, by: Sequence[str], path: str, wo
     )
 
 
-def _told(left_out: str, many: Sequence[str]) -> str:
+def _reported(left_out: str, many: Sequence[str]) -> str:
     """Return what is not drawn, with topics that would make too many lines."""
     if not many:
         return left_out

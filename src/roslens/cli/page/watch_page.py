@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.page.board_page import BoardPage, Looked
-from roslens.cli.page.page_document import bounded, document, event_line, told_of, verdict_line
+from roslens.cli.page.page_document import bounded, document, event_line, reported_of, verdict_line
 from roslens.cli.page.past_page import PastPage
 from roslens.cli.page.row_list import RowList, shown_name, shown_text
 from roslens.cli.page.topics_seen import topics_seen
@@ -112,15 +112,16 @@ class PageSource:
         return True
 
     @property
-    def reactions(self) -> tuple[Reaction, ...]:
-        """What the reference says is to be done, as of the newest look."""
-        return self._looked.reference.reactions if self._looked is not None else ()
+    def reactions(self) -> tuple[Reaction, ...] | None:
+        """What the reference says is to be done, as of the newest look; None where no document was given."""
+        reference = self._looked.reference if self._looked is not None else None
+        return reference.reactions if reference is not None and reference.documents else None
 
     def newest(self) -> bytes:
         """Return the newest snapshot as JSON; the same object while there is no newer one, empty before the first."""
         shown = self.state()
         if shown is not None and self._written[0] is not shown:
-            # Written when it is asked for: pages that follow are told what changed of it.
+            # Written when it is asked for: pages that follow get what changed of it.
             self._written = shown, msgspec.json.encode(shown)
         return self._written[1]
 
@@ -214,7 +215,7 @@ class PageSource:
         return bounded(msgspec.structs.replace(found, alerts=shown, muted=muted))
 
     def _of_step(self, step: Step) -> Iterator[Happening]:
-        yield from (event_line(one, self._clock) for one in step.events if told_of(one))
+        yield from (event_line(one, self._clock) for one in step.events if reported_of(one))
         yield from (verdict_line(one, self._clock) for one in step.changes)
         for one in step.causes:
             entity, name, when = shown_text(str(one.entity)), shown_name(one.entity.name), self._clock(one.time)

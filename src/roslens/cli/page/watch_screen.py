@@ -50,7 +50,8 @@ def value_text(key: str, value: float) -> str:
     """Return a value as people read it: three digits and a unit."""
     signal = BY_KEY[key]
     shown = amount_text(float(f"{value:.3g}"), signal.unit)
-    return f"{value:,.0f} {signal.unit}".rstrip() if "e" in shown else shown
+    number = shown.partition(" ")[0]
+    return f"{value:,.0f} {signal.unit}".rstrip() if "e" in number else shown
 
 
 def screen(
@@ -100,8 +101,8 @@ def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
     ]
     chosen = rows if len(rows) <= room else _worst(rows, room - 1)
     for depth, row in chosen:
-        told = f"  ({said})" if (said := badge(row)) else ""
-        name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal) + told), width - 1)
+        remark = f"  ({said})" if (said := badge(row)) else ""
+        name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal) + remark), width - 1)
         cells = "".join(right(_cell(row, COLUMNS[at]), _CELL) for at in shown)
         lines.append(f"{state_text(terminal, row.state)} {left(name, width)}{cells}".rstrip())
     if len(chosen) < len(rows):

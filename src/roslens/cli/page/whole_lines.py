@@ -66,7 +66,7 @@ def joined(gives: Sequence[HalfLine], takes: Sequence[HalfLine], state: str = ""
         give, take = gives[0], takes[0]
         rate, bandwidth = take.rate or give.rate, take.bandwidth or give.bandwidth
         return HalfLine(state, rate, take.latency, bandwidth, take.age, take.lag)
-    # Of several topics there is no one rate; how old data is at most is told of the oldest.
+    # Of several topics there is no one rate; how old data is at most is that of the oldest.
     ages = [take.age for take in takes if take.age is not None]
     lags = [take.lag for take in takes if take.lag is not None]
     return HalfLine(state, age=max(ages, default=None), lag=max(lags, default=None))

@@ -45,11 +45,11 @@ def trends_of(start: str) -> Iterator[Trends]:
         settings = find_configuration(kept.root, None).source.workspace
         trends = Trends(past, now, behind_heads(kept.root, settings))
         if trends.left_out:
-            told = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
-            print(f"roslens: {told}", file=sys.stderr)
+            reported = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
+            print(f"roslens: {reported}", file=sys.stderr)
         if trends.other_root:
-            told = f'the newest run is of "{trends.other_root}" and no point of the history of "{kept.root}"'
-            print(f"roslens: {told}; `roslens check {kept.root}` makes one", file=sys.stderr)
+            reported = f'the newest run is of "{trends.other_root}" and no point of the history of "{kept.root}"'
+            print(f"roslens: {reported}; `roslens check {kept.root}` makes one", file=sys.stderr)
         if not trends.points:
             raise UsageError(
                 "no past revision was analysed to its end",

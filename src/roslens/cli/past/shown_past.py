@@ -38,8 +38,11 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
         settings = find_configuration(kept.root, None).source.workspace
         trends = Trends(store, view, behind_heads(kept.root, settings)).load()
         if trends.other_root:
-            told = f'past revisions of "{kept.root}" are not shown beside a run of "{trends.other_root}"'
-            print(f"roslens: {told}; `roslens check {kept.root}` makes one that they are shown beside", file=sys.stderr)
+            reported = f'past revisions of "{kept.root}" are not shown beside a run of "{trends.other_root}"'
+            print(
+                f"roslens: {reported}; `roslens check {kept.root}` makes one that they are shown beside",
+                file=sys.stderr,
+            )
             yield None
             return
         yield Past(trends, _renamed_in(view.header.root)) if len(trends.points) > 1 else None

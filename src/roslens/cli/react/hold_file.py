@@ -30,8 +30,8 @@ def hold(environment: Mapping[str, str], by: str, why: str, until_s: float | Non
     Raises:
         OSError: it cannot be written.
     """
-    told = {"by": by, "why": why, "since": time.time(), "until": until_s}
-    write_private(hold_path(environment), json.dumps(told).encode() + b"\n")
+    reported = {"by": by, "why": why, "since": time.time(), "until": until_s}
+    write_private(hold_path(environment), json.dumps(reported).encode() + b"\n")
 
 
 def release(environment: Mapping[str, str]) -> bool:
@@ -72,11 +72,11 @@ class Held:
         try:
             file = os.open(self._path, os.O_RDONLY | os.O_NONBLOCK)
             try:
-                told = json.loads(os.read(file, _MOST_BYTES))
+                reported = json.loads(os.read(file, _MOST_BYTES))
             finally:
                 os.close(file)
-            why = f": {told['why']}" if told["why"] else ""
-            until = told["until"]
-            return f"by {told['by']}{why}", None if until is None else float(until)
+            why = f": {reported['why']}" if reported["why"] else ""
+            until = reported["until"]
+            return f"by {reported['by']}{why}", None if until is None else float(until)
         except (OSError, ValueError, KeyError, TypeError):
             return f"{self._path} is there, and nobody can read who wrote it", None

@@ -1,4 +1,4 @@
-"""`roslens react` of what runs now: which observers, who carries out, and where it is told."""
+"""`roslens react` of what runs now: which observers, who carries out, and where it is reported."""
 
 from __future__ import annotations
 
@@ -136,10 +136,10 @@ def _done_before(path: Path, within_s: float) -> Iterator[tuple[Decision, float]
             fields = entry.fields
             try:
                 action = msgspec.convert(fields["action"], ActionCall)
-                told = [str(fields[name]) for name in ("decision", "reaction", "entity")]
+                reported = [str(fields[name]) for name in ("decision", "reaction", "entity")]
             except (KeyError, msgspec.ValidationError):
                 continue
-            yield Decision(told[0], told[1], told[2], 0, action, entry.time), now - entry.time
+            yield Decision(reported[0], reported[1], reported[2], 0, action, entry.time), now - entry.time
     finally:
         reader.close()
 
@@ -159,8 +159,8 @@ class _Telling:
         from roslens.report.history.journal_text import journal_line
 
         entry = self._journal.add(what, time, **fields)
-        told = msgspec.to_builtins(entry)
-        text = msgspec.json.encode({"is": "journal", **told}).decode()
+        reported = msgspec.to_builtins(entry)
+        text = msgspec.json.encode({"is": "journal", **reported}).decode()
         print(text if self._json else journal_line(entry, time_of_day), flush=True)
         self.publish(text)
         return entry
@@ -239,7 +239,7 @@ class Reacting:
                 [*self._sources, _Wakes(hands)],
                 wall=time.time,
                 stopped=stretch.over,
-                told=lambda step: self._told(actor, here, renewal.look(step)),
+                report=lambda step: self._reported(actor, here, renewal.look(step)),
             )
         finally:
             self._journal.add("ended", time.time(), text="nothing is done any more")
@@ -248,7 +248,7 @@ class Reacting:
             print(f"roslens: {failure}", file=sys.stderr)
         return 3 if self._failed else 0
 
-    def _told(self, actor: Actor, here: _Here | None, step: Step) -> None:
+    def _reported(self, actor: Actor, here: _Here | None, step: Step) -> None:
         for failure in step.failures:
             self._log.append(f"{time_of_day(step.time)} {failure}")
             if not self._options.quiet:
@@ -295,7 +295,7 @@ class Reacting:
             far=far, recordings=self._folder / "recordings", monitor=self._by_monitor,
         )  # fmt: skip
         if here is not None:
-            here.told = hands.told
+            here.reported = hands.reported
         return hands
 
     def _far_agents(self) -> FarAgents | None:
@@ -376,12 +376,12 @@ class _Here:
         from roslens.live.react.actor import CarriedOut
 
         self.records = ProcessRecords()
-        self.told: Callable[[CarriedOut], None] = lambda _: None
+        self.reported: Callable[[CarriedOut], None] = lambda _: None
 
-        def told(done: Done) -> None:
-            self.told(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
+        def reported(done: Done) -> None:
+            self.reported(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
 
-        self.hand: HostHand = HostHand(allow, self.records, told, output=output, held=held)
+        self.hand: HostHand = HostHand(allow, self.records, reported, output=output, held=held)
 
 
 def _ros_line(tool: str, options: argparse.Namespace) -> RosLine:

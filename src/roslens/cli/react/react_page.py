@@ -38,18 +38,19 @@ def journal_clock(seconds: float) -> str:
 
 def journal_pages(
     path: Path, title: str, questions: Questions | None = None,
-    reactions: Callable[[], Sequence[Reaction]] = tuple, base: str = "",
+    reactions: Callable[[], Sequence[Reaction] | None] = lambda: None, base: str = "",
 ) -> Further:  # fmt: skip
     """Return the pages of a journal, of the reactions that it is about, and of the questions where there are any.
 
-    The navigation finds them below ``base``.
+    The navigation finds them below ``base``; of ``reactions`` None says that no reference was given.
     """
     from roslens.dashboard.journal.journal_view import JournalView
     from roslens.dashboard.journal.routes import journal_links, journal_routes
     from roslens.dashboard.live.further import Further
 
     routes = journal_routes(JournalView(path, journal_clock), title, reactions=reactions, questions=questions)
-    return Further(routes, journal_links(acting=questions is not None, base=base))
+    waiting = (lambda: len(questions.open())) if questions is not None else int
+    return Further(routes, journal_links(acting=questions is not None, base=base), waiting)
 
 
 def serve_reacting(
@@ -63,11 +64,11 @@ def serve_reacting(
     """
     address = address_of(options.serve)
 
-    def told(entry: Entry) -> None:
+    def report(entry: Entry) -> None:
         if questions is not None and entry.method == "POST" and entry.status >= _REFUSED:
             questions.refused(entry.peer, f"{entry.path}: {entry.why or entry.status}")
 
-    door = door_of(options, address[0], acting=questions is not None, told=told)
+    door = door_of(options, address[0], acting=questions is not None, report=report)
     pages = journal_pages(journal, title, questions, lambda: session.monitor.reference.reactions)
     return page_beside(stack, session, title, address, time_of_day, door, pages)
 

@@ -94,7 +94,7 @@ def _along_bag(reference: Reference, files: Sequence[Path], quiet: bool) -> _Run
             text = f"{done:.0f} of {length:.0f} s replayed, {actions} action{'' if actions == 1 else 's'} so far"
             print(f"roslens: {text}", file=sys.stderr, flush=True)
 
-    replay(bag, reference, told=take)
+    replay(bag, reference, report=take)
     for failure in bag.failures:
         print(f"roslens: {failure}", file=sys.stderr)
     return ", ".join(map(str, files)), bag.start, bag.end, simulation, bool(bag.failures)

@@ -33,7 +33,7 @@ def found_wrong(reference: Reference, bag: Sequence[Path], entity: EntityId) -> 
                     found.append(one)
                 latest[one.expectation] = said
 
-    replay(opened, reference, told=take)
+    replay(opened, reference, report=take)
     return opened.start, found
 
 

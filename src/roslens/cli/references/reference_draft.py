@@ -111,7 +111,7 @@ def _raised(text: str, bag: Bag) -> list[str]:
     reference = load_reference([GivenText("draft", text.encode())], BY_KEY)
     log = AlarmLog()
     if bag.messages:
-        replay(bag, reference, told=lambda step: log.add(step.changes))
+        replay(bag, reference, report=lambda step: log.add(step.changes))
     lines = [line_of(alarm, bag.start) for alarm in log.alarms()]
     more = [f"and {len(lines) - MOST_RAISED} more"] if len(lines) > MOST_RAISED else []
     return [*lines[:MOST_RAISED], *more]
@@ -167,5 +167,5 @@ def _watched(options: argparse.Namespace) -> DraftSession:
         stretch = Stretch(session, length, when_stopped(stack))
         sources = sources_of(options)
         print(f"roslens: watching for {length:g} s; Ctrl-C drafts from what was seen until then", file=sys.stderr)
-        run(session, sources, wall=time.time, stopped=stretch.over, told=lambda _: None)
+        run(session, sources, wall=time.time, stopped=stretch.over, report=lambda _: None)
     return session

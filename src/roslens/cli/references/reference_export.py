@@ -1,4 +1,4 @@
-"""``roslens reference export``: what Prometheus, Alertmanager, Grafana and Foxglove are told of a reference."""
+"""``roslens reference export``: what Prometheus, Alertmanager, Grafana and Foxglove get of a reference."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     form = parser.add_mutually_exclusive_group(required=True)
     for name, text in (
         ("prometheus", "alerting rules of Prometheus"),
-        ("alertmanager", "routes of Alertmanager: first causes are told, what follows from them is not"),
+        ("alertmanager", "routes of Alertmanager: first causes are reported, what follows from them is not"),
         ("grafana", "a dashboard of Grafana"),
         ("foxglove", "a layout of Foxglove or Lichtblick"),
     ):
@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"where `roslens watch --publish-statistics` publishes, for --foxglove (default: {RATED})",
     )  # fmt: skip
     parser.add_argument("-o", "--output", metavar="FILE", help="write it to this file (default: standard output)")
-    parser.add_argument("-q", "--quiet", action="store_true", help="do not report what is left out")
+    parser.add_argument("-q", "--quiet", action="store_true", help="do not report omitted constraints")
     parser.set_defaults(act=export)
 
 

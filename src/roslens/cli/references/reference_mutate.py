@@ -108,17 +108,17 @@ def _tried(options: argparse.Namespace, reference: Reference, kept: Kept, budget
         )
     began = time.monotonic()
     log = AlarmLog()
-    replay(kept.excerpt(kept.start, kept.end), reference, told=lambda step: log.add(step.changes))
+    replay(kept.excerpt(kept.start, kept.end), reference, report=lambda step: log.add(step.changes))
     healthy: Sequence[Alarm] = log.alarms()
     trials: list[Trial] = []
-    told = began
+    reported = began
     runner = _Runner(reference, kept, (before_s, after_s))
     for fault in plan:
         now = time.monotonic()
         if now - began > budget_s:
             break
-        if not options.quiet and now - told > _TELL_S:
-            told = now
+        if not options.quiet and now - reported > _TELL_S:
+            reported = now
             print(f"roslens: {len(trials)} of {len(plan)} faults tried in {now - began:.0f} s", file=sys.stderr)
         trials.append(runner.run(fault))
     return score(

@@ -72,7 +72,7 @@ def _test_bag(options: argparse.Namespace) -> int:
     reference = load_reference([Path(file) for file in options.files], BY_KEY)
     bag = open_bag(options.bag)
     log = AlarmLog()
-    session = replay(bag, reference, told=lambda step: log.add(step.changes))
+    session = replay(bag, reference, report=lambda step: log.add(step.changes))
     alarms = log.alarms()
     for alarm in alarms:
         print(line_of(alarm, bag.start))

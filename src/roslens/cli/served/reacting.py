@@ -29,10 +29,10 @@ _END_S = 10.0
 
 def add_reacting_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is done about faults while pages are served."""
-    group = parser.add_argument_group("what is done about faults")
+    group = parser.add_argument_group("reactions to faults")
     group.add_argument(
         "--react", choices=MODES, metavar="MODE",
-        help="with --live, do what the reference says is to be done: dry-run only says it; ask waits for who may "
+        help="with --live, carry out the reactions of the reference: dry-run only reports them; ask waits for who may "
         "operate to allow it on a page; act does it",
     )  # fmt: skip
     add_hand_arguments(group)
@@ -46,7 +46,7 @@ def checked(options: argparse.Namespace) -> None:
         UsageError: something is to be done about what does not run, or without a reference.
     """
     if options.react and not options.live:
-        raise UsageError("--react without --live", expected="both", advice="What is over cannot be helped")
+        raise UsageError("--react without --live", expected="both", advice="Only a running system can be acted on")
     if options.react and not options.reference:
         raise UsageError("--react without --reference", expected="both")
     for name in ("allow", "enrolled", "agents"):

@@ -50,7 +50,7 @@ def recording_beside(options: argparse.Namespace) -> Iterator[PageSource]:
         sessions.append(session)
         started.set()
 
-    def told(step: Step) -> None:
+    def report(step: Step) -> None:
         if left.is_set():
             raise _LeftError
         page.take(step)
@@ -61,7 +61,7 @@ def recording_beside(options: argparse.Namespace) -> Iterator[PageSource]:
 
     def read() -> None:
         try:
-            session = replay(bag, reference, told=told, begun=begun)
+            session = replay(bag, reference, report=report, begun=begun)
         except _LeftError:
             return
         except RoslensError as error:

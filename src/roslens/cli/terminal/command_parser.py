@@ -17,7 +17,7 @@ class CommandParser(argparse.ArgumentParser):
             ArgumentError: the option has no such choice.
         """
         choices = [str(one) for one in action.choices or ()]
-        if isinstance(action, argparse._SubParsersAction) and value not in choices:  # noqa: SLF001 - told no other way
+        if isinstance(action, argparse._SubParsersAction) and value not in choices:  # noqa: SLF001 - known no other way
             kind = str(action.metavar or "command").lower()
             self.error(f"there is no {kind} {value!r}.{_meant(value, choices)} {_all_of(self)}")
         try:
@@ -36,16 +36,16 @@ def refuse(unknown: Sequence[str], top: argparse.ArgumentParser, options: argpar
         options: what was understood of it.
     """
     parsers = [top, *_chosen(top, options)]
-    words = [word for parser in parsers for action in parser._actions for word in action.option_strings]  # noqa: SLF001 - told no other way
+    words = [word for parser in parsers for action in parser._actions for word in action.option_strings]  # noqa: SLF001 - known no other way
     near = _meant(unknown[0].partition("=")[0], words)
     parsers[-1].error(f"unrecognized arguments: {' '.join(unknown)}.{near} {_all_of(parsers[-1])}")
 
 
 def _chosen(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Iterator[argparse.ArgumentParser]:
     """Yield the parser of the command that was given, and that of its action."""
-    for action in parser._actions:  # noqa: SLF001 - told no other way
+    for action in parser._actions:  # noqa: SLF001 - known no other way
         given = getattr(options, action.dest, None)
-        if isinstance(action, argparse._SubParsersAction) and given is not None:  # noqa: SLF001 - told no other way
+        if isinstance(action, argparse._SubParsersAction) and given is not None:  # noqa: SLF001 - known no other way
             yield action.choices[given]
             yield from _chosen(action.choices[given], options)
 

@@ -37,7 +37,7 @@ class AddressFeed:
     """A monitor at an address."""
 
     def __init__(self, address: str, fetch: Callable[[str, str], bytes]) -> None:
-        """Ask ``address`` by ``fetch``, which is told it and the name of a document."""
+        """Ask ``address`` by ``fetch``, which is called with it and the name of a document."""
         self.title = address
         self._address = address
         self._fetch = fetch

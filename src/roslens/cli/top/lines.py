@@ -155,21 +155,21 @@ def detail_lines(found: Detail, past: Past, terminal: Terminal) -> tuple[str, ..
     """Return all that is known of an entity: what each constraint says, and every signal with a sparkline."""
     clean = terminal.clean
     first = f"{found.kind} {clean(found.name)}"
-    told = [first + (f"  ({clean(found.below)})" if found.below else "")]
+    reported = [first + (f"  ({clean(found.below)})" if found.below else "")]
     if found.observed:
-        told.append(f"observed: {clean(found.observed)}, {found.when}")
+        reported.append(f"observed: {clean(found.observed)}, {found.when}")
     for one in found.judgements:
         value = f" {one.value}" if one.value else ""
         sign, _ = sign_of(one.state, terminal)
-        told.append(f"{sign}: {clean(one.title)}{value}, expected {clean(one.expected)}, since {one.since}")
-        told += [f"    {clean(text)}" for text in (one.evidence, one.why, one.text, one.where) if text]
+        reported.append(f"{sign}: {clean(one.title)}{value}, expected {clean(one.expected)}, since {one.since}")
+        reported += [f"    {clean(text)}" for text in (one.evidence, one.why, one.text, one.where) if text]
     if not found.judgements:
-        told.append("no constraint of the reference is about it")
+        reported.append("no constraint of the reference is about it")
     width = max((len(one.title) for one in found.values), default=0)
     for signal in found.values:
         bars = sparkline(past.series(found.entity, signal.key), SPARK, bars_of(terminal))
-        told.append(f"{clean(signal.title):<{width}}  {signal.shown:>12}  {bars}".rstrip())
-    return tuple(told)
+        reported.append(f"{clean(signal.title):<{width}}  {signal.shown:>12}  {bars}".rstrip())
+    return tuple(reported)
 
 
 def entities(shown: Collection[Line]) -> dict[str, int]:

@@ -23,7 +23,7 @@ MOST = 20
 def about_nothing(session: Session, reference: Reference, time: float, kinds: Collection[EntityKind]) -> list[Note]:
     """Return what of a reference is about nothing that was there while a session watched."""
     return [
-        Note(time, NoteKind.UNMATCHED, str(one), one.constraint.told.where)
+        Note(time, NoteKind.UNMATCHED, str(one), one.constraint.details.where)
         for one in unmatched(reference, session.seen(), kinds)
     ]
 
@@ -31,7 +31,7 @@ def about_nothing(session: Session, reference: Reference, time: float, kinds: Co
 def errors_about_nothing(session: Session, reference: Reference, kinds: Collection[EntityKind]) -> bool:
     """Return whether a constraint of severity error is about nothing that was there, so that nobody judged it."""
     missed = unmatched(reference, session.seen(), kinds)
-    return any(one.constraint.told.severity is Severity.ERROR for one in missed)
+    return any(one.constraint.details.severity is Severity.ERROR for one in missed)
 
 
 def kinds_of(session: Session) -> Collection[EntityKind]:

@@ -36,13 +36,13 @@ def live_beside(options: argparse.Namespace) -> Iterator[PageSource]:
     handled = notes_beside(None, platform.node(), os.environ)
     page, shown = page_of(session, platform.node(), time_of_day, handled=handled)
 
-    def told(step: Step) -> None:
+    def report(step: Step) -> None:
         shown(files.renew(session, step))
 
     ended = Event()
 
     def watch() -> None:
-        run(session, sources, wall=time.time, stopped=lambda _: ended.is_set(), told=told)
+        run(session, sources, wall=time.time, stopped=lambda _: ended.is_set(), report=report)
 
     thread = Thread(target=watch, name="watch", daemon=True)
     thread.start()

@@ -1,4 +1,4 @@
-"""`roslens watch` of what runs now: which observers, how long, where it is told."""
+"""`roslens watch` of what runs now: which observers, how long, where it is reported."""
 
 from __future__ import annotations
 
@@ -84,14 +84,14 @@ def _watched(
         stretch = Stretch(session, length, when_stopped(stack))
         last = time.time()
 
-        def told(step: Step) -> None:
+        def report(step: Step) -> None:
             nonlocal last
             last = step.time
             step = files.renew(session, step)
             for sink in sinks:
                 sink(step)
 
-        run(session, sources, wall=time.time, stopped=stretch.over, told=told)
+        run(session, sources, wall=time.time, stopped=stretch.over, report=report)
         if failures := never_saw(sources, stretch.passed):
             teller.tell(Step(last, failures=failures))
         else:

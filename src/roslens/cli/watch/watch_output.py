@@ -87,8 +87,8 @@ class Teller:
             lines += [failure_line(one) for one in step.failures]
             lines += [note_line(one) for one in step.notes]
         else:
-            told = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
-            shown = {key_of(one): one for one in step.changes if one in told or key_of(one) in lasted}
+            reported = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
+            shown = {key_of(one): one for one in step.changes if one in reported or key_of(one) in lasted}
             terminal = self._uncut
             timed = [
                 (one.since, alert_line(terminal, one, self._clock(one.since), lasted.get(key)))

@@ -38,7 +38,7 @@ def wanted(options: argparse.Namespace) -> Publishes | None:
 def publish_through(
     sources: Sequence[object], session: Session, reference: Callable[[], Reference], publishes: Publishes
 ) -> Callable[[Step], None]:
-    """Return what is to be told each step, so that the observers among ``sources`` publish it.
+    """Return what is called with each step, so that the observers among ``sources`` publish it.
 
     Raises:
         UsageError: there is no observer of ROS.
@@ -91,4 +91,4 @@ class _Publishing:
                 line.say(body)
         if any(line.lost for line in self._lines):
             what = "messages could not be published: an observer ended, or does not read them in time"
-            self._session.take([Failure("publish", what, partial=True)])  # which is told once
+            self._session.take([Failure("publish", what, partial=True)])  # which is reported once

@@ -91,7 +91,7 @@ def page_of(
         share = 100 * (time.process_time() - cpu) / max(time.monotonic() - begun, 1.0)
         source.make(session, now, f"{share:.1f} % of a core, {session.records:,} records")
 
-    def told(step: Step) -> None:
+    def report(step: Step) -> None:
         source.take(step)
         if keeper is not None:
             keeper.take(step)
@@ -100,7 +100,7 @@ def page_of(
         collection.now_and_then()
 
     make(time.time())
-    return source, told
+    return source, report
 
 
 def page_beside(
@@ -113,8 +113,8 @@ def page_beside(
     Raises:
         UsageError: the address cannot be listened on.
     """
-    source, told = page_of(session, title, clock, recall, handled)
-    return stack.enter_context(serve(source, address, door, further)).url, told
+    source, report = page_of(session, title, clock, recall, handled)
+    return stack.enter_context(serve(source, address, door, further)).url, report
 
 
 class PageAfter:

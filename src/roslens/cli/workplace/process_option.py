@@ -28,7 +28,7 @@ def add_process_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--as-of",
         metavar="DATE",
-        help="tell ages at this date or time, such as 2026-01-31, instead of at each repository's head",
+        help="state ages at this date or time, such as 2026-01-31, instead of at each repository's head",
     )
     parser.add_argument(
         "--forge",

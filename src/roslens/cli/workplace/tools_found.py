@@ -36,10 +36,10 @@ def found_tools(root: str, *, ask: bool) -> Iterator[FoundTool]:
     for name in sorted(TOOLS):
         tool = tool_named(name)
         options = tuple((one.name, one.type, one.text) for one in tool.options)
-        told = FoundTool(name, tool.text, tool.languages, tool.get, options=options)
+        reported = FoundTool(name, tool.text, tool.languages, tool.get, options=options)
         program = find_program(tool.program, root)
         if program is None:
-            yield msgspec.structs.replace(told, trouble="it is not installed")
+            yield msgspec.structs.replace(reported, trouble="it is not installed")
             continue
         version, trouble = "", ""
         if ask and tool.version_words:
@@ -48,4 +48,4 @@ def found_tools(root: str, *, ask: bool) -> Iterator[FoundTool]:
                 check_age(tool, version)
             except ToolError as error:
                 trouble = f"it {error}"
-        yield msgspec.structs.replace(told, path=program.path, version=version, trouble=trouble)
+        yield msgspec.structs.replace(reported, path=program.path, version=version, trouble=trouble)

@@ -65,7 +65,7 @@ def own_folder(root: Path) -> Path:
     """
     folder = root / FOLDER
     refuse_foreign(folder, os.environ)
-    with contextlib.suppress(OSError):  # a folder that cannot be written is told of when something is to be written
+    with contextlib.suppress(OSError):  # a folder that cannot be written is reported when something is to be written
         prepare_folder(folder)
         mark_own(folder, os.environ)
     return folder

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 import msgspec
 
 from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC
-from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Disparity, Reason
+from roslens.compare.conformance.disparity import ABSENT, NOT_KNOWN, Aspect, Disparity, Reason
 from roslens.compare.conformance.plumbing import plumbing
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.judge.patterns.pattern import Pattern
@@ -16,13 +16,13 @@ from roslens.judge.reference.alternatives import each
 from roslens.judge.reference.constraint_words import expected_words, subject_words
 from roslens.judge.reference.expectation import (
     CONDITIONAL,
+    Details,
     Presence,
     PresenceMode,
     Reference,
     Selector,
     StateCheck,
     StateOf,
-    Told,
 )
 from roslens.judge.reference.merge_references import constraints_of
 from roslens.judge.reference.pattern_index import PatternIndex
@@ -45,7 +45,7 @@ def asked(side: Side, sides: Sequence[Side]) -> tuple[list[Disparity], list[str]
         return [], []
     here = next(place for place, one in enumerate(sides) if one is side)
     found: list[Disparity] = []
-    told: list[str] = []
+    texts: list[str] = []
     for place, other in enumerate(sides):
         if other.kind is SideKind.REFERENCE or other.graph is None:
             continue
@@ -55,8 +55,8 @@ def asked(side: Side, sides: Sequence[Side]) -> tuple[list[Disparity], list[str]
         found += _presences(reference, subjects, kinds, row)
         found += _about_nothing(reference, subjects, kinds, row, other)
         found += _states(reference, other, row)
-        told += _uncovered(reference, other, subjects)
-    return _merged(found), told
+        texts += _uncovered(reference, other, subjects)
+    return _merged(found), texts
 
 
 def _merged(found: Sequence[Disparity]) -> list[Disparity]:
@@ -66,35 +66,35 @@ def _merged(found: Sequence[Disparity]) -> list[Disparity]:
         key = (one.subject, one.aspect.value, one.reason.value, one.place, one.why)
         other = rows.get(key)
         if other is not None:
-            told = tuple(first or second for first, second in zip(other.told, one.told, strict=True))
+            cells = tuple(first or second for first, second in zip(other.values, one.values, strict=True))
             gravest = max(other.severity, one.severity, key=lambda severity: severity.rank)
-            one = msgspec.structs.replace(one, told=told, severity=gravest)
+            one = msgspec.structs.replace(one, values=cells, severity=gravest)
         rows[key] = one
     return [*rows.values()]
 
 
 def with_asked(found: Sequence[Disparity], asked_: Sequence[Disparity]) -> list[Disparity]:
-    """Return differences with what a reference asks; that it misses what the sides differ in is told in their row."""
+    """Return differences with what a reference asks; that it misses what differs is reported in its row."""
     missing = {
         (one.kind, one.node, one.name): one
         for one in asked_
         if one.reason is Reason.MISSING and one.aspect is Aspect.EXPECTED
     }
-    told: list[Disparity] = []
+    reported: list[Disparity] = []
     joined: set[tuple[str, str, str]] = set()
     for one in found:
         key = (one.kind, one.node, one.name)
         other = missing.get(key) if one.aspect is Aspect.PRESENCE else None
         if other is None:
-            told.append(one)
+            reported.append(one)
             continue
         joined.add(key)
         gravest = max(other.severity, one.severity, key=lambda severity: severity.rank)
-        cells = tuple(first or second for first, second in zip(one.told, other.told, strict=True))
+        cells = tuple(first or second for first, second in zip(one.values, other.values, strict=True))
         why = f"{one.why} {other.why}"
-        told.append(msgspec.structs.replace(one, told=cells, why=why, severity=gravest))
+        reported.append(msgspec.structs.replace(one, values=cells, why=why, severity=gravest))
     left = (one for one in asked_ if one is not missing.get((one.kind, one.node, one.name)))
-    return [*told, *(one for key, one in missing.items() if key not in joined), *left]
+    return [*reported, *(one for key, one in missing.items() if key not in joined), *left]
 
 
 class _Row:
@@ -104,10 +104,10 @@ class _Row:
         self._sides, self._here, self._there = sides, here, there
 
     def of(
-        self, kind: str, name: str, expects: str, is_: str, about: Told, why: str, reason: Reason,
+        self, kind: str, name: str, expects: str, is_: str, about: Details, why: str, reason: Reason,
         aspect: Aspect = Aspect.EXPECTED, severity: Severity | None = None,
     ) -> Disparity:  # fmt: skip
-        cells = [UNTOLD] * self._sides
+        cells = [NOT_KNOWN] * self._sides
         cells[self._here], cells[self._there] = expects, is_
         node, of_it = (name, "") if kind == NODE else ("", name)
         return Disparity(
@@ -138,12 +138,12 @@ def _presence(one: Presence, names: Sequence[str], row: _Row) -> Iterator[Dispar
     kind, expects = one.selector.kind.value, expected_words(one)
     if one.mode in (PresenceMode.ALWAYS, PresenceMode.ANY):
         if not names:
-            text = f"{one.told.id} expects it to be there. {one.told.text}".strip()
-            yield row.of(kind, _name(one.selector), expects, ABSENT, one.told, text, Reason.MISSING)
+            text = f"{one.details.id} expects it to be there. {one.details.text}".strip()
+            yield row.of(kind, _name(one.selector), expects, ABSENT, one.details, text, Reason.MISSING)
         return
     if len(names) > (one.mode is PresenceMode.AT_MOST_ONE):
-        text = f"{one.told.id} does not expect it: {', '.join(names[:_MOST_NAMED])}. {one.told.text}".strip()
-        yield row.of(kind, _name(one.selector), expects, "there", one.told, text, Reason.NOT_EXPECTED)
+        text = f"{one.details.id} does not expect it: {', '.join(names[:_MOST_NAMED])}. {one.details.text}".strip()
+        yield row.of(kind, _name(one.selector), expects, "there", one.details, text, Reason.NOT_EXPECTED)
 
 
 def _name(selector: Selector) -> str:
@@ -154,7 +154,7 @@ def _about_nothing(
     reference: Reference, subjects: Sequence[Subject], kinds: Collection[EntityKind], row: _Row, other: Side
 ) -> Iterator[Disparity]:
     for one in unmatched(reference, subjects, kinds):
-        about = one.constraint.told
+        about = one.constraint.details
         if isinstance(one.constraint, Presence):
             # What it is there for does not exist either.
             continue
@@ -177,9 +177,9 @@ def _states(reference: Reference, other: Side, row: _Row) -> Iterator[Disparity]
                 continue
             if not is_ or not index.find(kind, name) or _fits(check, is_):
                 continue
-            text = f"{check.told.id} expects another one. {check.told.text}".strip()
+            text = f"{check.details.id} expects another one. {check.details.text}".strip()
             aspect = Aspect.VALUE if check.of is StateOf.VALUE else Aspect.EXPECTED
-            yield row.of(kind.value, name, check.written, is_, check.told, text, Reason.CONTRADICTION, aspect)
+            yield row.of(kind.value, name, check.written, is_, check.details, text, Reason.CONTRADICTION, aspect)
 
 
 def _told_values(side: Side) -> Iterator[tuple[EntityKind, str, str]]:

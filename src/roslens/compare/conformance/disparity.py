@@ -70,7 +70,7 @@ class Reason(str, Enum):
 
 
 ABSENT = "not there"
-UNTOLD = ""
+NOT_KNOWN = ""
 """What a side says that cannot know."""
 
 
@@ -84,7 +84,7 @@ class Why(msgspec.Struct, frozen=True):
     place: str = ""
 
 
-class Disparity(msgspec.Struct, frozen=True):
+class Disparity(msgspec.Struct, frozen=True, rename={"values": "told"}):
     """One difference.
 
     Attributes:
@@ -92,7 +92,7 @@ class Disparity(msgspec.Struct, frozen=True):
         node: of which it is; empty of a topic.
         name: of the endpoint, parameter or topic; empty of a node.
         aspect: what of it differs.
-        told: what each side says, in their order; ``not there``, or empty of one that cannot know.
+        values: what each side says, in their order; ``not there``, or empty of one that cannot know.
         reason: why.
         right: whose word holds, in words.
         why: the explanation as a sentence.
@@ -105,7 +105,7 @@ class Disparity(msgspec.Struct, frozen=True):
     node: str
     name: str
     aspect: Aspect
-    told: tuple[str, ...]
+    values: tuple[str, ...]
     reason: Reason
     right: str
     why: str
@@ -135,14 +135,14 @@ class Conformance(msgspec.Struct, frozen=True):
         kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
         disparities: sorted, the gravest first.
         agreed: how many nodes, endpoints, parameters and topics at least two sides say alike.
-        told: what readers have to know of the comparison, in sentences.
+        notes: what readers have to know of the comparison.
     """
 
     titles: tuple[str, ...]
     kinds: tuple[str, ...]
     disparities: tuple[Disparity, ...]
     agreed: dict[str, int]
-    told: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def at_least(self, severity: Severity) -> tuple[Disparity, ...]:
         """Return the differences that are so grave or graver."""

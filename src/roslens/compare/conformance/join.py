@@ -10,7 +10,7 @@ import msgspec
 from roslens.compare.conformance import explain
 from roslens.compare.conformance.asked import asked, with_asked
 from roslens.compare.conformance.claim import NODE, TOPIC, Claim, Key
-from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Conformance, Disparity, Why
+from roslens.compare.conformance.disparity import ABSENT, NOT_KNOWN, Aspect, Conformance, Disparity, Why
 from roslens.compare.conformance.plumbing import plumbing
 from roslens.compare.conformance.renaming import known_by_pattern, renamed, same_ends, same_nodes
 from roslens.compare.conformance.side import Side, SideKind
@@ -23,7 +23,7 @@ _ASPECTS = frozenset(one.value for one in Aspect)
 _HIDDEN = "***"
 """In place of the value of a parameter whose name is that of a secret."""
 _CUT = "…"
-"""At the end of a value of which the rest is not told."""
+"""At the end of a value of which the rest is left out."""
 
 
 def conformance(sides: Sequence[Side]) -> Conformance:
@@ -40,18 +40,18 @@ def conformance(sides: Sequence[Side]) -> Conformance:
     _same_generation(real)
     joined = _Join(sides)
     found = [*joined.names, *joined.rows()] if len(real) > 1 else []
-    told: list[str] = []
+    notes: list[str] = []
     for side in sides:
         if side.kind is SideKind.REFERENCE:
             more, covered = asked(side, sides)
             found = with_asked(found, more)
-            told += covered
+            notes += covered
     return Conformance(
         tuple(one.title for one in sides),
         tuple(one.kind.value for one in sides),
         tuple(sorted(found, key=lambda one: one.order)),
         dict(sorted(joined.agreed.items())),
-        tuple(told),
+        tuple(notes),
     )
 
 
@@ -117,16 +117,16 @@ class _Join:
                 kept.append(one)
                 continue
             why = explain.other_name(self._of_source(first, match), of_node=False)
-            told = {first: match.name, place: one.name}
-            self.names.append(self._named(one.kind, match.node, match.name, told, why))
+            values = {first: match.name, place: one.name}
+            self.names.append(self._named(one.kind, match.node, match.name, values, why))
             kept.append(msgspec.structs.replace(one, name=match.name))
         return tuple(kept)
 
     def _of_source(self, place: int, claim: Claim | None) -> Claim | None:
         return claim if self.sides[place].kind is SideKind.SOURCE else None
 
-    def _named(self, kind: str, node: str, name: str, told: Mapping[int, str], why: Why) -> Disparity:
-        cells = tuple(told.get(place, UNTOLD) for place in range(len(self.sides)))
+    def _named(self, kind: str, node: str, name: str, values: Mapping[int, str], why: Why) -> Disparity:
+        cells = tuple(values.get(place, NOT_KNOWN) for place in range(len(self.sides)))
         return Disparity(kind, node, name, Aspect.NAME, cells, why.reason, why.right, why.text, why.severity, why.place)
 
     def rows(self) -> Iterator[Disparity]:
@@ -170,7 +170,7 @@ class _Join:
         if others:
             why = self._why(key, there, others)
             cells = dict.fromkeys(absent, ABSENT) | {place: _shown(one) for place, one in there.items()}
-            yield self._told(key, Aspect.PRESENCE, cells, why, also=self._parts(key, there))
+            yield self._stated(key, Aspect.PRESENCE, cells, why, also=self._parts(key, there))
         differing = list(self._values(key, there, nameless))
         yield from differing
         if not others and not differing and len(there) > 1:
@@ -213,16 +213,16 @@ class _Join:
             return
         names = sorted({name for one in there.values() for name in one.values} & _ASPECTS)
         for name in names:
-            told = {place: one.values[name] for place, one in there.items() if _is_known(one.values.get(name, ""))}
-            if len(told) < 2 or _all_same(name, [*told.values()]):
+            stated = {place: one.values[name] for place, one in there.items() if _is_known(one.values.get(name, ""))}
+            if len(stated) < 2 or _all_same(name, [*stated.values()]):
                 continue
-            source = next((there[at] for at in told if self.sides[at].kind is SideKind.SOURCE), None)
-            other = next((there[at] for at in told if self.sides[at].kind is not SideKind.SOURCE), None)
-            yield self._told(key, Aspect(name), told, explain.other_value(name, source, other))
+            source = next((there[at] for at in stated if self.sides[at].kind is SideKind.SOURCE), None)
+            other = next((there[at] for at in stated if self.sides[at].kind is not SideKind.SOURCE), None)
+            yield self._stated(key, Aspect(name), stated, explain.other_value(name, source, other))
 
-    def _told(self, key: Key, aspect: Aspect, told: Mapping[int, str], why: Why, also: int = 0) -> Disparity:
+    def _stated(self, key: Key, aspect: Aspect, values: Mapping[int, str], why: Why, also: int = 0) -> Disparity:
         kind, node, name = key
-        cells = tuple(told.get(place, UNTOLD) for place in range(len(self.sides)))
+        cells = tuple(values.get(place, NOT_KNOWN) for place in range(len(self.sides)))
         return Disparity(
             kind, node, name, aspect, cells, why.reason, why.right, why.text, why.severity, why.place, also
         )
@@ -232,8 +232,8 @@ _LACKING = (SideKind.RUNNING, SideKind.SOURCE, SideKind.RECORDING)
 
 
 def _shown(one: Claim) -> str:
-    told = one.values.get("program") or one.values.get("type") or one.values.get("value")
-    return told or "there"
+    stated = one.values.get("program") or one.values.get("type") or one.values.get("value")
+    return stated or "there"
 
 
 def _is_known(value: str) -> bool:

@@ -28,8 +28,10 @@ def running_side(graph: Graph, title: str, *, parameters: bool = True) -> Side:
     knows = EVERYTHING if parameters and graph.parameters else EVERYTHING - {PARAMETER}
     if "ros1" in graph.generation:
         knows -= {_CLIENT}
-    told = graph.parameters
-    silent = frozenset(one.name for one in graph.nodes if one.name not in told) if graph.generation != "ros1" else ()
+    reported = graph.parameters
+    silent = (
+        frozenset(one.name for one in graph.nodes if one.name not in reported) if graph.generation != "ros1" else ()
+    )
     return Side(
         SideKind.RUNNING, title, observed_claims(graph), frozenset(knows), generation=graph.generation,
         silent=frozenset(silent), graph=graph,

@@ -1,4 +1,4 @@
-"""The same node or endpoint under another name: told as one difference, not as one that went and one that came."""
+"""The same node or endpoint under another name: reported as one difference, not as one that went and one that came."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _MOST_ALIKE = 20
 _Part = tuple[str, str, str]
 
 
-def known_by_pattern(told: Sequence[Claim], patterns: Sequence[Claim]) -> tuple[Claim, ...]:
+def known_by_pattern(claims: Sequence[Claim], patterns: Sequence[Claim]) -> tuple[Claim, ...]:
     """Return claims with the names of nodes that get a random end as source gives them: with ``*`` in its place."""
     ends = [one.node for one in patterns if one.kind == NODE and one.node.endswith("_*")]
-    there = {one.node for one in told if one.kind == NODE}
+    there = {one.node for one in claims if one.kind == NODE}
     names: dict[str, str] = {}
     for node in there:
         fits = [pattern for pattern in ends if fnmatchcase(node, pattern)]
         if len(fits) == 1 and fits[0] not in there and fits[0] not in names.values():
             names[node] = fits[0]
-    return renamed(told, names)
+    return renamed(claims, names)
 
 
 def renamed(claims: Sequence[Claim], names: Mapping[str, str]) -> tuple[Claim, ...]:
@@ -49,7 +49,7 @@ def same_nodes(first: Sequence[Claim], second: Sequence[Claim]) -> dict[str, str
     """Return the name in ``first`` of nodes that only ``second`` has, where one that only ``first`` has is alike.
 
     Alike are two nodes of which each has more in common with the other than with any third: roles, names and types of
-    endpoints, names of parameters. Two that are alike to the same degree are not told apart, and neither is one.
+    endpoints, names of parameters. Two that are alike to the same degree are not distinguished, and neither is one.
     """
     here, there = _nodes(first), _nodes(second)
     lost = _parts(first, here - there)

@@ -219,34 +219,34 @@ class _Reaction:
         if not isinstance(node, Table):
             self._tell(place, LEFT_OUT, name, f"it is {described(node)}, expected `action:`")
             return None
-        told = {key: one.text.strip() for key, one in node.nodes.items() if isinstance(one, Scalar)}
+        reported = {key: one.text.strip() for key, one in node.nodes.items() if isinstance(one, Scalar)}
         level = number_of(node.nodes["autonomy_level"]) if "autonomy_level" in node.nodes else None
         if level is not None and float(level) > self._level:
             why = f"its autonomy level {float(level):g} is above {self._level:g}, so that ARNI never did it"
             self._tell(place, LEFT_OUT, name, why)
             return None
-        action = told.get("action", "")
+        action = reported.get("action", "")
         if action == "publish":
-            return self._notice(name, told, place)
+            return self._notice(name, reported, place)
         if action not in ("stop", "restart", "run"):
             why = f"ARNI has no action {action[:60]!r}" if action else "it has no action"
             self._tell(place, LEFT_OUT, name, why)
             return None
-        target = told.get("node", "")
+        target = reported.get("node", "")
         if not target or not target.isprintable() or "{" in target:
             self._tell(place, LEFT_OUT, name, "it names no node")
             return None
         target = target if target.startswith("/") else f"/{target}"
         if action == "run":
-            return self._command(name, target, told.get("command", ""), place)
+            return self._command(name, target, reported.get("command", ""), place)
         self._tell(place, CHANGED, name, f"`{action}` of {target}: the host has to have it on its allow-list")
         return {action: {"node": target}}
 
-    def _notice(self, name: str, told: dict[str, str], place: Place) -> dict[str, Any]:
-        level = _LEVELS.get(told.get("loglevel", "").removeprefix("log").lower())
+    def _notice(self, name: str, reported: dict[str, str], place: Place) -> dict[str, Any]:
+        level = _LEVELS.get(reported.get("loglevel", "").removeprefix("log").lower())
         why = "" if level else "without a level that there is, ARNI ended when it read this; taken for info"
         self._tell(place, CHANGED if why else IMPORTED, name, "; ".join(filter(None, ["`notify`", why])))
-        text = told.get("message", "").replace("{", "{{").replace("}", "}}") or self._name
+        text = reported.get("message", "").replace("{", "{{").replace("}", "}}") or self._name
         return {"notify": {"text": text, "level": level or "info"}}
 
     def _command(self, name: str, target: str, command: str, place: Place) -> dict[str, Any]:

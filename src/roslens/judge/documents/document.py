@@ -22,7 +22,7 @@ from roslens.plugins.nearest import did_you_mean
 _NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?\Z")
 
 _LISTED = 30
-"""Keys that are all told, beside the one that was meant."""
+"""Keys that are all reported, beside the one that was meant."""
 
 Choice = TypeVar("Choice", bound=Enum)
 

@@ -78,8 +78,8 @@ _HEAD = """\
 
 Under `reactions` a [reference](references.md) says what is done when something of it does not hold: a condition, and a
 chain of actions of which the next one follows where the one before did not take the cause away. Nothing of it is done
-unless `roslens react` is told so; `roslens react --simulate` says what would have been done, when and why. This page is
-made from `src/roslens/judge/`; `make docs` writes it anew.
+unless `roslens react` runs in a mode that acts; `roslens react --simulate` says what would have been done, when and
+why. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
 
 ```yaml
 """
@@ -105,7 +105,7 @@ before: what was wrong with it may still be.
 
 Everything is unknown while the monitor itself is not well: in its first seconds, while its looks come late, while it
 sheds records, and after its clock was set. A hold time (`for`) then begins anew. That of
-silence (`absent`) counts from when nothing came any more, any other from when it was told.
+silence (`absent`) counts from when nothing came any more, any other from when it was reported.
 
 A verdict that is bad counts only as a **first cause**: where another fault explains it, that one is to be repaired.
 `effects: true` takes both, which is right for a stop of the robot and wrong for a restart. The cause must have been the

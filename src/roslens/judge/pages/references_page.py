@@ -212,7 +212,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     texts = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
     word = {"type": ["string", "number", "boolean"]}
     state = {"enum": list(LIFECYCLE)}
-    told: dict[str, dict[str, object]] = {
+    common: dict[str, dict[str, object]] = {
         "severity": dict(severity),
         "override": {"enum": [True, False, "true", "false"]},
         "text": dict(word),
@@ -225,7 +225,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     constraint = described(
         constraint_keys(known),
         {
-            **told,
+            **common,
             "without": texts,
             **{kind.value: dict(word) for kind in KINDS},
             **{key: dict(word) for key in NARROWING},
@@ -244,12 +244,12 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     to = described(TO_KEYS, {}, "field")
     measures = ("range", "change", "difference")
     ranges = {key: dict(amount) for key in measures}
-    check = described(FIELD_KEYS, {**told, **ranges, "without": texts, "to": to, "when": when}, "topic", "field")
+    check = described(FIELD_KEYS, {**common, **ranges, "without": texts, "to": to, "when": when}, "topic", "field")
     check["anyOf"] = [{"required": [key]} for key in measures]
     check["dependentRequired"] = {"difference": ["to"], "to": ["difference"]}
     chain = described(
         CHAIN_KEYS,
-        {**told, "age": amount, "topics": {"type": "array", "minItems": 2, "items": {"type": "string"}}},
+        {**common, "age": amount, "topics": {"type": "array", "minItems": 2, "items": {"type": "string"}}},
         "topics",
         "age",
     )
@@ -261,7 +261,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
             "title": dict(word),
             "text": dict(word),
             "include": texts,
-            "defaults": described(DEFAULT_KEYS, told),
+            "defaults": described(DEFAULT_KEYS, common),
             "constraints": {"type": "array", "items": constraint},
             "fields": {"type": "array", "items": check},
             "chains": {"type": "array", "items": chain},

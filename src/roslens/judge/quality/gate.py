@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 import msgspec
 
+from roslens.model.words.plural import plural
+
 
 class GateConditions(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
     """What ``[gate]`` of a configuration may ask for; None asks for nothing.
@@ -50,7 +52,7 @@ class GateFacts(msgspec.Struct, frozen=True):
 
 
 class GateResult(msgspec.Struct, frozen=True):
-    """A condition and whether it holds, None where that cannot be told; ``text`` says it to a reader."""
+    """A condition and whether it holds, None where that cannot be determined; ``text`` says it to a reader."""
 
     condition: str
     holds: bool | None
@@ -75,7 +77,7 @@ def _at_most(name: str, bound: int | None, count: int | None) -> Iterator[GateRe
     if count is None:
         yield _unknown(name, words)
     else:
-        yield GateResult(name, count <= bound, f"{count:,} {words}, at most {bound:,}")
+        yield GateResult(name, count <= bound, f"{plural(count, words.removesuffix('s'))}, at most {bound:,}")
 
 
 def _ratio(name: str, bound: float | None, lines: Lines | None) -> Iterator[GateResult]:

@@ -47,8 +47,8 @@ def mismatches(offered: Qos, requested: Qos) -> Iterator[Mismatch]:
         if getattr(requested, policy) == strict and getattr(offered, policy) == lax:
             yield Mismatch(policy, strict, lax, asks)
     for policy, want, give, asks in (
-        ("deadline", requested.deadline_s, offered.deadline_s, "to be told when a message is late"),
-        ("lease", requested.lease_s, offered.lease_s, "to be told when the publisher is gone"),
+        ("deadline", requested.deadline_s, offered.deadline_s, "to be notified when a message is late"),
+        ("lease", requested.lease_s, offered.lease_s, "to be notified when the publisher is gone"),
     ):
         if want and (not give or give > want):
             lax = f"one of {give:g} s" if give else f"no {policy}"

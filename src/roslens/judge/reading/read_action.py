@@ -36,7 +36,7 @@ def read_step(section: Section, scope: Scope) -> EscalationStep:
     """Return one step of a chain.
 
     Raises:
-        DocumentError: there is no action or several, its kind is unknown, or what it is told is wrong.
+        DocumentError: there is no action or several, its kind is unknown, or its arguments are wrong.
     """
     kinds = [key for key in section.given() if key not in STEP_KEYS]
     if len(kinds) != 1:
@@ -66,7 +66,7 @@ def read_action(section: Section, key: str, scope: Scope) -> ActionCall:
     arguments = {one.name: one.text for one in kind.arguments}
     own = section.section(key, f"`{key}`", {**targets, **arguments})
     if own is None:
-        raise section.fault(key, f"{key} has no value", expected="what it is told")
+        raise section.fault(key, f"{key} has no value", expected="its arguments")
     given = [one for one in kind.targets if one.value in own]
     if kind.targets and len(given) != 1:
         expected = " or ".join(f"`{one.value}: NAME`" for one in kind.targets)
@@ -77,7 +77,7 @@ def read_action(section: Section, key: str, scope: Scope) -> ActionCall:
 
 
 def _short(section: Section, key: str, kind: ActionKind, scope: Scope, place: str) -> ActionCall:
-    """Return an action that is told one thing: ``restart: /lidar``, ``notify: text``."""
+    """Return an action that takes one value: ``restart: /lidar``, ``notify: text``."""
     required = [one for one in kind.arguments if one.required]
     if kind.targets and not required:
         return ActionCall(key, _target(section, key, kind.targets[0], section.text(key), scope), {}, place)

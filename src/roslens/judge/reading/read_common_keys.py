@@ -9,7 +9,7 @@ from typing import TypeVar
 from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import parse_amount, parse_limits
 from roslens.judge.ranges.range import Range
-from roslens.judge.reference.expectation import Timing, Told
+from roslens.judge.reference.expectation import Details, Timing
 from roslens.judge.reference.reference_document import Declared, Defaults, ReferenceConstraint, Scope
 from roslens.model.finding import Severity
 
@@ -93,7 +93,7 @@ def overrides(section: Section) -> bool:
     return word == "true"
 
 
-def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) -> Told:
+def details_of(section: Section, scope: Scope, name: str, aspect: str, key: str) -> Details:
     """Return what goes with a constraint whose range stands under ``key``.
 
     Raises:
@@ -101,7 +101,7 @@ def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) ->
     """
     own = read_defaults(section, scope.defaults)
     location = section.location(key)
-    return Told(
+    return Details(
         id=constraint_id(scope.document, name, aspect),
         where=f"{location.path}:{location.line}",
         severity=own.severity,
@@ -125,7 +125,7 @@ def declared(
     return Declared(
         constraint=constraint,
         name=name,
-        aspect=constraint.told.id.removeprefix(f"{scope.document}.{name}."),
+        aspect=constraint.details.id.removeprefix(f"{scope.document}.{name}."),
         place=str(section.location(key)),
         given="id" in section,
         override=override,
@@ -162,7 +162,7 @@ def plain_range(section: Section, key: str, unit: str) -> Range:
 
 
 def prefixed(scope: Scope, section: Section, default: str) -> str:
-    """Return the name of a constraint; one that is given is told apart by the namespace it was included into."""
+    """Return the name of a constraint; one that is given is distinguished by the namespace it was included into."""
     name = name_of(section, default)
     return f"{scope.prefix}.{name}" if scope.prefix and "id" in section else name
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import Limits, parse_limits
 from roslens.judge.ranges.range import Range
-from roslens.judge.reading.read_common_keys import declared, plain_range, prefixed, reading, slug, squeezed, told_of
+from roslens.judge.reading.read_common_keys import declared, details_of, plain_range, prefixed, reading, slug, squeezed
 from roslens.judge.reading.read_field_check import read_field_checks
 from roslens.judge.reading.read_selector import read_condition, read_name, read_selector
 from roslens.judge.reading.read_state_check import has_states, read_state_checks
@@ -58,7 +58,7 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
     for quantity in signals:
         limits = _limits(section, quantity, selector)
         expectation = Expectation(
-            told=told_of(section, scope, name, quantity.key, quantity.key),
+            details=details_of(section, scope, name, quantity.key, quantity.key),
             selector=selector,
             quantity=quantity.key,
             range=limits.range,
@@ -83,18 +83,18 @@ def _limits(section: Section, quantity: Quantity, selector: Selector) -> Limits:
 
 def _presence(section: Section, scope: Scope, selector: Selector, name: str) -> Presence:
     words = section.text("expected")
-    told = told_of(section, scope, name, "presence", "expected")
+    details = details_of(section, scope, name, "presence", "expected")
     reading(section, selector.kind.value, lambda: alternatives(selector.name))
     for mode in CONDITIONAL:
         if words.startswith(f"{mode.value} "):
             condition = read_condition(section, scope, "expected", words.removeprefix(mode.value).strip())
-            return Presence(told, selector, mode, condition)
+            return Presence(details, selector, mode, condition)
     modes = [mode.value for mode in PresenceMode if mode not in CONDITIONAL]
     if words not in modes:
         valid = [f"{mode.value} KIND NAME" if mode in CONDITIONAL else mode.value for mode in PresenceMode]
         expected = f"one of {', '.join(valid)}"
         raise section.fault("expected", f"expected is {words!r}", expected=expected, advice=did_you_mean(words, valid))
-    return Presence(told, selector, PresenceMode(words))
+    return Presence(details, selector, PresenceMode(words))
 
 
 def _chain(section: Section, scope: Scope) -> Declared:
@@ -108,7 +108,7 @@ def _chain(section: Section, scope: Scope) -> Declared:
         raise section.fault("topics", f"{twice!r} twice in a chain", expected="each topic once")
     name = prefixed(scope, section, slug("chain", topics[0], topics[-1]))
     chain = AgeChain(
-        told=told_of(section, scope, name, "age", "age"),
+        details=details_of(section, scope, name, "age", "age"),
         topics=topics,
         range=plain_range(section, "age", "s"),
         written=squeezed(section.text("age")),

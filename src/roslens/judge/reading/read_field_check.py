@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.range import Range
-from roslens.judge.reading.read_common_keys import declared, plain_range, prefixed, slug, squeezed, told_of
+from roslens.judge.reading.read_common_keys import declared, details_of, plain_range, prefixed, slug, squeezed
 from roslens.judge.reading.read_selector import read_name, read_pattern
 from roslens.judge.reference.expectation import FieldCheck, FieldCondition, FieldMeasure, OtherField
 from roslens.judge.reference.reference_document import Declared, Scope
@@ -48,7 +48,7 @@ def read_field_checks(section: Section, scope: Scope) -> Iterator[Declared]:
     name = prefixed(scope, section, slug("field", literal or topic, field))
     for key, measure in measures.items():
         check = FieldCheck(
-            told=told_of(section, scope, name, measure.value, key),
+            details=details_of(section, scope, name, measure.value, key),
             topic=topic,
             field=field,
             range=plain_range(section, key, ""),

@@ -82,7 +82,7 @@ class _Named:
         return self._read[name]
 
     def read_all(self) -> None:
-        """Read those that nothing asks for, so that what is wrong with them is told."""
+        """Read those that nothing asks for, so that what is wrong with them is reported."""
         for name, section in self._sections.items():
             if name not in self._read:
                 self(section, "id")

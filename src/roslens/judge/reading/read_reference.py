@@ -153,7 +153,7 @@ def distinct(constraints: Iterable[Declared], document: str) -> tuple[Declared, 
             other = seen[name, one.aspect]
             if one.given:
                 raise DocumentError(
-                    f"a second constraint with id {one.constraint.told.id!r}",
+                    f"a second constraint with id {one.constraint.details.id!r}",
                     where=one.place,
                     expected=f"one (the first is at {other.place})",
                     advice="Give it another `id`",
@@ -161,8 +161,8 @@ def distinct(constraints: Iterable[Declared], document: str) -> tuple[Declared, 
             number += 1
             name = f"{one.name}~{number}"
         if number > 1:
-            told = msgspec.structs.replace(one.constraint.told, id=constraint_id(document, name, one.aspect))
-            constraint = msgspec.structs.replace(one.constraint, told=told)
+            details = msgspec.structs.replace(one.constraint.details, id=constraint_id(document, name, one.aspect))
+            constraint = msgspec.structs.replace(one.constraint, details=details)
             one = msgspec.structs.replace(one, name=name, constraint=constraint)
         seen[name, one.aspect] = one
         found.append(one)

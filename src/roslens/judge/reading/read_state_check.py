@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.judge.documents.document import Section
 from roslens.judge.ranges.amount import parse_limits
 from roslens.judge.ranges.range import Range
-from roslens.judge.reading.read_common_keys import declared, told_of, visible
+from roslens.judge.reading.read_common_keys import declared, details_of, visible
 from roslens.judge.reference.expectation import Selector, StateCheck, StateOf
 from roslens.judge.reference.reference_document import Declared, Scope
 from roslens.judge.reference.reference_keys import STATE_KEYS
@@ -48,7 +48,7 @@ def read_state_checks(section: Section, scope: Scope, selector: Selector, name: 
             raise section.fault(key, f"{key} is {wrong[0]!r}", expected=expected, advice=advice)
         limits = number_range(texts) if of is StateOf.VALUE else None
         check = StateCheck(
-            told=told_of(section, scope, name, key, key),
+            details=details_of(section, scope, name, key, key),
             selector=selector,
             of=of,
             allowed=() if limits is not None else texts,

@@ -51,8 +51,9 @@ class Contradiction(msgspec.Struct, frozen=True):
         """Return it as an error that names both places."""
         both = f"; both are about {self.entity!r}" if self.entity else ""
         return DocumentError(
-            f"{self.second.told.id!r} ({subject_words(self.second)}: {expected_words(self.second)}) contradicts "
-            f"{self.first.told.id!r} ({subject_words(self.first)}: {expected_words(self.first)}) at {self.other}{both}",
+            f"{self.second.details.id!r} ({subject_words(self.second)}: {expected_words(self.second)}) contradicts "
+            f"{self.first.details.id!r} ({subject_words(self.first)}: {expected_words(self.first)}) at {self.other}"
+            f"{both}",
             where=self.where,
             expected="constraints that can hold together",
             advice=_ADVICE,

@@ -32,7 +32,7 @@ class Timing(msgspec.Struct, frozen=True, omit_defaults=True):
     window: float = 0.0
 
 
-class Told(msgspec.Struct, frozen=True, omit_defaults=True):
+class Details(msgspec.Struct, frozen=True, omit_defaults=True):
     """What every constraint of a reference has besides what it expects.
 
     Attributes:
@@ -59,7 +59,7 @@ class Expectation(msgspec.Struct, frozen=True, omit_defaults=True):
     ``written`` is the range as the document has it.
     """
 
-    told: Told
+    details: Details
     selector: Selector
     quantity: str
     range: Range
@@ -89,7 +89,7 @@ class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
     something that it matches; with ``any`` one that matches is enough. ``condition`` is the other entity of ``while``.
     """
 
-    told: Told
+    details: Details
     selector: Selector
     mode: PresenceMode
     condition: Selector | None = None
@@ -122,7 +122,7 @@ class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     """A field of the messages of a topic is in a range, as long as a condition holds.
 
     Attributes:
-        told: what goes with the constraint.
+        details: what goes with the constraint.
         topic: pattern of the topic.
         field: a path such as ``pose.position.x`` or ``ranges[0]``.
         range: of what is measured.
@@ -134,7 +134,7 @@ class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
         without: patterns of topics that are left out.
     """
 
-    told: Told
+    details: Details
     topic: str
     field: str
     range: Range
@@ -154,14 +154,14 @@ class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
 class AgeChain(msgspec.Struct, frozen=True, omit_defaults=True):
     """Data on the last of ``topics`` is at most so old, counted from its stamp on the first; seconds."""
 
-    told: Told
+    details: Details
     topics: tuple[str, ...]
     range: Range
     written: str = ""
 
 
 class StateOf(str, Enum):
-    """What of an entity is told as a text."""
+    """What of an entity is reported as text."""
 
     LIFECYCLE = "lifecycle"
     VALUE = "value"
@@ -171,7 +171,7 @@ class StateCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     """The lifecycle state of managed nodes, or the value of parameters, is one of those allowed, or in a range.
 
     Attributes:
-        told: what goes with the constraint.
+        details: what goes with the constraint.
         selector: nodes of a lifecycle, parameters of a value.
         of: which of the two.
         allowed: texts that are fine; numbers are compared as numbers.
@@ -179,7 +179,7 @@ class StateCheck(msgspec.Struct, frozen=True, omit_defaults=True):
         written: both as the document has them.
     """
 
-    told: Told
+    details: Details
     selector: Selector
     of: StateOf
     allowed: tuple[str, ...] = ()
@@ -208,6 +208,6 @@ AnyConstraint = TypeVar("AnyConstraint", Expectation, Presence, FieldCheck, AgeC
 
 
 def essence(constraint: AnyConstraint) -> AnyConstraint:
-    """Return a constraint without what is only told of it: two with the same essence expect the same."""
-    told = Told(constraint.told.id, timing=constraint.told.timing)
-    return msgspec.structs.replace(constraint, told=told)
+    """Return a constraint without what is only reported of it: two with the same essence expect the same."""
+    details = Details(constraint.details.id, timing=constraint.details.timing)
+    return msgspec.structs.replace(constraint, details=details)

@@ -47,7 +47,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
                 identity = _overridden(kept, one, document)
                 replaced.append((kept[identity], one))
                 kept[identity] = _renamed(one, identity)
-            elif (identity := one.constraint.told.id) not in kept:
+            elif (identity := one.constraint.details.id) not in kept:
                 kept[identity] = one
             elif one.constraint != kept[identity].constraint:
                 # A document in two namespaces says the same of hosts twice; anything else is an accident.
@@ -81,18 +81,18 @@ def constraints_of(reference: Reference) -> tuple[ReferenceConstraint, ...]:
         *reference.chains,
         *reference.states,
     ]
-    return tuple(sorted(everything, key=lambda constraint: constraint.told.id))
+    return tuple(sorted(everything, key=lambda constraint: constraint.details.id))
 
 
 def _sorted(declared: Sequence[Declared], kind: type[Kind]) -> tuple[Kind, ...]:
     found = [one.constraint for one in declared if isinstance(one.constraint, kind)]
-    return tuple(sorted(found, key=lambda constraint: constraint.told.id))
+    return tuple(sorted(found, key=lambda constraint: constraint.details.id))
 
 
 def _renamed(one: Declared, identity: str) -> Declared:
     """Return a constraint with the id of the one it replaces, as others may refer to that."""
-    told = msgspec.structs.replace(one.constraint.told, id=identity)
-    return msgspec.structs.replace(one, constraint=msgspec.structs.replace(one.constraint, told=told))
+    details = msgspec.structs.replace(one.constraint.details, id=identity)
+    return msgspec.structs.replace(one, constraint=msgspec.structs.replace(one.constraint, details=details))
 
 
 def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> str:
@@ -101,7 +101,7 @@ def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDoc
     Raises:
         DocumentError: there is none, or there are several.
     """
-    own = {declared.constraint.told.id for declared in document.declared if not declared.override}
+    own = {declared.constraint.details.id for declared in document.declared if not declared.override}
     words = f"{one.name}.{one.aspect}"
     targets = [
         identity

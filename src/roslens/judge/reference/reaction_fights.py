@@ -20,14 +20,14 @@ def refuse_fights(reactions: Iterable[Reaction]) -> None:
     Raises:
         DocumentError: two fight over one entity; the message names both places.
     """
-    told: dict[EntityId, list[tuple[str, ActionCall]]] = {}
+    reported: dict[EntityId, list[tuple[str, ActionCall]]] = {}
     for reaction in reactions:
         document = reaction.name.partition(".")[0]
         for step in reaction.steps:
             target = step.action.target
             if target is not None and "{" not in target.name:
-                told.setdefault(target, []).append((document, step.action))
-    for target, calls in sorted(told.items()):
+                reported.setdefault(target, []).append((document, step.action))
+    for target, calls in sorted(reported.items()):
         for (first, one), (second, other) in combinations(calls, 2):
             if first != second and _fight(one, other):
                 raise DocumentError(

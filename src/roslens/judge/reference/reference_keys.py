@@ -25,8 +25,8 @@ REFERENCE_KEYS = {
 }
 
 TIMING_KEYS = {
-    "for": "how long it must be wrong before it is told (`2 s`); by default at once",
-    "recover": "how long it must be fine before that is told; by default as long as `for`",
+    "for": "how long it must be wrong before it is reported (`2 s`); by default at once",
+    "recover": "how long it must be fine before that is reported; by default as long as `for`",
     "margin": "how far inside its range a wrong value must come to count as fine, as a share of the bound (`5 %`)",
     "grace": "after something appears, or its clock jumps, nothing is wrong for this long; by default 5 s",
     "window": "over which values are taken; by default sized by the expected period",

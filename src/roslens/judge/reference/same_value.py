@@ -1,4 +1,4 @@
-"""When a value that is told as text is the one that is expected."""
+"""When a value that is reported as text is the one that is expected."""
 
 from __future__ import annotations
 

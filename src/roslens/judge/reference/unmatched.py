@@ -43,8 +43,8 @@ class Unmatched(msgspec.Struct, frozen=True):
 
     def __str__(self) -> str:
         """Return it in the message form."""
-        told = self.constraint.told
-        text = f"{told.where}: {told.id} is about nothing: no {selector_words(self.selector)} is there"
+        details = self.constraint.details
+        text = f"{details.where}: {details.id} is about nothing: no {selector_words(self.selector)} is there"
         return f"{text}. {self.advice}" if self.advice else text
 
 

@@ -1,4 +1,4 @@
-"""What can be done about a fault: the kinds of action that a reference may call for, and what each is told.
+"""What can be done about a fault: the kinds of action that a reference may call for, and the arguments of each.
 
 Documents are checked against :data:`ACTION_KINDS`, pages and the schema of references are made of it, and each kind
 has a file of its name in ``live/act/actions``, or is carried out by the agent of the host (``by`` says who does it).
@@ -73,7 +73,7 @@ class ActionKind(msgspec.Struct, frozen=True):
         summary: one sentence, for pages and completion.
         by: who carries it out.
         targets: kinds of entities that it is done to; empty where it has no target.
-        arguments: that it is told.
+        arguments: of the action.
         ros: generations of ROS that it exists for.
         touches: whether it changes anything on the robot; what only tells is not asked for, and nothing that touches
             has to wait for it.
@@ -182,7 +182,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             _TIMEOUT,
         ),
         details="An answer whose field `success` is false is a failure. A call that was not answered may have been "
-        "done all the same: it is told as failed.",
+        "done all the same: it is reported as failed.",
     ),
     ActionKind(
         "set_parameter",
@@ -204,8 +204,8 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             ),
             _TIMEOUT,
         ),
-        details="In ROS 2 the node may refuse it, which is a failure with its reason. In ROS 1 the parameter server "
-        "is told, and nodes that ask it only at their start see nothing of it.",
+        details="In ROS 2 the node may refuse it, which is a failure with its reason. In ROS 1 it is set in the "
+        "parameter server, and nodes that ask it only at their start see nothing of it.",
     ),
     ActionKind(
         "lifecycle",
@@ -252,7 +252,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             _TIMEOUT,
         ),
         ros=(2,),
-        details="Where the container already has a component of that name, nothing is loaded and it is told as a "
+        details="Where the container already has a component of that name, nothing is loaded and it is reported as a "
         "failure.",
     ),
     ActionKind(
@@ -262,7 +262,8 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         targets=_NODE,
         arguments=(_GRACE, _WHOLE),
         details="It is asked to end and not killed: a process that is still there after its grace is a failure. Where "
-        "something that supervises it (a launch file's respawn, systemd) starts it again, that is told and not fought.",
+        "something that supervises it (a launch file's respawn, systemd) starts it again, this is reported, not "
+        "fought.",
     ),
     ActionKind(
         "restart",
@@ -287,7 +288,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         "Start a node that is gone, as it was.",
         By.HOST,
         targets=_NODE,
-        details="As `restart` starts it. A node that runs is left alone, and that is told as done.",
+        details="As `restart` starts it. A node that runs is left alone, and that is reported as done.",
     ),
     ActionKind(
         "kill",

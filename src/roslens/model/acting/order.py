@@ -88,7 +88,7 @@ def encode_order(frame: Order | Reply) -> bytes:
     try:
         body = _ENCODER.encode(frame)
     except (TypeError, ValueError, OverflowError) as error:
-        raise OrderError(f"what is asked cannot be told: {error}") from None
+        raise OrderError(f"the request cannot be sent: {error}") from None
     if len(body) > MAX_BYTES:
         raise OrderError(f"an order of {len(body):,} bytes, expected at most {MAX_BYTES:,}")
     return len(body).to_bytes(_PREFIX, "big") + body

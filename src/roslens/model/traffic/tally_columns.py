@@ -96,7 +96,7 @@ def columns_of(tallies: Iterable[Tally]) -> Columns:
 
 
 def fits(tally: Tally) -> bool:
-    """Return whether a tally can be told by columns: a line break is in no name of ROS."""
+    """Return whether a tally can be reported by columns: a line break is in no name of ROS."""
     return _BETWEEN not in tally.topic and _BETWEEN not in tally.publisher and _BETWEEN not in tally.subscriber
 
 

@@ -11,7 +11,7 @@ from roslens.compare.conformance.disparity import Conformance, Disparity
 SCHEMA = "roslens-conformance/1"
 
 
-class ConformanceDocument(msgspec.Struct, frozen=True):
+class ConformanceDocument(msgspec.Struct, frozen=True, rename={"notes": "told"}):
     """What ``roslens compare A B --format json`` writes of sides; within version 1 keys are only added.
 
     Attributes:
@@ -19,8 +19,8 @@ class ConformanceDocument(msgspec.Struct, frozen=True):
         titles: of the sides.
         kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
         agreed: how many nodes, endpoints, parameters and topics at least two sides say alike.
-        disparities: the gravest first; ``told`` has what each side says, in the order of the sides.
-        told: what readers have to know of the comparison, in sentences.
+        disparities: the gravest first; ``told`` is what each side says, in the order of the sides.
+        notes: what readers have to know of the comparison; its key is ``told``.
     """
 
     schema: str
@@ -28,12 +28,12 @@ class ConformanceDocument(msgspec.Struct, frozen=True):
     kinds: tuple[str, ...]
     agreed: dict[str, int]
     disparities: tuple[Disparity, ...]
-    told: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def to_conformance_json(found: Conformance) -> str:
     """Return a comparison as a JSON document."""
-    document = ConformanceDocument(SCHEMA, found.titles, found.kinds, found.agreed, found.disparities, found.told)
+    document = ConformanceDocument(SCHEMA, found.titles, found.kinds, found.agreed, found.disparities, found.notes)
     return msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n"
 
 

@@ -11,7 +11,7 @@ from roslens.report.writing.terminal import printable
 
 MOST_ROWS = 300
 FOLDED_FROM = 30
-_UNTOLD = "-"
+_NOT_KNOWN = "-"
 _SIGNS = {Severity.ERROR: "✖", Severity.WARNING: "▲", Severity.NOTE: "·"}
 REASONS = {
     Reason.CONDITION: "under a condition that was not met",
@@ -41,7 +41,7 @@ def to_lines(found: Conformance, *, notes: bool = False) -> str:
 
     Args:
         found: the comparison.
-        notes: whether differences that are as they should be, or that nobody can decide, are told one by one.
+        notes: whether differences that are as they should be, or that nobody can decide, are shown one by one.
     """
     lines = [f"{mark}: {title} ({kind})" for mark, title, kind in _sides(found)]
     lines.append("")
@@ -51,7 +51,7 @@ def to_lines(found: Conformance, *, notes: bool = False) -> str:
     hidden = [] if notes else [one for one in found.disparities if one.severity is Severity.NOTE]
     if hidden:
         lines.append(f"{_plural(len(hidden), 'note')} more: {_by_reason(hidden)}; --notes tells them")
-    lines += found.told
+    lines += found.notes
     lines.append(summary(found))
     return "".join(f"{printable(line)}\n" for line in lines)
 
@@ -64,7 +64,7 @@ def _lines(one: Disparity, found: Conformance) -> Iterator[str]:
     what = "" if one.aspect in (Aspect.PRESENCE, Aspect.EXPECTED) else f": {one.aspect.value}"
     also = f" (with {_plural(one.also, 'endpoint or parameter', 'endpoints and parameters')})" if one.also else ""
     yield f"{_SIGNS[one.severity]} {one.subject}{what}{also}"
-    cells = [f"{mark} {cell}" for (mark, _, _), cell in zip(_sides(found), one.told, strict=True) if cell]
+    cells = [f"{mark} {cell}" for (mark, _, _), cell in zip(_sides(found), one.values, strict=True) if cell]
     yield f"    {'   '.join(cells)}"
     place = f" [{one.place}]" if one.place else ""
     yield f"    {one.why} Right: {one.right}.{place}"
@@ -102,12 +102,12 @@ def to_markdown(found: Conformance) -> str:
             title = _plural(len(found.disparities), "difference")
             lines = [f"<details><summary>{title}</summary>", "", *lines, "", "</details>"]
         parts.append("\n".join(lines))
-    parts += [_cell(text) for text in found.told]
+    parts += [_cell(text) for text in found.notes]
     return "\n\n".join(parts) + "\n"
 
 
 def _row(one: Disparity) -> str:
-    cells = " | ".join(_code(text) or _UNTOLD for text in one.told)
+    cells = " | ".join(_code(text) or _NOT_KNOWN for text in one.values)
     place = f" {_code(one.place)}" if one.place else ""
     why = f"{_cell(one.why)}{place}"
     return f"| {one.severity.value} | {_code(one.subject)} | {one.aspect.value} | {cells} | {one.right} | {why} |"

@@ -33,8 +33,8 @@ def to_text(found: Sequence[Difference], before: str, after: str, findings: Find
         lines.append("no difference in the graph" if findings else "no difference")
     if findings is not None and (findings or findings.moved):
         lines.append(f"findings: {_count(findings)}")
-        lines += [f"{sign} {_told(one)}" for sign, side in _sides(findings) for one in side]
-        lines += [f"= {_place(one.before)} is now {_told(one.after)}" for one in findings.moved]
+        lines += [f"{sign} {_reported(one)}" for sign, side in _sides(findings) for one in side]
+        lines += [f"= {_place(one.before)} is now {_reported(one.after)}" for one in findings.moved]
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
@@ -55,7 +55,7 @@ def _count(findings: FindingDifference) -> str:
     return ", ".join(f"{number} {how}" for how, number in counts.items() if number)
 
 
-def _told(one: Finding) -> str:
+def _reported(one: Finding) -> str:
     return f"{_place(one)}: {one.severity.value}: {one.message} [{one.rule}]"
 
 

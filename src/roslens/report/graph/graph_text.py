@@ -36,7 +36,7 @@ _LONGEST_REASON = 120
 
 
 def to_graph_text(configuration: Configuration) -> str:
-    """Return what is started as lines; marks are told in the last one where there are any."""
+    """Return what is started as lines; marks are explained in the last one where there are any."""
     lines = [*_head(configuration)]
     unknown = {one.proof.place for one in configuration.unresolved}
     for one in configuration.nodes:
@@ -61,7 +61,7 @@ def unresolved_lines(missed: Sequence[Unresolved]) -> Iterator[str]:
     for role in ("test", "generated", "vendored"):
         count = sum(one.role == role for one in missed)
         if count:
-            yield f"  and {count} in {role} code, told by --format json"
+            yield f"  and {count} in {role} code, listed by --format json"
 
 
 def folded_by_file(missed: Sequence[Unresolved]) -> list[Unresolved]:

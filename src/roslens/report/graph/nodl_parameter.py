@@ -44,7 +44,7 @@ def _default(one: ConfiguredParameter) -> str | None:
         return None
     items = [part.strip() for part in text[1:-1].split(",") if part.strip()]
     kind = one.type.removesuffix("_array")
-    # A comma or quote inside of a text cannot be told from one between texts.
+    # A comma or quote inside of a text cannot be distinguished from one between texts.
     plain = [_scalar(part.strip("'\""), "int" if kind == "byte" else kind) for part in items]
     return None if None in plain else f"[{', '.join(part for part in plain if part is not None)}]"
 

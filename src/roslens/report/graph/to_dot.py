@@ -61,8 +61,8 @@ def _lines(
     if notes:
         yield f"  subgraph {_quoted('cluster started by no known program')} {{"
         yield '    label="started by no known program"; style=dashed;'
-        for package, told in notes:
-            text = "".join(_quoted(line)[1:-1] + "\\l" for line in (package, *told))
+        for package, reported in notes:
+            text = "".join(_quoted(line)[1:-1] + "\\l" for line in (package, *reported))
             yield f'    {_quoted(f"unstarted {package}")} [shape=note, label="{text}"];'
         yield "  }"
     yield "}"

@@ -95,7 +95,7 @@ def _duration(seconds: float) -> _Message:
 
 
 def _value(text: str) -> _Message:
-    """Return a value by what its text looks like; a text that looks like a number or a list cannot be told from one."""
+    """Return a value by what its text looks like; a text that looks like a number or a list is taken for one."""
     if text.startswith("[") and text.endswith("]"):
         return _values([part.strip() for part in text[1:-1].split(",") if part.strip()])
     kind, value = _scalar(text)

@@ -47,7 +47,7 @@ def _rest(fields: Mapping[str, Any], leave_out: Sequence[str]) -> Iterator[str]:
 
 
 def action_text(action: Mapping[str, Any]) -> str:
-    """Return an action in words: its kind, its target and what it is told."""
+    """Return an action in words: its kind, its target and its arguments."""
     target = action.get("target") or ""
     if isinstance(target, dict):
         target = f"{target.get('kind', '')}:{target.get('name', '')}"

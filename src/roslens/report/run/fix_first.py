@@ -71,7 +71,7 @@ def new_before_others(new: Sequence[RuleCount], others: Sequence[RuleCount]) -> 
 def is_listed(one: RuleCount) -> bool:
     """Return whether a row of a list tells what to mend: a mistake, or a limit that is exceeded by far.
 
-    What is too little is told of no row: it cannot be less than nothing.
+    No row reports what is too little: it cannot be less than nothing.
     """
     return METRICS not in one.tags or (one.excess >= FURTHEST and not one.rule.endswith(".min"))
 

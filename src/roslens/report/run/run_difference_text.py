@@ -16,7 +16,7 @@ SCHEMA = "roslens-comparison/1"
 """Name and version; within a version keys are only added."""
 
 SHOWN = ("loc", "functions", "cyclomatic_complexity.max", "cognitive_complexity.max", "duplication_ratio")
-"""Quantities whose changes are told to readers; JSON has all of them."""
+"""Quantities whose changes are shown to readers; JSON has all of them."""
 
 MOST = 40
 
@@ -29,10 +29,10 @@ def difference_lines(found: RunDifference, before: str, after: str) -> str:
     lines.append(_count(found))
     for sign, side in (("+", found.findings.new), ("-", found.findings.gone)):
         ordered = _worst_first(side)
-        lines += [f"{sign} {_told(one)}" for one in ordered[:MOST]]
+        lines += [f"{sign} {_reported(one)}" for one in ordered[:MOST]]
         if len(ordered) > MOST:
             lines.append(f"{sign} {len(ordered) - MOST} more: --format json has all")
-    lines += [f"= {_told(one.after)}, was in {one.before.path}" for one in found.findings.moved[:MOST]]
+    lines += [f"= {_reported(one.after)}, was in {one.before.path}" for one in found.findings.moved[:MOST]]
     shown = [one for one in found.values if one.quantity in SHOWN]
     if shown:
         lines.append("measured")
@@ -104,8 +104,8 @@ def _count(found: RunDifference) -> str:
 
 def _by_severity(found: Sequence[Finding]) -> str:
     counts = {one: sum(finding.severity is one for finding in found) for one in reversed(list(Severity))}
-    told = [f"{number} {one.value}{'s' if number != 1 else ''}" for one, number in counts.items() if number]
-    return f"{len(found)} ({', '.join(told)})" if told else "0"
+    reported = [f"{number} {one.value}{'s' if number != 1 else ''}" for one, number in counts.items() if number]
+    return f"{len(found)} ({', '.join(reported)})" if reported else "0"
 
 
 def _worst_first(found: Sequence[Finding]) -> list[Finding]:
@@ -116,7 +116,7 @@ def _place(one: Finding) -> str:
     return f"{one.path}:{one.line}" if one.line else one.path or one.entity
 
 
-def _told(one: Finding) -> str:
+def _reported(one: Finding) -> str:
     return f"{_place(one)}: {one.severity.value}: {one.message} [{one.rule}]"
 
 
@@ -141,5 +141,5 @@ def _document(one: Finding) -> dict[str, Any]:
 
 def _value(one: ValueChange) -> dict[str, Any]:
     sides = {"before": one.before, "after": one.after}
-    told = {name: None if value is None else plain(value) for name, value in sides.items()}
-    return {"package": one.package, "quantity": one.quantity, **told}
+    reported = {name: None if value is None else plain(value) for name, value in sides.items()}
+    return {"package": one.package, "quantity": one.quantity, **reported}

@@ -6,8 +6,8 @@ from collections import Counter
 from typing import TextIO
 
 from roslens.model.finding import Severity
+from roslens.model.words.plural import plural
 from roslens.report.run.reported import Wanted, reported
-from roslens.report.run.to_markdown import plural
 from roslens.store.read import RunView
 
 LABEL = "roslens"

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TextIO
 
 from roslens.model.finding import Severity
+from roslens.model.words.plural import plural
 from roslens.report.run.reported import Reported, Wanted, reported
 from roslens.store.read import RunView
 
@@ -37,7 +38,7 @@ def write_github(view: RunView, stream: TextIO, wanted: Wanted) -> None:
         for one in findings
     )
     kept = f"; GitHub shows the first {KEPT} of a kind" if len(findings) > KEPT else ""
-    stream.write(f"roslens: {len(findings):,} findings, {len(failures):,} failures{kept}\n")
+    stream.write(f"roslens: {plural(len(findings), 'finding')}, {plural(len(failures), 'failure')}{kept}\n")
 
 
 def _where(one: Reported) -> dict[str, str]:

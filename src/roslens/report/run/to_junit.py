@@ -94,7 +94,7 @@ class _Suite:
 
 
 def _gate(wanted: Wanted) -> Iterator[str]:
-    """Yield the suite of the conditions of the gate: one that cannot be told is an error of the workspace besides."""
+    """Yield the suite of the conditions of the gate: one that cannot be decided is an error of the workspace too."""
     if not wanted.gate:
         return
     broken = sum(one.holds is False for one in wanted.gate)

@@ -9,6 +9,7 @@ from typing import TextIO
 
 from roslens.model.finding import Severity
 from roslens.model.source import number_of_packages
+from roslens.model.words.plural import plural
 from roslens.report.run.reported import Reported, Wanted, aside, reported, rules_by_id
 from roslens.store.read import RunView
 
@@ -54,7 +55,7 @@ def _head(view: RunView, findings: list[Reported], wanted: Wanted) -> Iterator[s
     if others := aside(view, wanted.tags):
         yield f"{plural(others, 'more finding')} in test, generated or vendored code do not count here."
     for one in wanted.gate:
-        state = {True: "holds", False: "is broken", None: "cannot be told"}[one.holds]
+        state = {True: "holds", False: "is broken", None: "cannot be determined"}[one.holds]
         yield f"- gate {state}: {_cell(one.text)}"
     if set_aside := Counter(one.state.value.replace("_", " ") for one in view.set_aside(tags=wanted.tags)):
         parts = ", ".join(f"{count:,} {state}" for state, count in sorted(set_aside.items()))
@@ -118,11 +119,6 @@ def _failures(view: RunView) -> Iterator[str]:
         yield f"- {_cell(str(failure))} ({_code(failure.tool)})"
     if len(failures) > FAILURES:
         yield f"- and {len(failures) - FAILURES:,} more"
-
-
-def plural(count: int, one: str) -> str:
-    """Return a number with its noun."""
-    return f"{count:,} {one if count == 1 else one + 's'}"
 
 
 def _cell(text: str) -> str:

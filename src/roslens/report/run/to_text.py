@@ -14,6 +14,7 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
+from roslens.model.words.plural import plural
 from roslens.report.run.fix_first import first_to_fix, new_before_others
 from roslens.report.run.package_table import PackageCounts, count_packages, package_table
 from roslens.report.run.rule_groups import RuleGroup, listing, rule_groups
@@ -87,8 +88,8 @@ def to_text(
 
 def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSummary]) -> Iterator[str]:
     facts = [
-        _plural(number_of_packages(package.id for package in packages), "package"),
-        _plural(sum(package.files for package in packages), "file"),
+        plural(number_of_packages(package.id for package in packages), "package"),
+        plural(sum(package.files for package in packages), "file"),
     ]
     if lines := sum(package.values.get("loc", 0) for package in packages):
         facts.append(f"{lines:,.0f} lines of code")
@@ -122,8 +123,8 @@ def _packages(terminal: Terminal, counted: Sequence[PackageCounts]) -> Iterator[
     yield from package_table(terminal, shown, counted)
     if len(shown) < len(counted):
         rest = sum(package.total for package in counted[PACKAGES:])
-        others = _plural(rest, "finding") if rest else "no finding"
-        text = f"{len(shown)} of {_plural(len(counted), 'package')}, worst first; {others} in the others"
+        others = plural(rest, "finding") if rest else "no finding"
+        text = f"{len(shown)} of {plural(len(counted), 'package')}, worst first; {others} in the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
 
 
@@ -151,7 +152,7 @@ def _findings(
     if aside:
         verb = "does" if aside == 1 else "do"
         yield from _quiet(
-            terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
+            terminal, f"{plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
         )
 
 
@@ -159,7 +160,7 @@ def _amounts(groups: Iterable[RuleGroup]) -> str:
     totals = dict.fromkeys(reversed(Severity), 0)
     for group in groups:
         totals[group.severity] += group.count
-    return ", ".join(_plural(count, severity.value) for severity, count in totals.items() if count)
+    return ", ".join(plural(count, severity.value) for severity, count in totals.items() if count)
 
 
 def _rules(terminal: Terminal, groups: Sequence[RuleGroup], rules: Mapping[str, RuleInfo]) -> Iterator[str]:
@@ -170,8 +171,8 @@ def _rules(terminal: Terminal, groups: Sequence[RuleGroup], rules: Mapping[str, 
         yield from _rule(terminal, group, rules.get(group.rule), count_width, min(rule_width, RULE_WIDTH))
     if len(shown) < len(groups):
         rest = sum(group.count for group in groups[RULES:])
-        others = _plural(rest, "finding")
-        text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
+        others = plural(rest, "finding")
+        text = f"{len(shown)} of {plural(len(groups), 'rule')}, most severe first; {others} of the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
 
 
@@ -179,7 +180,7 @@ def _set_aside(terminal: Terminal, counts: Mapping[str, int]) -> Iterator[str]:
     if total := sum(counts.values()):
         parts = ", ".join(f"{counts[state]:,} {words}" for state, words in _STATES.items() if counts.get(state))
         verb = "is" if total == 1 else "are"
-        yield from _quiet(terminal, f"{_plural(total, 'finding')} {verb} set aside: {parts}. List: --format json")
+        yield from _quiet(terminal, f"{plural(total, 'finding')} {verb} set aside: {parts}. List: --format json")
 
 
 _STATES = {
@@ -193,15 +194,15 @@ _STATES = {
 def _limits_text(limits: Sequence[RuleGroup]) -> str:
     count = sum(group.count for group in limits)
     most = max(limits, key=lambda group: group.count)
-    rules = _plural(len({group.rule for group in limits}), "rule")
-    return f"{_plural(count, 'limit')} of metrics of {rules}, none far exceeded, most of {most.rule} ({most.count:,})"
+    rules = plural(len({group.rule for group in limits}), "rule")
+    return f"{plural(count, 'limit')} of metrics of {rules}, none far exceeded, most of {most.rule} ({most.count:,})"
 
 
 def _notes_text(notes: Sequence[RuleGroup]) -> str:
     count = sum(group.count for group in notes)
     most = max(notes, key=lambda group: group.count)
-    rules = _plural(len({group.rule for group in notes}), "rule")
-    return f"{_plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
+    rules = plural(len({group.rule for group in notes}), "rule")
+    return f"{plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
 
 
 def _fix_first(
@@ -218,7 +219,7 @@ def _fix_first(
         yield from lines[1:]
         rule = f"new: {terminal.clean(one.rule)}" if number <= len(new) else terminal.clean(one.rule)
         if commits := changes.get(one.path):
-            rule += f" {terminal.glyph('dot')} {_plural(commits, 'commit')} to the file in a year"
+            rule += f" {terminal.glyph('dot')} {plural(commits, 'commit')} to the file in a year"
         yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
 
 
@@ -232,7 +233,7 @@ def _rule(
     name = terminal.cut(terminal.clean(group.rule), terminal.width - indent)
     about = terminal.clean(rule.title) if rule else ""
     if group.packages > 1:
-        about = f"{about} ({_plural(group.packages, 'package')})".lstrip()
+        about = f"{about} ({plural(group.packages, 'package')})".lstrip()
     room = terminal.width - indent - max(rule_width, columns(name)) - 2
     beside = columns(about) <= room
     yield f"  {mark}  {count}  {left(name, rule_width)}  {about if beside else ''}".rstrip()
@@ -318,7 +319,3 @@ def _aside(packages: Iterable[PackageSummary], tags: TagFilter) -> int:
 
 def _quiet(terminal: Terminal, text: str) -> Iterator[str]:
     yield from (terminal.paint(line, "quiet") for line in terminal.wrap(text, "  "))
-
-
-def _plural(count: int, one: str) -> str:
-    return f"{count:,} {one if count == 1 else one + 's'}"

@@ -11,6 +11,7 @@ from roslens.judge.quality.field import Distribution, Field
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
 from roslens.model.result import PackageSummary
+from roslens.model.words.plural import plural
 from roslens.report.writing.csv_table import write_rows
 
 UNUSUAL = 90.0
@@ -98,7 +99,7 @@ def standings_text(found: Sequence[Standing], field: Field, *, complete: bool) -
         lines += ["", "nothing is unusual" if found else "no value that the field knows"]
     hidden = len({one.package for one in found}) - len({one.package for one in shown})
     if not complete and hidden:
-        lines += ["", f"{hidden} packages without anything unusual; --all shows everything"]
+        lines += ["", f"{plural(hidden, 'package')} without anything unusual; --all shows everything"]
     return "\n".join(lines) + "\n"
 
 

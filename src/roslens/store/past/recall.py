@@ -163,7 +163,7 @@ class Recall:
     def marks(self, since: float, until: float) -> list[Mark]:
         """Return what happened in a stretch of time, at most one mark of a kind in each of :data:`BINS` parts.
 
-        Of very much the newest is told.
+        Of very much the newest is reported.
 
         Raises:
             StoreError: the history cannot be read.
@@ -239,5 +239,5 @@ def _over(one: Verdict) -> bool:
     """Whether a verdict says that nothing is said of its entity any more."""
     if one.state is State.UNKNOWN and one.evidence == _RETIRED:
         return True
-    # Nodes that are gone or stopped are judged by no sentence; back again, nothing judges them.
+    # Nodes that are gone or stopped are judged by no constraint; back again, nothing judges them.
     return one.expectation.startswith(_OWN) and not one.state.bad and one.entity.kind.value == "node"

@@ -44,7 +44,7 @@ def pieces(connection: sqlite3.Connection, series: int, since: float, until: flo
             (series, tier.seconds, int(first), end),
         )
         coarse = [Piece(bucket, tier.seconds, mean, least, greatest) for bucket, mean, least, greatest in rows]
-        # One that reaches into finer points would be told twice.
+        # One that reaches into finer points would be reported twice.
         found = [one for one in coarse if not found or one.time + one.seconds <= end] + found
     return tuple(found or _thinned(connection, series, since, until, most))
 
@@ -64,7 +64,7 @@ def _thinned(connection: sqlite3.Connection, series: int, since: float, until: f
 
 
 def gaps(found: Sequence[Piece]) -> list[int]:
-    """Return the places of pieces before which nothing was told for longer than is usual between pieces alike."""
+    """Return the places of pieces before which nothing was reported for longer than is usual between pieces alike."""
     distances: dict[int, list[int]] = {}
     for before, one in pairwise(found):
         distances.setdefault(one.seconds, []).append(one.time - before.time)

@@ -16,7 +16,7 @@ from roslens.store.sqlite_errors import as_store_errors
 _POLL_MS = 100
 
 Waiting = Callable[[str], None]
-"""Is told once which other process is waited for."""
+"""Called once with the other process that is waited for."""
 
 
 def claim(

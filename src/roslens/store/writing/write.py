@@ -49,7 +49,7 @@ class RunWriter:
             path: of the store, for messages.
             started: tells a waiting process whom it waits for.
             wait_s: how long this one waits.
-            waiting: is told for whom.
+            waiting: called with whom.
         """
         self._connection = connection
         self._path = path

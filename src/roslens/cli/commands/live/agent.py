@@ -53,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Sample until interrupted or told to end.
+    """Sample until interrupted or asked to end.
 
     Raises:
         UsageError: there is no monitor or no key, or the period makes no sense.
@@ -131,7 +131,7 @@ def _say(text: str) -> None:
 def _acting(
     options: argparse.Namespace, address: tuple[str, int], stack: contextlib.ExitStack
 ) -> Callable[[Iterable[int]], None]:
-    """Take requests until the stack ends; return what is told which processes hold nodes."""
+    """Take requests until the stack ends; return what learns which processes hold nodes."""
     import os
     import time
 

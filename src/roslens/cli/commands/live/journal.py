@@ -109,8 +109,16 @@ def _export(reader: JournalReader, target: Path) -> int:
             table.writerow(("n", "time", "what", "decision", "text", "fields", "hash"))
             for one in entries:
                 fields = one.fields
-                told = json.dumps(fields, ensure_ascii=False, sort_keys=True)
-                row = (one.n, one.time, one.what, fields.get("decision", ""), fields.get("text", ""), told, one.hash)
+                reported = json.dumps(fields, ensure_ascii=False, sort_keys=True)
+                row = (
+                    one.n,
+                    one.time,
+                    one.what,
+                    fields.get("decision", ""),
+                    fields.get("text", ""),
+                    reported,
+                    one.hash,
+                )
                 table.writerow(row)
         else:
             json.dump([msgspec.to_builtins(one) for one in entries], stream, indent=1, ensure_ascii=False)

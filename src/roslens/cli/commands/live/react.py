@@ -15,7 +15,7 @@ from roslens.model.errors import UsageError
 
 TEXT = "Watch a running ROS system, and act on faults as its reference specifies, within the permissions given."
 EXAMPLES = """\
-  roslens react rover.yaml                                  say what would be done (--mode dry-run), and do nothing
+  roslens react rover.yaml                                  print what would be done (--mode dry-run), and do nothing
   roslens react rover.yaml --mode ask                       ask in the terminal before anything is done to the robot
   roslens react rover.yaml --mode act --allow allow.yaml
                                                             do it; on processes of this host what allow.yaml permits
@@ -79,7 +79,9 @@ def run(options: argparse.Namespace) -> int:
         )
     if options.bag or options.timeline:
         option = "--bag" if options.bag else "--timeline"
-        raise UsageError(f"{option} without --simulate", expected="both", advice="What is over cannot be helped")
+        raise UsageError(
+            f"{option} without --simulate", expected="both", advice="Only a running system can be acted on"
+        )
     from roslens.cli.react.react_live import react_live
 
     return react_live(options)

@@ -26,11 +26,11 @@ EXAMPLES = """\
   roslens watch --reference rover.yaml                      what runs here, until Ctrl-C; read again when it changes
   roslens watch --ros1 --for 60s                            a system test: exit code 1 when something is wrong
   roslens watch --for 60s --fail-on low,high,absent,unknown what was not judged fails it too
-  roslens watch --bag drive.mcap                            without a reference: what is there, how fast
+  roslens watch --bag drive.mcap                            without a reference: the graph and its rates
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
   roslens watch --prometheus 9411                           values and states for Prometheus
   roslens watch --ros2 --diagnostics                        verdicts go back into ROS, for rqt and aggregators
-  roslens watch --for 10s --graph-out graph.yaml            what is there, as rosgraph_msgs/Graph
+  roslens watch --for 10s --graph-out graph.yaml            the graph, as rosgraph_msgs/Graph
   roslens watch --serve 8080                                a page that shows it: http://127.0.0.1:8080/"""
 
 _BAD = ("low", "high", "absent")
@@ -120,12 +120,12 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     page = _page(options, shown, clock) if options.serve is not None else None
     with Teller(options, clock, bag.start) as teller:
 
-        def told(step: Step) -> None:
+        def report(step: Step) -> None:
             teller.tell(step)
             if page is not None:
                 page.take(step)
 
-        session = replay(bag, reference, told=told, begun=page.keep if page is not None else lambda _: None)
+        session = replay(bag, reference, report=report, begun=page.keep if page is not None else lambda _: None)
         amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
         teller.tell_unjudged(session.monitor.standing(), bag.end)
         missed = about_nothing(session, reference, bag.end, RECORDED)

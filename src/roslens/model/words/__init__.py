@@ -1,0 +1,1 @@
+"""How messages say what they say."""

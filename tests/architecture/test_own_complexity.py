@@ -5,13 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-import tomli
-
 ROOT = Path(__file__).parents[2]
-SLACK = 8
 
 
-def test_cognitive_complexity_only_becomes_less():
+def test_no_function_is_above_the_limit_of_cognitive_complexity():
     roslens = Path(sys.executable).with_name("roslens")
     ended = subprocess.run(
         [roslens, "check", "src", "--no-store", "--quiet", "--format", "gitlab"],
@@ -26,5 +23,3 @@ def test_cognitive_complexity_only_becomes_less():
         for one in json.loads(ended.stdout)
     ]
     assert ended.returncode == 0, "the gate of src/roslens.toml is broken; divide what is new of\n" + "\n".join(found)
-    allowed = tomli.loads((ROOT / "src/roslens.toml").read_text("utf-8"))["gate"]["warnings"]
-    assert len(found) > allowed - SLACK, f"{len(found)} functions are above the limit now: lower src/roslens.toml"

@@ -97,3 +97,25 @@ def test_of_what_a_launch_file_starts_it_is_told_too(workspace, capsys):
     out = capsys.readouterr().out
     assert "p/talk.cpp:6  this function makes endpoints" in out
     assert "this part of the file was not understood" in out
+
+
+@pytest.mark.parametrize("nodes", ["talk", ""])
+def test_packages_that_a_marker_leaves_out_are_named(workspace, capsys, nodes):
+    for path in ("old/q/package.xml", "install/p/package.xml"):
+        (workspace / path).parent.mkdir(parents=True)
+        (workspace / path).write_text(PACKAGE.replace("<name>p<", "<name>q<"))
+    (workspace / "old/COLCON_IGNORE").touch()
+    (workspace / "install/COLCON_IGNORE").touch()
+    (workspace / "empty").mkdir()
+    (workspace / "empty/CATKIN_IGNORE").touch()
+    if not nodes:
+        (workspace / "p/CMakeLists.txt").write_text("project(p)\n")
+    assert main(["graph", str(workspace), "--format", "json"]) == (0 if nodes else 3)
+    found = [one for graph in json.loads(capsys.readouterr().out)["configurations"] for one in graph["unresolved"]]
+    ((text, place, reason),) = {
+        (one["text"], one["proof"]["path"], one["reason"]) for one in found if "IGNORE" in str(one)
+    }
+    assert (text, place) == ("old", "old/COLCON_IGNORE")
+    assert reason == "its packages are left out because of this file"
+    main(["graph", str(workspace), "--package", "p", "--format", "json"])
+    assert "COLCON_IGNORE" not in capsys.readouterr().out

@@ -1,8 +1,8 @@
 """Calls that look as if they made an endpoint, counted by the text of a workspace alone: nothing of roslens is asked.
 
-C++ and Python, ROS 1 and 2; tests and comments are left out. Crude on purpose: a few per cent of what is counted are
-something else, as a function of a library that is called ``subscribe``. Lines that declare or define a function of such
-a name are none: there nothing is called.
+C++ and Python, ROS 1 and 2; tests, comments and folders that an ignore marker leaves out are none. Crude on purpose: a
+few per cent of what is counted are something else, as a function of a library that is called ``subscribe``. Lines that
+declare or define a function of such a name are none: there nothing is called.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ _CPP = (".cpp", ".h", ".hpp", ".cc", ".cxx")
 _LEFT_OUT = re.compile(r"/(tests?|testing|[^/]*_tests?|RxCpp[^/]*|build|install|\.git)/")
 _BLOCK, _LINE = re.compile(r"/\*.*?\*/", re.DOTALL), re.compile(r"//[^\n]*")
 _TEXTS, _HASH = re.compile(r"(\"\"\"|''').*?\1", re.DOTALL), re.compile(r"#[^\n]*")
+_MARKERS = frozenset(("CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"))
 _HEAD = 80
 
 
@@ -56,7 +57,10 @@ def text_calls(root: Path, *, definitions: bool = False) -> list[TextCall]:
 
 
 def _sources(root: Path) -> Iterator[Path]:
-    for folder, _, names in os.walk(root):
+    for folder, below, names in os.walk(root):
+        if not _MARKERS.isdisjoint(names):
+            below.clear()
+            continue
         for name in sorted(names):
             path = Path(folder, name)
             if _LEFT_OUT.search(f"/{path.relative_to(root)}") or not path.is_file():

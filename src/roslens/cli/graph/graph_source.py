@@ -12,6 +12,7 @@ from roslens.model.source import Role
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration, Unresolved
     from roslens.source.extract.facts.launched import Launch
+    from roslens.source.extract.facts.launched import Unresolved as Missed
     from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
     from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
@@ -66,6 +67,7 @@ class GraphSource:
         manifests.keep()
         self.root = Path(workspace.root)
         self.failures = workspace.failures
+        self._hidden = workspace.hidden
         self.paths = frozenset(file.path for found in workspace.packages for file in found.files)
         self.facts: WorkspaceFacts = WorkspaceFacts(
             workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress
@@ -154,6 +156,7 @@ class GraphSource:
             missed = [
                 *reported_once(one for name in chosen for one in facts.missed(name)),
                 *(one for name in chosen for one in facts.missed_in_code(name)),
+                *(() if names or generation != self._mostly() else self._left_out()),
             ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
@@ -197,8 +200,11 @@ class GraphSource:
             shown = any(one.generation == generation for one in started)
             reported = {one.name for one in facts.packages if shown and generation in facts.versions(one.name)}
             beside = sorted(wanted - reported)
-            missed = self._missed_beside(beside, generation)
-            code = {one.evidence.path for name in beside for one in facts.missed_in_code(name)}
+            # Where nothing else of the workspace is shown, folders that are left out of it are named here.
+            left_out = () if names or started or generation != self._mostly() else tuple(self._left_out())
+            missed = self._missed_beside(beside, generation, left_out)
+            in_code = (one for name in beside for one in facts.missed_in_code(name))
+            code = {one.evidence.path for one in (*left_out, *in_code)}
             made = unstarted_configuration(
                 generation, [one for one in loose if one.package in wanted], facts,
                 hints=self.settings.graph.hints, hinted_in=self._hinted_in, roles=facts.roles, missed=missed,
@@ -207,7 +213,7 @@ class GraphSource:
                 found.append(made)
         return tuple(found)
 
-    def _missed_beside(self, packages: Sequence[str], generation: str) -> list[Unresolved]:
+    def _missed_beside(self, packages: Sequence[str], generation: str, left_out: Sequence[Missed]) -> list[Unresolved]:
         """Return what was not understood of packages whose builds make no node of a version of ROS."""
         from roslens.cli.graph.graph_missed import reported_once
         from roslens.model.configuration import Unresolved
@@ -215,7 +221,7 @@ class GraphSource:
 
         facts = self.facts.of(generation)
         files = facts.file_versions
-        found: list[Unresolved] = []
+        found = [Unresolved(one.text, launch_proof(one.evidence), one.reason) for one in left_out]
         for name in packages:
             versions = facts.versions(name) or (self._mostly(),)
             for one in (*reported_once(facts.missed(name)), *facts.missed_in_code(name)):
@@ -227,6 +233,14 @@ class GraphSource:
                         Unresolved(one.text, proof, one.reason, opens=one.opens, role=role, missing=one.missing)
                     )
         return found
+
+    def _left_out(self) -> Iterator[Missed]:
+        """Yield the folders with packages that a marker leaves out of the workspace."""
+        from roslens.source.extract.facts.launched import Unresolved as Missed
+        from roslens.source.extract.facts.node_facts import Evidence
+
+        for path, marker in self._hidden:
+            yield Missed(path, Evidence(f"{path}/{marker}", 1), "its packages are left out because of this file")
 
     def _mostly(self) -> str:
         ros1 = ["ros1" in self.facts.versions(one.name) for one in self.facts.packages]

@@ -21,6 +21,7 @@ from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.globs import compiled
 from roslens.source.workspace.languages import language_by_name
 from roslens.source.workspace.manifest import MANIFEST_NAME, MAXIMUM_SIZE, nameless_package, read_manifest
+from roslens.source.workspace.outputs import OUTPUT_NAMES
 from roslens.source.workspace.walk import FoundFile, PackageFolder, Walked, repository_of, walk
 
 __all__ = ["FoundFile", "FoundPackage", "ManifestReader", "Workspace", "find_workspace", "root_of"]
@@ -41,11 +42,15 @@ class FoundPackage(msgspec.Struct, frozen=True):
 
 
 class Workspace(msgspec.Struct, frozen=True):
-    """The packages found, sorted by path, and what could not be read. ``root`` is absolute."""
+    """The packages found, sorted by path, and what could not be read. ``root`` is absolute.
+
+    ``hidden`` are folders with packages that an ignore marker hides, with its name.
+    """
 
     root: str
     packages: tuple[FoundPackage, ...]
     failures: tuple[Failure, ...]
+    hidden: tuple[tuple[str, str], ...] = ()
 
 
 def find_workspace(
@@ -77,7 +82,8 @@ def find_workspace(
     if not packages:
         failures.append(_empty(starts, root, seen))
     failures.sort(key=_place)
-    return Workspace(root, tuple(packages), tuple(failures))
+    hidden = tuple((path, marker) for path, marker in sorted(seen.hidden.items()) if _has_package(root, path))
+    return Workspace(root, tuple(packages), tuple(failures), hidden)
 
 
 def root_of(paths: Sequence[str | Path]) -> Path:
@@ -245,6 +251,13 @@ def _empty(starts: Sequence[str], root: str, seen: Walked) -> Failure:
         advice,
         Location(where),
     )
+
+
+def _has_package(root: str, path: str) -> bool:
+    """Return whether a package is in a hidden folder that is no output of a build: builds hide theirs, too."""
+    if not OUTPUT_NAMES.isdisjoint(path.split("/")):
+        return False
+    return any(MANIFEST_NAME in names for _, _, names in os.walk(f"{root}/{path}"))
 
 
 def _package_around(folder: str) -> str:

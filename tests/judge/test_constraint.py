@@ -77,7 +77,14 @@ def test_titles_inside_a_sentence(title: str, text: str):
         ("Nesting", "is"),
         ("Analysis status", "is"),
         ("CBO", "is"),
+        ("Coupling between classes", "is"),
     ],
 )
 def test_one_or_many(title: str, word: str):
     assert verb(title) == word
+
+
+def test_long_numbers_are_divided_into_thousands():
+    paths = constraint(maximum=250, subject="Static paths")
+    assert paths.breach_text(6_709_248, "max") == "6,709,248 static paths (limit 250, over 1,000 x)"
+    assert paths.breach_text(9_232, "max") == "9232 static paths (limit 250, 36.9 x)"

@@ -82,6 +82,8 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
         """
         subject = spoken(self.subject or self.quantity)
         shown = self.value_text(value, side)
+        if value >= _LONG and value == int(value):
+            shown = f"{value:,.0f}{self._unit_text()}"
         what = f"{shown} {subject}" if verb(subject) == "are" else f"{subject} {shown}"
         bound = self.bound(side)
         if side != MAX:
@@ -93,6 +95,8 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
         return f" {self.unit}" if self.unit in _SHOWN_UNITS else ""
 
 
+_LONG = 10_000
+"""Numbers from here on are divided into thousands: nobody counts seven digits."""
 _SHOWN_UNITS = frozenset({"%", "s", "ms", "us", "Hz", "B", "kB", "MB", "B/s", "kB/s", "MB/s"})
 
 
@@ -111,6 +115,6 @@ def spoken(title: str) -> str:
 
 def verb(title: str) -> str:
     """Return ``are`` for a title such as ``Lines of code``, else ``is``."""
-    head = title.partition(" of ")[0].partition(" per ")[0]
+    head = title.partition(" of ")[0].partition(" per ")[0].partition(" between ")[0]
     plural = any(word.endswith("s") and not word.endswith(("ss", "is", "us")) for word in head.split())
     return "are" if plural else "is"

@@ -57,7 +57,9 @@ def test_the_hardware_is_the_host_where_the_entity_is():
 
 
 def test_sentences():
-    assert sentence(verdict(State.ABSENT, quantity="presence", value=None)) == "is absent, expected 25..35 Hz"
+    assert sentence(verdict(State.ABSENT, quantity="presence", value=None)) == "is expected but not there"
+    never = msgspec.structs.replace(verdict(State.HIGH, quantity="presence"), range="<= 0")
+    assert sentence(never) == "is there, expected never"
     assert sentence(verdict(State.ABSENT, value=None)) == "is silent, expected 25..35 Hz"
     assert sentence(verdict(State.HIGH, cause="host:base")) == (
         "rate is high: 25 Hz, expected 25..35 Hz (because of host:base)"

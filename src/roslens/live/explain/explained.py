@@ -174,7 +174,9 @@ class Explained:
             if states.get(one.entity) is not State.ABSENT:
                 states[one.entity] = one.state.state
         for one in (*self._bad, *self._faults.values()):
-            own = [one.entity] if one.entity.kind is EntityKind.TOPIC else []
+            # That nothing comes on a topic starves who reads it; anything else of it is the fault itself.
+            silent = one.entity.kind is EntityKind.TOPIC and states.get(one.entity) is State.ABSENT
+            own = [one.entity] if silent else []
             first = one.entity in followers and one.entity not in causes
             one.leads_to = chain_of(self._world, [*own, *followers[one.entity]], states) if first else ""
 

@@ -22,6 +22,8 @@ from roslens.model.verdict import State, Verdict
 OK, WARN, ERROR, STALE = range(4)
 _SILENT = frozenset({"rate", "bandwidth"})
 _STATES = frozenset(of.value for of in StateOf)
+_PRESENCE = "presence"
+_TOO_MANY = {"<= 0": "is there, expected never", "<= 1": "is there more than once, expected once at most"}
 _FACTS = frozenset({GONE.id, STOPPED.id})
 
 
@@ -77,6 +79,10 @@ def sentence(verdict: Verdict) -> str:
 def _judged(verdict: Verdict) -> str:
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
+    if verdict.quantity == _PRESENCE:
+        return (
+            "is expected but not there" if verdict.state is State.ABSENT else _TOO_MANY.get(verdict.range, "is there")
+        )
     if verdict.state is not State.ABSENT:
         return f"{subject} is {verdict.state.value}: {_shown(verdict)}"
     if verdict.quantity in _SILENT:
@@ -86,7 +92,7 @@ def _judged(verdict: Verdict) -> str:
 
 def _explained(verdict: Verdict) -> str:
     """Return what was expected, and what goes with it."""
-    words = f", expected {verdict.range}" if verdict.range else ""
+    words = f", expected {verdict.range}" if verdict.range and verdict.quantity != _PRESENCE else ""
     if verdict.leads_to:
         words += f" → {verdict.leads_to}"
     if verdict.cause:

@@ -3,7 +3,14 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from roslens.cli.graph.graph_configurations import Assembled, Named, assembled, largest, named_configurations
+from roslens.cli.graph.graph_configurations import (
+    Assembled,
+    Named,
+    assembled,
+    largest,
+    most_telling,
+    named_configurations,
+)
 from roslens.cli.graph.graph_source import GraphSource
 from roslens.source.settings import DeclaredConfiguration, GraphSettings, SourceSettings
 
@@ -56,6 +63,14 @@ def test_the_largest_keep_their_order(talking):
             Named("robot", "talk/robot.launch.xml"),
         ]
         assert [one.name for one in largest(source, named, 2)] == ["all", "robot"]
+
+
+def test_what_starts_almost_the_same_as_another_comes_after_what_differs():
+    started = {"a": ("x", "y", "z"), "b": ("x", "y", "z", "b"), "c": ("u", "v"), "d": ("w",), "empty": ()}
+    assert most_telling(started, 2) == {"b", "c"}
+    assert most_telling(started, 3) == {"b", "c", "d"}
+    assert most_telling(started, 4) == {"b", "c", "d", "a"}
+    assert most_telling(started, 9) == set(started)
 
 
 def test_one_that_cannot_be_assembled_is_a_failure_and_the_others_stay(talking, monkeypatch):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
@@ -17,13 +17,14 @@ from roslens.model.judged_configuration import JudgedConfiguration
 
 if TYPE_CHECKING:
     from roslens.cli.graph.graph_source import GraphSource
+    from roslens.source.extract.facts.launched import Launch
     from roslens.source.progress import Progress
 
 LOOKING = "Looking at configurations"
 """The step in which they are assembled, one by one."""
 
 MOST = 8
-"""As many launch files are shown where nobody declares which ones matter: those that start most nodes."""
+"""As many launch files are shown where nobody declares which ones matter: those that together start most nodes."""
 
 
 class Named(msgspec.Struct, frozen=True):
@@ -50,12 +51,7 @@ class Assembled(msgspec.Struct, frozen=True):
     @property
     def note(self) -> str:
         """What readers of the pages have to know of those that were left out; empty where none were."""
-        if not self.among:
-            return ""
-        return (
-            f"{len(self.configurations)} of {self.among} launch files are shown, those that start most nodes; "
-            "`[graph.configurations]` in `roslens.toml` chooses others."
-        )
+        return note_of_left_out(len(self.configurations), self.among) if self.among else ""
 
     def judged(self) -> tuple[JudgedConfiguration, ...]:
         """Return each with what is wrong with it, as a run keeps it."""
@@ -78,6 +74,14 @@ class Assembled(msgspec.Struct, frozen=True):
         return tuple(sorted(every.values(), key=order))
 
 
+def note_of_left_out(shown: int, among: int) -> str:
+    """Return which launch files have pages, and how others get some."""
+    return (
+        f"{shown} of {among} launch files are shown, those that together start most nodes; "
+        "`[graph.configurations]` in `roslens.toml` chooses others."
+    )
+
+
 def named_configurations(source: GraphSource) -> tuple[Named, ...]:
     """Return what ``roslens.toml`` declares, or else each launch file that no other includes."""
     if declared := source.settings.graph.configurations:
@@ -90,10 +94,31 @@ def named_configurations(source: GraphSource) -> tuple[Named, ...]:
 
 
 def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tuple[Named, ...]:
-    """Return those that start most nodes, in their order."""
-    sizes = {one.name: len(source.evaluated(one.launch, one.arguments)[1].nodes) for one in named}
-    kept = set(sorted(sizes, key=lambda name: (-sizes[name], name))[:most])
+    """Return those that together start most nodes, in their order."""
+    started = {one.name: _started(source.evaluated(one.launch, one.arguments)[1]) for one in named}
+    kept = most_telling(started, most)
     return tuple(one for one in named if one.name in kept)
+
+
+def _started(launch: Launch) -> tuple[str, ...]:
+    return tuple(sorted(f"{one.namespace}{one.name}{one.package}{one.executable}{one.plugin}" for one in launch.nodes))
+
+
+def most_telling(started: Mapping[str, tuple[str, ...]], most: int = MOST) -> frozenset[str]:
+    """Return which configurations together start most nodes: what starts almost the same as another tells little.
+
+    Args:
+        started: the names of the nodes that each of them starts.
+        most: so many are returned.
+    """
+    left = {name: set(nodes) for name, nodes in started.items()}
+    chosen: list[str] = []
+    seen: set[str] = set()
+    while left and len(chosen) < most:
+        best = min(left, key=lambda name: (-len(left[name] - seen), -len(started[name]), name))
+        seen |= left.pop(best)
+        chosen.append(best)
+    return frozenset(chosen)
 
 
 def telling_first(found: Assembled) -> Assembled:

@@ -51,7 +51,7 @@ def cache_of(view: RunView, options: argparse.Namespace) -> Path | None:
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     """Return the configurations that a run keeps, whatever became of its files; None where it keeps none."""
-    from roslens.cli.graph.graph_configurations import MOST, Assembled, telling_first
+    from roslens.cli.graph.graph_configurations import MOST, Assembled, most_telling, telling_first
 
     every = view.configurations()
     found = tuple(one for one in every if not one.configuration.unstarted)
@@ -60,9 +60,10 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     declared = bool(_settings_of(view.header).graph.configurations)
     among = 0
     if not declared and len(found) > MOST:
-        sizes = {one.name: -len(one.configuration.nodes) for one in found}
         among = len(found)
-        largest = set(sorted(sizes, key=lambda name: (sizes[name], name))[:MOST])
+        largest = most_telling(
+            {one.name: tuple(sorted(node.name for node in one.configuration.nodes)) for one in found}
+        )
         if not quiet:
             _tell_left_out(len(largest), len(found))
         found = tuple(one for one in found if one.name in largest)
@@ -100,11 +101,14 @@ def shown_graphs(
     settings = _settings_of(header)
     progress.step("Reading launch files and code", 0)
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=cache, jobs=0, progress=progress) as source:
-        found = assembled(source, _chosen(source, quiet=quiet), progress)
+        chosen, left_out = _chosen(source, quiet=quiet)
+        found = assembled(source, chosen, progress)
         changed = changed_files(view, source.paths)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
-    return found if settings.graph.configurations else telling_first(found), _note(changed)
+    return found if settings.graph.configurations else telling_first(found), " ".join(
+        filter(None, (left_out, _note(changed)))
+    )
 
 
 def _note(changed: tuple[str, ...]) -> str:
@@ -130,21 +134,24 @@ def _settings_of(header: RunHeader) -> SourceSettings:
         return SourceSettings()
 
 
-def _chosen(source: GraphSource, *, quiet: bool) -> tuple[Named, ...]:
-    from roslens.cli.graph.graph_configurations import largest, named_configurations
+def _chosen(source: GraphSource, *, quiet: bool) -> tuple[tuple[Named, ...], str]:
+    """Return the configurations that are shown, and what readers have to know of those that are not."""
+    from roslens.cli.graph.graph_configurations import largest, named_configurations, note_of_left_out
 
     named = named_configurations(source)
     if source.settings.graph.configurations:
-        return named
+        return named, ""
     chosen = largest(source, named)
-    if len(chosen) < len(named) and not quiet:
+    if len(chosen) == len(named):
+        return chosen, ""
+    if not quiet:
         _tell_left_out(len(chosen), len(named))
-    return chosen
+    return chosen, note_of_left_out(len(chosen), len(named))
 
 
 def _tell_left_out(shown: int, all_: int) -> None:
     print(
-        f"roslens: the computation graphs of {shown} of {all_} launch files are shown, those that start most nodes; "
-        "[graph.configurations] in roslens.toml chooses others",
+        f"roslens: the computation graphs of {shown} of {all_} launch files are shown, those that together start most "
+        "nodes; [graph.configurations] in roslens.toml chooses others",
         file=sys.stderr,
     )

@@ -136,7 +136,8 @@ def test_files_outside_packages_are_no_package_in_any_count(run: Run, site: Site
     assert f" {packages} package{'s' * (packages != 1)}, " in run.text.splitlines()[0]
     facts = page(site, "overview").facts
     assert facts["counts"]["packages"] == packages
-    assert facts["headline"].endswith(f" of {packages} package{'s' * (packages != 1)}.")
+    beside = " and outside of packages" * (name == "of_two_packages")
+    assert facts["headline"].endswith(f" of {packages} package{'s' * (packages != 1)}{beside}.")
     assert page(site, "packages").shown["of_all"] == packages
     findings = [one for one in run.report["findings"] if one["package"] != "(outside packages)"]
     owners = {(one["rule"], one["severity"], one["package"]) for one in findings}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.review import Review
 from roslens.dashboard.sources.source_text import ReadSource, Sources
-from roslens.dashboard.totals import FilePlace, RuleTotal
+from roslens.dashboard.totals import FilePlace, RuleTotal, by_rule
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.select import EVERY
 from roslens.judge.ranges.range import Range
@@ -237,6 +237,13 @@ class Site:
         ]
         totals.sort(key=lambda total: (-total.severity.rank, -total.gated, -total.count, total.rule))
         return tuple(totals)
+
+    def broken_rules(self) -> tuple[RuleTotal, ...]:
+        """Return each rule that is broken once, with the gravest severity that its findings have, in the same order."""
+        owners: dict[str, set[str]] = defaultdict(set)
+        for owner, count in self.counts():
+            owners[count.rule].add(owner)
+        return by_rule(self.rule_totals(), {rule: number_of_packages(names) for rule, names in owners.items()})
 
     @cached_property
     def tag_counts(self) -> dict[str, int]:

@@ -10,6 +10,7 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.charts.line_chart import day
+from roslens.dashboard.computation.graph_page import alike
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.field_column import field_cell, field_column
 from roslens.dashboard.tables.table import Cell, Column, Table
@@ -19,7 +20,7 @@ from roslens.judge.quality.quality_model import QualityModel, rule_id
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
-from roslens.model.source import number_of_packages
+from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
 from roslens.model.words.plural import plural
 from roslens.report.run.fix_first import first_to_fix, new_before_others
@@ -33,7 +34,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
     severities = site.severity_counts()
     aside = sum(one.count - one.gated for one in site.rule_totals())
     own = sum(severities.values())
-    broken = (package.id for package in site.packages if any(count.gated for count in package.rules))
+    broken = {package.id for package in site.packages if any(count.gated for count in package.rules)}
     packages = number_of_packages(site.by_id)
     counts = {
         "packages": packages,
@@ -51,7 +52,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         ref=PageRef("overview"),
         title="Overview",
         facts={
-            "headline": headline(severities, number_of_packages(broken), packages),
+            "headline": headline(severities, number_of_packages(broken), packages, outside=OUTSIDE_PACKAGES in broken),
             "counts": counts,
             "gate": msgspec.to_builtins(site.gate) if site.gate else None,
             "since_run": _since_run(site),
@@ -74,7 +75,12 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
             "tools": dict(header.tools),
         },
         tables=(_worst(site), _rules(site), _conditions(site)),
-        shown={"severities": severities, "counts": counts, "since": since_release(site)},
+        shown={
+            "severities": severities,
+            "counts": counts,
+            "since": since_release(site),
+            "systems": alike(site.book.systems.values()),
+        },
     )
 
 
@@ -117,14 +123,15 @@ def _place(one: RuleCount) -> dict[str, object] | None:
     return {"path": one.path, "line": int(found[1] or 0), "text": found[0]} if found is not None else None
 
 
-def headline(severities: Mapping[Severity, int], affected: int, packages: int) -> str:
+def headline(severities: Mapping[Severity, int], affected: int, packages: int, *, outside: bool = False) -> str:
     """Return the first sentence of the report: what counts for gates, as the terminal has it."""
     amounts = [plural(count, severity.value) for severity, count in severities.items() if count]
     if not packages and not amounts:
         return "No package was found."
     if not amounts:
         return f"No findings in {plural(packages, 'package')}."
-    return f"{', '.join(amounts)} in {affected:,} of {plural(packages, 'package')}."
+    beside = " and outside of packages" if outside else ""
+    return f"{', '.join(amounts)} in {affected:,} of {plural(packages, 'package')}{beside}."
 
 
 def _sum(counts: Iterable[dict[str, int]]) -> list[tuple[str, int]]:
@@ -182,7 +189,7 @@ def _listed(package: str, role: str) -> PageRef:
 
 
 def _rules(site: Site) -> Table:
-    totals = site.rule_totals()
+    totals = site.broken_rules()
     columns = (
         Column("severity", "Severity", "mark"),
         Column("rule", "Rule"),

@@ -14,11 +14,7 @@ def build(site: Site, request: Request) -> View | None:
     query = request.query
     include, exclude, text = query.all("include"), query.all("exclude"), query.get("text").strip()
     wanted = tag_filter(include, exclude)
-    counts = {total.rule: (0, 0, 0) for total in site.rule_totals()}
-    for total in site.rule_totals():
-        own, aside, packages = counts[total.rule]
-        aside += total.count - total.gated
-        counts[total.rule] = (own + total.gated, aside, max(packages, total.packages))
+    counts = {one.rule: (one.gated, one.count - one.gated, one.packages) for one in site.broken_rules()}
     columns = (
         Column("severity", "Severity", "mark"),
         Column("title", "What it finds"),

@@ -130,7 +130,7 @@ def test_a_list_that_is_cut_says_how_many_there_are_once(visit: Visit) -> None:
     count = visit("/findings?role=gated").locator("#findings .bar-line .count").first
     assert re.fullmatch(r"[\d,]+ of [\d,]+ shown", count.inner_text())
     all_of_it = visit("/findings").locator("#findings .bar-line .count").first
-    assert re.fullmatch(r"[\d,]+ of [\d,]+ shown: [\d,]+ and [\d,]+ elsewhere", all_of_it.inner_text())
+    assert re.fullmatch(r"[\d,]+ of [\d,]+ shown: [\d,]+ in own code and [\d,]+ elsewhere", all_of_it.inner_text())
 
 
 def test_numbers_of_findings_are_worded_as_such(visit: Visit) -> None:

@@ -33,6 +33,22 @@ def test_dates_do_not_stand_on_one_another(count):
     assert len(begins) >= min(count, 5)
 
 
+@pytest.mark.parametrize(
+    ("most", "texts"),
+    [
+        (5_000, ["0", "2,000", "4,000", "6,000"]),
+        (87_000, ["0", "50 k", "100 k"]),
+        (900_000, ["0", "500 k", "1,000 k"]),
+        (2_000_000, ["0", "0.5 M", "1.0 M", "1.5 M", "2.0 M"]),
+        (30_000_000, ["0", "10 M", "20 M", "30 M"]),
+    ],
+)
+def test_amounts_are_as_short_as_their_room_is_narrow(most, texts):
+    chart = line_chart(points(2), [("all", [0, most])], [], 0)
+    assert chart is not None
+    assert [text for _, text in chart.up] == texts
+
+
 def test_a_gap_is_a_gap():
     chart = line_chart(points(5), [("all", [1, 2, None, 3, 4]), ("none", [None] * 5)], [], 0)
     assert chart is not None

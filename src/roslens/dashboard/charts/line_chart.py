@@ -91,7 +91,7 @@ def line_chart(
     return LineChart(
         tuple(lines),
         _across(points, x),
-        tuple((y(tick), number(tick, _digits_of(ticks))) for tick in ticks),
+        tuple((y(tick), _tick_text(tick, ticks)) for tick in ticks),
         _marks(events, x),
     )
 
@@ -136,6 +136,15 @@ def _ticks(least: float, most: float) -> tuple[float, float, list[float]]:
     width = next(step * power for step in (1, 2, 5, 10) if step * power >= raw * 0.999)
     first, last = math.floor(low / width), math.ceil(most / width)
     return first * width, last * width, [place * width for place in range(first, last + 1)]
+
+
+def _tick_text(tick: float, ticks: Sequence[float]) -> str:
+    """Return what a line across the plot stands for; beside it there is room for six letters."""
+    for size, sign, least in ((1e6, " M", 2e6), (1e3, " k", 1e4)):
+        if ticks[-1] >= least:
+            scaled = [one / size for one in ticks]
+            return f"{number(tick / size, _digits_of(scaled))}{sign}" if tick else "0"
+    return number(tick, _digits_of(ticks))
 
 
 def _digits_of(ticks: Sequence[float]) -> int:

@@ -30,7 +30,7 @@ def said(terminal):
 
 def test_a_question_says_what_and_why_and_is_answered(terminal):
     terminal.ask(decision(1), 160.0)
-    assert "[1] restart node:/driver (grace: 1.0) (it is slow), because topic /scan is low? y or n within 60 s" in said(
+    assert "[1] restart node:/driver (grace: 1 s) (it is slow), because topic /scan is low? y or n within 60 s" in said(
         terminal
     )
     assert terminal.answers() == []

@@ -23,7 +23,7 @@ def test_it_is_shown_with_what_it_was_done_for(path, capsys):
     assert main(["journal"]) == 0
     day, decided, outcome = capsys.readouterr().out.splitlines()
     assert day.startswith("2001-09-0")
-    assert "[r/1.0]  restart node:/driver (grace: 2.0)  about topic:/scan  because topic /scan is low = 3.5" in decided
+    assert "[r/1.0]  restart node:/driver (grace: 2 s)  about topic:/scan  because topic /scan is low = 3.5" in decided
     assert "0.250 s  done  started [2J again" in outcome
 
 

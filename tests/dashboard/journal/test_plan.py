@@ -13,6 +13,7 @@ from roslens.dashboard.live.further import Further
 from roslens.dashboard.server import create_app
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.window.signals import BY_KEY
+from roslens.report.history.journal_text import action_text
 from roslens.store.journals.journal import Journal
 
 REFERENCE = """
@@ -65,7 +66,7 @@ def test_each_countermeasure_is_said_in_words(shown):
     assert second["when"] == "topic /scan is absent"
     page = client.get("/plan").text
     assert NASTY not in page
-    assert "Nothing was decided by it yet." in page
+    assert "No decision yet." in page
     assert "needs approval" in page
 
 
@@ -119,3 +120,9 @@ def test_what_is_no_address_leads_nowhere(shown, page):
     with Journal(path) as journal:
         journal.add("began", 100.0, mode="ask", page=page)
     assert "What is asked before it is done" not in client.get("/plan").text
+
+
+def test_durations_have_their_unit():
+    action = {"kind": "restart", "target": "node:/lidar", "arguments": {"grace": 1.0, "whole_process": True}}
+    assert action_text(action) == "restart node:/lidar (grace: 1 s, whole_process: true)"
+    assert action_text({"kind": "unheard of", "arguments": {"grace": 1.0}}) == "unheard of (grace: 1.0)"

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from roslens.model.acting.action_kind import ArgumentType, action_kind
 from roslens.store.journals.journal_entry import Entry
 
 _QUIET = ("decision", "action", "because", "place", "fields", "bytes")
@@ -51,8 +52,20 @@ def action_text(action: Mapping[str, Any]) -> str:
     target = action.get("target") or ""
     if isinstance(target, dict):
         target = f"{target.get('kind', '')}:{target.get('name', '')}"
-    arguments = ", ".join(f"{key}: {_plain(value)}" for key, value in (action.get("arguments") or {}).items())
-    return " ".join(filter(None, (str(action.get("kind", "")), str(target), f"({arguments})" if arguments else "")))
+    kind = str(action.get("kind", ""))
+    arguments = ", ".join(
+        f"{key}: {_argument(kind, key, value)}" for key, value in (action.get("arguments") or {}).items()
+    )
+    return " ".join(filter(None, (kind, str(target), f"({arguments})" if arguments else "")))
+
+
+def _argument(kind: str, key: str, value: object) -> str:
+    """Return an argument as it is written in a reference: durations have their unit."""
+    known = action_kind(kind)
+    argument = known.argument(key) if known is not None else None
+    if argument is not None and argument.type is ArgumentType.DURATION and isinstance(value, (int, float)):
+        return f"{value:g} s"
+    return _plain(value)
 
 
 def because_text(causes: Any) -> str:

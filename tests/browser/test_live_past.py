@@ -85,6 +85,16 @@ def test_the_slider_and_its_marks_lead_to_moments(follow: Open) -> None:
     expect(page.locator("#moment")).to_have_text("now")
 
 
+def test_the_handle_stands_at_the_end_where_the_end_is_shown(follow: Open) -> None:
+    page = follow()
+    expect(page.locator("#slider")).to_be_visible()
+    assert page.locator("#slider").evaluate("(one) => one.value === one.max")
+    page.locator("#slider").evaluate(SLIDE, KILLED)
+    expect(page.locator("#moment")).to_have_text("12:00:40.0")
+    page.locator("#slider").evaluate(SLIDE, page.locator("#slider").get_attribute("max"))
+    expect(page.locator("#moment")).to_have_text("now")
+
+
 def test_playback_goes_on_and_ends_at_now(follow: Open) -> None:
     page = follow("/?at=60")
     page.locator("#speed").select_option("60")

@@ -68,15 +68,16 @@ export class Moments {
     const { slider, found } = this;
     const step = Math.max(0.5, (this.last - found.first) / STEPS);
     slider.min = found.first;
-    slider.max = this.last;
     slider.step = Math.round(step * 10) / 10;
-    slider.value = this.at ?? this.last;
+    // A whole number of steps, else the handle cannot stand at the end.
+    slider.max = found.first + Math.ceil((this.last - found.first) / slider.step) * slider.step;
+    slider.value = this.at ?? slider.max;
     slider.setAttribute("aria-valuetext", this.at === null ? (this.live ? "now" : "the end") : written(this.at));
   }
 
   drawMarks() {
     const { first } = this.found;
-    const length = Math.max(this.last - first, 0.001);
+    const length = Math.max(this.slider.max - first, 0.001);
     this.marks.replaceChildren(...this.found.marks.filter((one) => one.time >= first).map((one) => {
       const words = `${one.when} ${one.name} ${KINDS[one.kind] || one.kind}${one.detail ? `: ${one.detail}` : ""}${one.count > 1 ? ` and ${one.count - 1} more` : ""}`;
       const x = (100 * (one.time - first)) / length;

@@ -59,14 +59,14 @@ export class Picture {
     if (!this.whole && this.camera.k < READABLE) this.begin();
   }
 
-  /** Show what is worst, else what most is joined to, where its names can be read. */
+  /** Show the first cause of what is wrong, else what is worst, else what most is joined to, where names can be read. */
   begin() {
     const joined = new Map();
     for (const one of this.lines.values()) for (const end of [one.start, one.end]) joined.set(end, (joined.get(end) || 0) + 1);
     const rank = ([key, { is }]) => [GRAVE.includes(is) ? GRAVE.length - GRAVE.indexOf(is) : 0, joined.get(key) || 0];
     const first = [...this.items].reduce((a, b) => { const [x, y] = [rank(a), rank(b)]; return y[0] > x[0] || (y[0] === x[0] && y[1] > x[1]) ? b : a; });
     const room = this.camera.size();
-    const [x, y] = this.placeOf(first[0]);
+    const [x, y] = this.placeOf(this.foremost) || this.placeOf(first[0]);
     const within = (at, size, long) => (size < long ? size / 2 : Math.max(long / 2, Math.min(size - long / 2, at)));
     this.camera.showAt(LEGIBLE, within(x, this.size.width, room.width / LEGIBLE), within(y, this.size.height, room.height / LEGIBLE));
     // From now on it moves as the reader moves it.
@@ -95,7 +95,8 @@ export class Picture {
     this.camera.zoom(factor);
   }
 
-  update({ picture }) {
+  update({ picture, alerts = [] }) {
+    this.foremost = alerts[0]?.entity;
     const items = picture.items || [];
     const links = picture.links || [];
     const moved = picture.version !== this.version;
@@ -230,7 +231,7 @@ export class Picture {
     }
     this.light();
     const place = this.placeOf(this.selected) || this.placeOf([...this.lines.values()].find((one) => one.by.includes(this.selected))?.start);
-    if (reveal && place) this.camera.reveal(place[0], place[1]);
+    if (reveal && place) this.camera.reveal(place[0], place[1], 0.25);
   }
 
   placeOf(entity) {

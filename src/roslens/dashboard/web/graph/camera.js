@@ -80,13 +80,13 @@ export class Camera {
     this.moved();
   }
 
-  /** Bring a point of the scene into view if it is outside. */
-  reveal(x, y) {
+  /** Bring a point of the scene into view if it is outside, with a part of the canvas around it for what it is joined to. */
+  reveal(x, y, around = 0) {
     const { width, height } = this.size();
     const [sx, sy] = [this.k * x + this.x, this.k * y + this.y];
-    const pad = 60;
-    const dx = sx < pad ? pad - sx : sx > width - pad ? width - pad - sx : 0;
-    const dy = sy < pad ? pad - sy : sy > height - pad ? height - pad - sy : 0;
+    const [left, top] = [Math.max(60, around * width), Math.max(60, around * height)];
+    const dx = sx < left ? left - sx : sx > width - left ? width - left - sx : 0;
+    const dy = sy < top ? top - sy : sy > height - top ? height - top - sy : 0;
     if (dx || dy) this.pan(dx, dy);
   }
 

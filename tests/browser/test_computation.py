@@ -380,7 +380,7 @@ def test_lines_between_nodes_have_names_and_marks_and_can_be_selected(visit: Vis
 
 def test_a_way_leads_from_one_to_another_along_the_arrows(visit: Visit) -> None:
     page = visit("/computation/rover?select=node/lidar")
-    field = page.get_by_label("Way from what is selected to")
+    field = page.get_by_label("Path from the selection to")
     field.fill("/cmd_vel")
     field.press("Enter")
     way = page.locator("ol.way li")

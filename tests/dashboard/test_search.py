@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from roslens.dashboard.pages.search import _brief, _order, build, everything
+from roslens.dashboard.pages.search import MOST, _brief, _order, build, everything
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Query, Request
 
@@ -61,3 +61,14 @@ def test_files_of_own_code_come_before_those_of_tests(in_two: Site) -> None:
     roles = {more for kind, _, more, _ in everything(in_two) if kind == "file"} - {""}
     for role in roles:
         assert all(role in name for kind, name in found(in_two, role) if kind == "file"), "a role is no name"
+
+
+def test_what_is_cut_leads_to_all_of_it(in_two: Site) -> None:
+    cut = build(in_two, Request(query=Query((("q", "a"),))))
+    assert cut is not None
+    table = cut.tables[0]
+    assert (len(table.rows), table.total > MOST) == (MOST, True)
+    assert table.all is not None
+    every = build(in_two, Request(query=Query(table.all.query)))
+    assert every is not None
+    assert (len(every.tables[0].rows), every.tables[0].all) == (table.total, None)

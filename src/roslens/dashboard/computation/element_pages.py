@@ -79,6 +79,7 @@ def build_node(book: Book, request: Request) -> View | None:
         facts={"node": {key: value for key, value in _node_facts(node).items() if value}},
         shown={
             "facts": _node_rows(book, system, node),
+            "unknown": node.defined is None and not own,
             "unresolved": [
                 (one, book.place(one.proof)) for one in system.configuration.unresolved if one.node == node.name
             ],

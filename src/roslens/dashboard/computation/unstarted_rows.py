@@ -19,8 +19,10 @@ _COLUMNS = (
     Column("type", "Type", "code"),
     Column("place", "Made at", "code"),
     Column("conditions", "Only if", "code", sparse=True),
-    Column("reason", "Why it is in no node"),
+    Column("reason", "Why"),
 )
+_SHORT = {"program": "not built", "script": "not started", "plugin": "not loaded", "library": "not used"}
+"""Why it is in no node, so short that rows stay low; all of it is the hint, and in the twins."""
 
 
 def unstarted_table(book: Book, generation: str = "", package: str = "") -> Table:
@@ -51,5 +53,5 @@ def _row(book: Book, node: ConfiguredNode, end: ConfiguredEndpoint) -> tuple[Cel
         Cell(end.endpoint.type, text="" if end.endpoint.type else "unknown"),
         book.place(end.proof),
         conditions_cell(end.conditions),
-        Cell(REASONS.get(node.kind, "")),
+        Cell(REASONS.get(node.kind, ""), text=_SHORT.get(node.kind, ""), hint=REASONS.get(node.kind, "")),
     )

@@ -98,7 +98,8 @@ def _table(
     limit: int | None,
 ) -> Table:  # fmt: skip
     sides = tuple(
-        Column(f"side{place}", KIND_WORDS[kind], "code", hint=side)
+        # Of two recordings the heading says which.
+        Column(f"side{place}", side if found.kinds.count(kind) > 1 else KIND_WORDS[kind], "code", hint=side)
         for place, (side, kind) in enumerate(zip(found.titles, found.kinds, strict=True))
     )
     columns = (

@@ -26,7 +26,7 @@ _COLUMNS = (
     Column("changed_by", "Last changed by", sparse=True),
     Column("changed", "On", "day", sparse=True),
     Column("commit", "Commit", "code", sparse=True),
-    Column("subject", "What it was about", optional=True, sparse=True),
+    Column("subject", "Commit message", optional=True, sparse=True),
 )
 
 
@@ -51,7 +51,7 @@ def build(site: Site, request: Request, page: str) -> View | None:
         (_file(path, line), _node(site, view, system.elements[node].name, node, is_node), *_about(site, path))
         for (path, node), line in files.items()
     )
-    title = "The code of it" if is_node else "The code at its ends"
+    title = "Its code" if is_node else "The code at its ends"
     table = Table("code", title, _COLUMNS, rows, total=len(rows), identities=tuple(map(str, range(len(rows)))))
     return msgspec.structs.replace(view, tables=(table, *view.tables))
 

@@ -14,6 +14,8 @@ from roslens.dashboard.view import Request, View
 from roslens.model.source import Role
 
 MOST = 50
+MOST_OF_ALL = 2000
+"""Rows where all are asked for: nobody reads more."""
 
 
 def build(site: Site, request: Request) -> View | None:
@@ -21,11 +23,15 @@ def build(site: Site, request: Request) -> View | None:
     text = request.query.get("q").strip()
     needle = text.casefold()
     found = [entry for entry in everything(site) if needle and needle in _searched(*entry[:3])]
-    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_order(needle, *item[1][:3]), item[0]))
+    most = MOST_OF_ALL if request.query.get("show") == "all" or request.complete else MOST
+    best = heapq.nsmallest(most, enumerate(found), key=lambda item: (_order(needle, *item[1][:3]), item[0]))
     rows = tuple((Cell(kind), Cell(name, ref=ref), Cell(more)) for _, (kind, name, more, ref) in best)
     columns = (Column("kind", "Kind"), Column("name", "Name"), Column("more", "What it is"))
     empty = "Nothing has this in its name." if text else "Type a part of a name."
-    table = Table("results", "Results", columns, rows, total=len(found), empty=empty)
+    every = PageRef("search", query=request.query.replaced(show="all"))
+    table = Table(
+        "results", "Results", columns, rows, total=len(found), empty=empty, all=every if most == MOST else None
+    )
     return View(
         ref=PageRef("search", query=request.query.pairs),
         title="Search",

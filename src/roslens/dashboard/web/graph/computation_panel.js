@@ -58,9 +58,9 @@ export class TellingStage extends Stage {
       found.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${figure(found.length)} shown; the table below has all.` }) : null,
     ].filter(Boolean);
     return [
-      make("h3", { text: `Findings (${figure(sure.length + doubted.length)})` }),
+      make("h3", { text: `Findings (${figure(sure.length)})` }),
       ...(sure.length ? list(sure) : []),
-      doubted.length ? make("details", { open: number >= 0 }, make("summary", { text: `${figure(doubted.length)} in doubt` }), ...list(doubted)) : null,
+      doubted.length ? make("details", { open: number >= 0 }, make("summary", { text: `${figure(doubted.length)} more in doubt` }), ...list(doubted)) : null,
     ];
   }
 

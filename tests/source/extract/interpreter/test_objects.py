@@ -39,6 +39,36 @@ def test_a_list_in_braces_is_no_text_whose_signs_are_items(node_of):
     assert str(one.name) == "{each of parameter ids}"
 
 
+@pytest.mark.parametrize(
+    "members", ["std::shared_ptr<tf2_ros::TransformListener> tf_;", "tf2_ros::TransformListener * tf_;"]
+)
+@pytest.mark.parametrize("first", ["", ", tf_()", ", tf_{}", ", tf_(nullptr)"])
+def test_a_pointer_that_is_made_of_nothing_points_to_nothing(units, members, first):
+    text = f"class A : public rclcpp::Node {{ public: A() : Node(\"a\"){first} {{}} {members} }};"
+    (facts,) = units(a_cpp="#include <tf2_ros/transform_listener.h>\n#include <rclcpp/rclcpp.hpp>\n" + text)
+    assert not facts.endpoints
+
+
+@pytest.mark.parametrize(
+    "declared", ["tf2_ros::TransformListener * one{};", "std::unique_ptr<tf2_ros::TransformListener> one{};"]
+)
+def test_so_does_one_that_is_local(node_of, declared):
+    assert not node_of(declared, before="#include <tf2_ros/transform_listener.h>\n").endpoints
+
+
+def test_what_holds_pointers_is_no_pointer(units):
+    text = """
+#include <rclcpp/rclcpp.hpp>
+struct Topics { Topics() : name("made") {} std::string name; std::map<std::string, std::shared_ptr<int>> all; };
+class A : public rclcpp::Node { public:
+  A() : Node("a"), held_() { pub_ = create_publisher<std_msgs::msg::String>(held_.name, 1); }
+  Topics held_;
+};
+"""
+    (facts,) = units(a_cpp=text)
+    assert [one.name.known for one in facts.endpoints] == ["made"]
+
+
 def test_lists_that_a_constructor_initialises(units):
     text = """
 #include <rclcpp/rclcpp.hpp>

@@ -280,6 +280,13 @@ _TEXTS = ("std.string", "string", "QString", "std.string_view")
 _LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
 
 
+def is_pointer(declared: str) -> bool:
+    """Whether a type as written is a pointer: one that is made of nothing points to nothing."""
+    head, bracket, rest = declared.partition("<")
+    outer = head + rest.rpartition(">")[2] if bracket else declared
+    return "*" in outer or outer.rstrip(" &").lower().endswith("ptr")
+
+
 def is_list(declared: str) -> bool:
     """Whether a type as written is a list of items."""
     return declared.removeprefix("const ").startswith(_LISTS)

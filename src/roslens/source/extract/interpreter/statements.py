@@ -20,7 +20,7 @@ from roslens.source.extract.domain.kinds import items_of, text_of
 from roslens.source.extract.domain.owned_pointer import owns_first
 from roslens.source.extract.interpreter.assignments import assigned
 from roslens.source.extract.interpreter.loops import block_of_loop, left, looped, without_ways_out
-from roslens.source.extract.interpreter.objects import is_list
+from roslens.source.extract.interpreter.objects import is_list, is_pointer
 from roslens.source.extract.ir.program import (
     NO_BREAK,
     Assign,
@@ -92,6 +92,8 @@ def _initialised_with(ctx: Context, name: str, declared: str, value: Value) -> V
     items = items_of(value)
     if "ptr" in declared.lower() and owns_first(items):
         return items[0]
+    if not items and is_pointer(declared):
+        return None
     if not is_list(declared):
         return ctx.objects.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
     match items:

@@ -174,3 +174,8 @@ public:
         ("in", "std_msgs/String"),
     ]
     assert as_written(facts.endpoints[1].conditions)[0] == "somebody subscribes"
+
+
+@pytest.mark.parametrize("given", ["boost::bind(&B::x, this, _1)", "std::bind(&B::x, this)", "[this](const M & m) {}"])
+def test_what_is_given_a_function_first_is_no_subscription_of_ros(main_of, given):
+    assert not main_of(f"lib::Gps gps; gps.subscribe<M>({given}, 1);").endpoints

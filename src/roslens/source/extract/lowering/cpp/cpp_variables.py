@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from tree_sitter import Node
 
-from roslens.source.extract.ir.program import Assign, Call, Expression, Item, Member, Name, Sequence, Statement
+from roslens.source.extract.ir.program import Assign, Call, Expression, Item, Literal, Member, Name, Sequence, Statement
 from roslens.source.extract.lowering.cpp.cpp_expressions import Expressions
 from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered, name_of
 from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, name_and_templates
@@ -99,6 +99,8 @@ class Variables:
             return self._lower(value)
         if written[:1] in b"*&" or b"[" in written:
             values = self._expressions.several(value)
+            if not values and b"[" not in written:
+                return Literal(None)
             return values[0] if len(values) == 1 and b"[" not in written else Sequence(values)
         return self._expressions.construct(self._lowered.text(type_), value, node)
 

@@ -19,7 +19,9 @@ from roslens.source.extract.domain.abstract_value import (
 )
 from roslens.source.extract.domain.earlier_values import else_before
 from roslens.source.extract.domain.kinds import first_of_kind, is_whole, name_of
+from roslens.source.extract.interpreter.language_calls import BINDS
 from roslens.source.extract.interpreter.vocabulary import CallSite, below, method, node_of, outer
+from roslens.source.extract.ir.program import Call, Name
 from roslens.source.extract.overlays.language.command_words import given_to_ros
 from roslens.source.extract.overlays.ros.emit import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.overlays.ros.emit_write import write_parameter
@@ -145,7 +147,7 @@ def subscribe(ctx: Context, thing: Value, called: CallSite) -> Value:
     match thing:
         case Handle():
             pass
-        case _ if not called.templates and len(called.arguments) < 2:
+        case _ if _is_function(called) or (not called.templates and len(called.arguments) < 2):
             return Unknown("result of subscribe()")
     callback = _callback(ctx, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(callback)
@@ -154,6 +156,17 @@ def subscribe(ctx: Context, thing: Value, called: CallSite) -> Value:
         ctx, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
         callback=callback,
     )  # fmt: skip
+
+
+def _is_function(called: CallSite) -> bool:
+    """Return whether a call is given a function first, where a handle takes a name: another library subscribes so."""
+    match called.written[:1]:
+        case (Call(function=Name(name=name)),) if name in BINDS:
+            return True
+    match called.argument(0):
+        case Callable():
+            return True
+    return False
 
 
 def _callback(ctx: Context, called: CallSite, place: int, takes: int = 0) -> Value:

@@ -10,12 +10,14 @@ def test_ros_2_takes_it(name):
     assert topic_fault(name, ros1=False) == ""
 
 
-@pytest.mark.parametrize("name", ["", "a-b", "a b", "~a", "a/~/b", "a//b", "a/", "1a", "a/1b", "a.b", "é"])
+@pytest.mark.parametrize(
+    "name", ["", "a-b", "a b", "~a", "a/~/b", "a//b", "a/", "1a", "a/1b", "/1a", "~/1a", "a.b", "é"]
+)
 def test_ros_2_refuses_it(name):
     assert topic_fault(name, ros1=False)
 
 
-@pytest.mark.parametrize("name", ["a", "/a/b", "~a", "~/a", "a/", "a//b", "a/1b"])
+@pytest.mark.parametrize("name", ["a", "/a/b", "~a", "~/a", "a/", "a//b", "a/1b", "/1a", "~1a", "~/1a"])
 def test_ros_1_takes_it(name):
     assert topic_fault(name, ros1=True) == ""
 

@@ -21,14 +21,21 @@ def topic_fault(name: str, *, ros1: bool) -> str:
         return ""
     if "~" in plain[1:]:
         return "has a ~ behind its beginning"
-    if plain.startswith("~") and not ros1 and len(plain) > 1 and not plain.startswith("~/"):
+    if ros1:
+        # `ros::names::validate` looks at the first character of the whole name: `/2d_map` is one.
+        return "begins with a digit" if plain[:1].isdigit() else ""
+    return _fault_in_ros2(plain)
+
+
+def _fault_in_ros2(plain: str) -> str:
+    """Return why ROS 2 refuses a name of allowed characters, whose substitutions are replaced."""
+    if plain.startswith("~") and len(plain) > 1 and not plain.startswith("~/"):
         return "has no / behind its ~"
-    if plain.endswith("/") and len(plain) > 1 and not ros1:
+    if plain.endswith("/") and len(plain) > 1:
         return "ends with /"
-    if "//" in plain and not ros1:
+    if "//" in plain:
         return "has // in it"
-    tokens = plain.lstrip("~/").split("/")
-    if any(token[:1].isdigit() for token in (tokens[:1] if ros1 else tokens)):
+    if any(token[:1].isdigit() for token in plain.lstrip("~/").split("/")):
         return "has a part that begins with a digit"
     return ""
 

@@ -46,9 +46,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.topic_name",
     title="Name that ROS refuses",
-    finds="A literal name of a topic or service that is no valid name: a dash or a space, `~name` without a slash in "
-    "ROS 2, a "
-    "part that begins with a digit. Rename it.",
+    finds="A literal name of a topic or service that is no valid name: a dash or a space; in ROS 2 `~name` "
+    "without a slash and a part that begins with a digit; in ROS 1, which looks at the first character alone, a name "
+    "that begins with one (`/2d_map` is fine there). Rename it.",
     why="The call that makes the endpoint throws InvalidTopicNameError (ROS 2) or InvalidNameException (ROS 1): the "
     "node ends "
     "when it gets there, which may be long after its start.",

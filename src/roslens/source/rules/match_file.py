@@ -19,6 +19,7 @@ from roslens.model.failure import Failure
 from roslens.source.rules.code_pattern import WORD_BYTES
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.python.unreadable import without_what_never_runs
 from roslens.source.rules.rule import TESTS, TESTS_HINTS, TOOL, FileRule
 from roslens.source.rules.switched_off import switched_off
 from roslens.source.rules.table import file_rules
@@ -127,6 +128,8 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
         asked.ask(rule, nodes)
     if view.syntax == "cpp" and (off := switched_off(view.code)):
         found = [hit for hit in found if not any(hit.line in lines for lines in off)]
+    if view.syntax == "python":
+        found = without_what_never_runs(found, view)
     found.sort(key=_order)
     return Matched(tuple(_once(found)), tuple(broken[one] for one in sorted(broken)))
 

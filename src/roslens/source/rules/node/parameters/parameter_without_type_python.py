@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, call_at, keywords
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -20,8 +21,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.parameter_without_type_python",
             call,
-            f"`{view.text(call)}` names neither a value nor a type, which rclpy warns of; expected a default, or "
-            "`Parameter.Type.…`",
+            f"`{view.text(call)}` names neither a value nor a type, which rclpy warns of since Galactic; expected a "
+            "default, or `Parameter.Type.…`",
         )
 
 
@@ -29,9 +30,10 @@ RULE = FileRule(
     id="node.parameter_without_type_python",
     title="Parameter declared without a type (rclpy)",
     finds="`declare_parameter(name)` without a default value or a type. Give a default, or `Parameter.Type.DOUBLE`.",
-    why="Parameters have one type for good since ROS 2 Galactic; a declaration by name alone is deprecated, its value "
-    "is None "
-    "where nobody sets one, and the first look at it fails far from here.",
+    why="Parameters have one type for good since ROS 2 Galactic, and from there on a declaration by name alone is "
+    "deprecated: rclpy warns of it at each start. Foxy says nothing. In both its value is None where nobody sets one, "
+    "and the first look at it fails far from here.",
+    severity=Severity.NOTE,
     profiles=("ros2",),
     tags=("parameters", "deprecated"),
     bad="import rclpy\nself.declare_parameter('limit')\n",

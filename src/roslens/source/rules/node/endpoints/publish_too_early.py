@@ -71,7 +71,8 @@ RULE = FileRule(
     "Publish later, wait for "
     "subscriptions, or make it transient local (ROS 2) or latched (ROS 1).",
     why="Subscriptions are matched over the network after the call that makes the publisher: what is published at once "
-    "reaches nobody, on most days.",
+    "reaches nobody, on most days. Where a callback makes the publisher anew, that is each message; rospy alone, whose "
+    "publishers on one topic share connections that stay, loses only the very first.",
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,8 +7,17 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import body_of, call_at, function_around, is_conditional, loop_around, statement_around
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.callbacks import callbacks_of, function_name
+from roslens.source.rules.calls import (
+    body_of,
+    call_at,
+    called_names,
+    function_around,
+    is_conditional,
+    loop_around,
+    statement_around,
+)
+from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -33,7 +42,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if match is None or _TIME_PASSES.search(view.code[call.start_byte : start + match.end()]):
         return
     place = view.node_at(start + match.start(1), start + match.end(1))
-    if place is not None and function_around(place) == function and loop_around(place) == loop_around(call):
+    if place is None or function_around(place) != function or loop_around(place) != loop_around(call):
+        return
+    if not _publishes_elsewhere(name, call, view) and not _is_made_again(node, function, view):
         yield view.hit(
             "node.publish_too_early_python",
             place.parent or place,
@@ -42,13 +53,41 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         )
 
 
+def _publishes_elsewhere(name: str, call: Node, view: FileView) -> bool:
+    """Return whether the publisher publishes in another function or lambda, too: its first message is not the last."""
+    function = function_around(call)
+    of = above(call, "class_definition") if name.startswith("self.") else function
+    around = of if of is not None else view.root
+    published = re.compile(rb"(?<![\w.])" + re.escape(name.encode()) + rb"\.(publish)\b")
+    places = published.finditer(view.code, around.start_byte, around.end_byte)
+    nodes = (view.node_at(match.start(1), match.end(1)) for match in places)
+    return any(function_around(one) != function for one in nodes if one is not None)
+
+
+def _is_made_again(made: Node, function: Node | None, view: FileView) -> bool:
+    """Return whether a publisher of rospy is made in what callbacks run: all of a topic are one, which stays."""
+    if function is None or function.type != "function_definition" or view.text(made) != "Publisher":
+        return False
+    names = {one.rpartition(".")[2] for one in callbacks_of(view)}
+    name = function_name(function, view).rpartition(".")[2]
+    if name in names:
+        return True
+    return any(
+        name in called_names(one, view)
+        for one in below(view.root, "function_definition")
+        if view.text(one.child_by_field_name("name")) in names
+    )
+
+
 RULE = FileRule(
     id="node.publish_too_early_python",
     title="Message published right after its publisher was made (Python)",
-    finds="A publisher and its first `publish` in one function, with no wait between. Publish later, wait for "
-    "subscriptions, or make it transient local (rclpy) or latched (rospy).",
+    finds="A publisher and its first `publish` in one function, with no wait between. A publisher that "
+    "publishes in another function, too, is let be, and so is one of rospy that callbacks make. Publish later, wait "
+    "for subscriptions, or make it transient local (rclpy) or latched (rospy).",
     why="Subscriptions are matched over the network after the call that makes the publisher: what is published at once "
-    "reaches nobody, on most days.",
+    "reaches nobody, on most days. Publishers of rospy on one topic share their connections, which stay: there only "
+    "the very first message of a process is lost, which is all there is where a program publishes once.",
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""import rospy

@@ -24,7 +24,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     body = body_of(function) if function is not None else None
     start = body.start_byte if body is not None else 0
-    callback = callback_around(call, view)
+    # rospy hands what a service or action raises on to whoever asked.
+    callback = callback_around(call, view, of_stream=b"rclpy" not in view.content)
     if callback is not None and not _ASKS_FIRST.search(view.code[start : call.start_byte]):
         yield view.hit(
             "node.transform_unhandled_python",
@@ -39,11 +40,11 @@ RULE = FileRule(
     id="node.transform_unhandled_python",
     title="Look-up of a transform that nobody catches (Python)",
     finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before. "
-    "Catch "
-    "`TransformException` and go on without.",
+    "Catch `TransformException` and go on without. Handlers of services and actions of rospy are left out: the caller "
+    "is told.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "
-    "rclpy "
-    "ends, a thread of rospy does.",
+    'rclpy ends. rospy logs "bad callback" for a subscription and goes on without what the rest of the callback does; '
+    "a timer of rospy ends.",
     profiles=("ros2", "ros1"),
     tags=("transforms", "exceptions"),
     bad="import rclpy\nnode.create_timer(1.0, tick)\ndef tick(self):\n    t = self.buffer.lookup_transform('map', "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import lru_cache
@@ -33,11 +34,17 @@ def found(view: PackageView) -> Iterator[Hit]:
             or one.kind in ("conflict", "replace", "group")
         ):
             continue
-        if close := _close(name):
+        if (close := _close(name)) and not _is_used(name, view):
             reported.add(name)
             where = one.location
             message = f"dependency {name!r}; meant {close!r}?"
             yield Hit("package.misspelt_dependency", message, where.line, where.column, context=name, path=where.path)
+
+
+def _is_used(name: str, view: PackageView) -> bool:
+    """Return whether a source of the package imports or includes exactly that name: then it is meant."""
+    written = (each for facts in view.facts.values() for each, _ in facts.includes)
+    return any(re.split(r"[./]", each.strip('<>"'), maxsplit=1)[0] == name for each in written)
 
 
 @lru_cache(maxsize=4096)
@@ -55,7 +62,7 @@ RULE = PackageRule(
     id="package.misspelt_dependency",
     title="Dependency whose name is misspelt",
     finds="A dependency of at least ten letters that differs by one letter from a package of the core of ROS: "
-    "`sensor_msg`, `geomety_msgs`.",
+    "`sensor_msg`, `geomety_msgs`. A name that the package's own code imports or includes is meant.",
     why="rosdep finds nothing of that name and stops, or with `-r` leaves the package out; the workspace "
     "builds where the right one happens to be installed.",
     profiles=("ros2", "ros1"),

@@ -11,6 +11,9 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
 
+_LISTING = ("add_message_files", "add_service_files", "add_action_files")
+_FOLDERS = ("msg/", "srv/", "action/")
+
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield what the manifest of a package that generates interfaces lacks."""
@@ -25,7 +28,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         edits = manifest.added("member_of_group", "rosidl_interface_packages") if manifest.format == 3 else ()
         yield _hit(view, message, "rosidl_interface_packages", Severity.ERROR, edits)
     made = view.cmake.first("generate_messages")
-    if made is not None and not made.defined and 1 in view.ros and "genmsg" not in view.cmake.text:
+    if made is not None and not made.defined and 1 in view.ros and _has_messages(view):
         if "message_generation" not in kinds:
             message = "the package generates messages; expected <build_depend>message_generation"
             edits = manifest.added("build_depend", "message_generation")
@@ -34,6 +37,13 @@ def found(view: PackageView) -> Iterator[Hit]:
             message = "the package generates messages; expected <exec_depend>message_runtime"
             edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
             yield _hit(view, message, "message_runtime", Severity.WARNING, edits)
+
+
+def _has_messages(view: PackageView) -> bool:
+    """Return whether there is something to generate: the call alone is left over from a template."""
+    if "genmsg" in view.cmake.text:
+        return False
+    return view.cmake.first(*_LISTING) is not None or any(path.startswith(_FOLDERS) for path in view.listing)
 
 
 def _is_aside(command: Written) -> bool:
@@ -55,7 +65,8 @@ RULE = PackageRule(
     title="Package of messages whose manifest does not say so",
     finds="A package that calls `rosidl_generate_interfaces` without "
     "`<member_of_group>rosidl_interface_packages</member_of_group>`, or, in ROS 1, `generate_messages` without "
-    "`message_generation` to build and `message_runtime` to run.",
+    "`message_generation` to build and `message_runtime` to run. A `generate_messages` that a template left in a "
+    "package without messages is none.",
     why="rosidl ends the build with an error. In ROS 1 the build depends on what else is installed, and programs "
     "that use the messages lack their serialisation on a robot.",
     severity=Severity.ERROR,

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 
+from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.extract.builds.plugin_xml import PluginClass
 from roslens.source.rules.hit import Hit
@@ -36,10 +38,30 @@ def _unregistered(described: Iterable[PluginClass], plugins: Sequence[Registered
         if not one.type or "." in one.type or _is_elsewhere(one, view):
             continue
         if not any(same_class(one.type, each.name) for each in plugins):
-            where = one.evidence
-            expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
-            message = f"no source registers class {one.type!r}; expected {expected}"
-            yield Hit("package.plugin_class", message, where.line, context=one.type, path=where.path)
+            yield _unregistered_hit(one, view)
+
+
+def _unregistered_hit(one: PluginClass, view: PackageView) -> Hit:
+    """Return the hit at a class; one of a namespace that no source here has is another package's, which is a note."""
+    where = one.evidence
+    space, _, rest = one.type.removeprefix("::").partition("::")
+    if rest and not _has_namespace(space, view):
+        message = (
+            f"no source of this package registers class {one.type!r} or has a namespace {space!r}; expected its "
+            "description in the package that registers it"
+        )
+        severity = Severity.NOTE
+    else:
+        expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
+        message, severity = f"no source registers class {one.type!r}; expected {expected}", None
+    return Hit("package.plugin_class", message, where.line, context=one.type, path=where.path, severity=severity)
+
+
+def _has_namespace(name: str, view: PackageView) -> bool:
+    """Return whether a source opens a namespace, or registers a class of it."""
+    written = re.compile(rb"\bnamespace\s+(?:\w+::)*%b\b|\(\s*(?:::)?%b::" % (name.encode(), name.encode()))
+    files = view.of_language(Language.CPP, Language.C)
+    return any(written.search(view.read(file.path)) for file in files)
 
 
 def _is_elsewhere(one: PluginClass, view: PackageView) -> bool:
@@ -78,7 +100,8 @@ RULE = PackageRule(
     title="Plug-in that is not registered, or not described",
     finds="A `<class>` in a description of plug-ins that no source registers with `PLUGINLIB_EXPORT_CLASS`, and a "
     "registered class that no description names. Names are compared as far as namespaces are written; classes of "
-    "packages that this one depends on are let be.",
+    "packages that this one depends on are let be, and a class of a namespace that no source of the package has is a "
+    "note: another package may register it.",
     why='Loading it fails when the robot starts ("class … does not exist", or "failed to load library"), which no '
     "compiler sees.",
     profiles=("ros2", "ros1"),

@@ -24,8 +24,10 @@ def found(view: PackageView) -> Iterator[Hit]:
     marker = f"resource/{view.package.name}"
     if not any(_INDEX in text for text in texts.values()):
         message = f"no marker for the index of packages is installed; expected data_files with {marker!r}"
+        # colcon makes it then, and warns that it will no longer.
         at = view.setup_call.lineno
-        yield Hit("package.resource_marker", message, at, context="data_files", path=view.path("setup.py"))
+        path = view.path("setup.py")
+        yield Hit("package.resource_marker", message, at, context="data_files", path=path, severity=Severity.WARNING)
         return
     naming = next((path for path, text in texts.items() if b"resource/" in text), None)
     if naming is not None and not view.exists(view.path(marker)):
@@ -38,9 +40,11 @@ RULE = PackageRule(
     id="package.resource_marker",
     title="Python package that the index of packages does not know",
     finds="An `ament_python` package whose setup.py does not install `resource/PACKAGE` to "
-    "`share/ament_index/resource_index/packages`, or that does not have that file.",
-    why="`ros2 run`, launch files and `get_package_share_directory` find packages by this file: without it the "
-    "package is not found, or the build ends because the file is missing.",
+    "`share/ament_index/resource_index/packages` (a warning), or that does not have that file (an error).",
+    why="`ros2 run`, launch files and `get_package_share_directory` find packages by this file. Where setup.py does "
+    "not install it, colcon makes it by itself, warns at each build, and says that it will do so no longer; "
+    "other builds make none, and the package is not found. Where setup.py names a file that is not there, the build "
+    "ends.",
     severity=Severity.ERROR,
     profiles=("ros2",),
     tags=("python", "install"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import re
+import warnings
 from collections.abc import Iterator
 from itertools import takewhile
 
@@ -45,15 +47,30 @@ def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
     first = text[:200].partition(b"\n")[0].decode("utf-8", "replace").strip()
     if not first.startswith("#!"):
         at = f"{one.path}:{one.command.line}"
-        message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
+        is_read = _is_python_3(text)
+        expected = _EXPECTED if is_read else "a #! line (Python 3 cannot read it)"
+        message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {expected}"
         # A module among the programs is one too many, and nobody starts it.
         severity = None if b"__main__" in text else Severity.NOTE
-        edits = _begun(text, b"", path)
+        edits = _begun(text, b"", path) if is_read else ()
         yield Hit("package.program_shebang", message, 1, context="#!", path=path, severity=severity, edits=edits)
     elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
-        message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
-        edits = _begun(text, first.encode(), path)
+        is_read = _is_python_3(text)
+        expected = _EXPECTED if is_read else f"Python 3, which cannot read this one, and {_EXPECTED}"
+        message = f"distributions of ROS 2 have no program for {first!r}; expected {expected}"
+        edits = _begun(text, first.encode(), path) if is_read else ()
         yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+
+
+def _is_python_3(content: bytes) -> bool:
+    """Return whether Python 3 can read a script."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(content)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True
 
 
 def _begun(content: bytes, line: bytes, path: str) -> tuple[Edit, ...]:
@@ -72,7 +89,7 @@ RULE = PackageRule(
     "not start.",
     profiles=("ros2", "ros1"),
     tags=("python", "install"),
-    fix="Writes the first line.",
+    fix="Writes the first line. A script that Python 3 cannot read is left.",
     bad="import rclpy\n\n# CMakeLists.txt: install(PROGRAMS scripts/teleop.py DESTINATION lib/${PROJECT_NAME})",
     good="#!/usr/bin/env python3\nimport rclpy",
     found=found,

@@ -23,6 +23,13 @@ def lines(text):
         ("#if 1\na\n#endif\n", []),
         ("#if 0\na\n", []),
         ("#endif\n#if 0\na\n#endif\n", [2, 3, 4]),
+        ("#undef X\n#ifdef X\na\n#endif\nb\n", [2, 3, 4]),
+        ("#undef X\n\n# ifdef X\na\n#else\nb\n#endif\n", [3, 4, 5]),
+        ("#undef X\n#ifdef X_2\na\n#endif\n", []),
+        ("#undef X\n#ifndef X\na\n#endif\n", []),
+        ("#undef X\n#define X\n#ifdef X\na\n#endif\n", []),
+        ('#undef X\n#include "x.h"\n#ifdef X\na\n#endif\n', []),
+        ("#ifdef A\n#undef X\n#endif\n#ifdef X\na\n#endif\n", []),
         ("", []),
     ],
 )

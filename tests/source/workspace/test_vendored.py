@@ -28,6 +28,8 @@ OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp"
         (["p/wrap/include/sensor_msgs/iterator.h", "p/wrap/include/wrap/a.h"], ("p/wrap/include/sensor_msgs/",)),
         (["p/src/sensor_msgs/convert.cpp", "p/include/p/sensor_msgs/convert.h"], ()),
         (["p/src/quadProgpp/QuadProg++.cc"], ("p/src/quadProgpp/",)),
+        (["p/dlib/dlib/matrix.h", "p/dlib/dlib_backup/matrix.h"], ("p/dlib/",)),
+        (["p/src/dlib_detector/a.cpp"], ()),
         (["p/include/rosbag/bag.h"], ()),
         (["p/sdk/README.md", "p/sdk/CMakeLists.txt", "p/sdk/ChangeLog", "p/sdk/a.cpp"], ("p/sdk/",)),
         (["p/sdk/README.md", "p/sdk/CMakeLists.txt", "p/sdk/lib/libsdk.so", "p/sdk/a.h"], ("p/sdk/",)),

@@ -1,4 +1,7 @@
-"""Which lines of a file of C or C++ the preprocessor leaves out, whatever is defined: those of ``#if 0``."""
+"""Which lines of a file of C or C++ the preprocessor leaves out, whatever is defined.
+
+Those of ``#if 0``, and of an ``#ifdef`` right behind the ``#undef`` of its name, by which headers hold documentation.
+"""
 
 from __future__ import annotations
 
@@ -6,16 +9,18 @@ import re
 from collections.abc import Sequence
 
 _OFF = re.compile(rb"#[ \t]*if[ \t]+(?:0|false)\b")
+_UNDEFINED = re.compile(rb"(#[ \t]*undef[ \t]+(\w+)\s+#[ \t]*)ifdef[ \t]+\2\b")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b([^\n]*)", re.MULTILINE)
 _NEVER = re.compile(rb"[ \t]*(?:0|false)[ \t]*(?:$|//|/\*)")
 
 
 def switched_off(code: bytes) -> Sequence[range]:
-    """Return the lines, 1-based, between ``#if 0`` and what ends that arm.
+    """Return the lines, 1-based, between what never holds and what ends that arm.
 
     Args:
         code: without what stands in comments.
     """
+    code = _UNDEFINED.sub(rb"\1if 0", code)
     if _OFF.search(code) is None:
         return ()
     found: list[range] = []

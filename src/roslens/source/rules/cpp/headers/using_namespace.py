@@ -32,7 +32,8 @@ RULE = FileRule(
     id="cpp.using_namespace",
     title="`using namespace` in a header",
     finds="A using directive outside of functions in a header. Write the names out, or use it inside of functions. "
-    "Other namespaces than `std` are notes, and so is `std::placeholders`.",
+    "Other namespaces than `std` are notes, and so are `std::placeholders` and a header below `src` that is not "
+    "installed and that one file includes.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
     profiles=(

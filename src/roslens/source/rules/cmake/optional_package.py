@@ -30,6 +30,7 @@ def found(view: PackageView) -> Iterator[Hit]:
             or name.lower() in _QUICKER
             or name in _BUILD_SYSTEMS
             or _is_asked(name, text)
+            or _stops_configuring(name, view)
             or cmake.first(*_CHECKS)
         ):
             continue
@@ -55,16 +56,20 @@ def _is_asked(name: str, text: str) -> bool:
     )
 
 
+def _stops_configuring(name: str, view: PackageView) -> bool:
+    """Return whether a command names the package that ends configuring itself where it was not found."""
+    return any(
+        name in one.words
+        for one in view.cmake.named("ament_target_dependencies")
+        if not (one.conditions or one.defined)
+    )
+
+
 def _is_used(name: str, view: PackageView) -> bool:
     pattern = re.compile(rf"\$\{{{re.escape(name)}_\w+\}}|\b{re.escape(name)}::", re.IGNORECASE)
-    uses = view.cmake.named(
-        "target_link_libraries", "include_directories", "target_include_directories", "ament_target_dependencies"
-    )
+    uses = view.cmake.named("target_link_libraries", "include_directories", "target_include_directories")
     return any(
-        pattern.search(argument.written) or (one.name == "ament_target_dependencies" and argument.literal == name)
-        for one in uses
-        if not one.conditions
-        for argument in one.command.arguments
+        pattern.search(argument.written) for one in uses if not one.conditions for argument in one.command.arguments
     )
 
 
@@ -72,7 +77,8 @@ RULE = PackageRule(
     id="cmake.optional_package",
     title="Needed package looked for as if it were optional",
     finds="A `find_package()` without `REQUIRED` of what is then linked or included in any case, and whose "
-    "`…_FOUND` is never asked. Add `REQUIRED`. OpenMP, MPI, CUDA and TBB may be missing.",
+    "`…_FOUND` is never asked. Add `REQUIRED`. OpenMP, MPI, CUDA and TBB may be missing, and "
+    "`ament_target_dependencies()` asks for what it is given itself.",
     why="Where it is missing, configuring goes on and the build ends with a header or symbol that cannot be found, "
     "far from the cause, or links without it.",
     profiles=("ros2", "ros1"),

@@ -31,7 +31,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     name = re.escape(view.text(of).removesuffix(".future"))
     if not re.search(rf"(?<![\w.]){name}\s*=[^;]*\b({'|'.join(_REQUESTS)})\b", written):
         return
-    if _asks_whether_it_is_there(name, call, body, view):
+    if _is_spun_for(name, call, body, view) or _asks_whether_it_is_there(name, call, body, view):
         return
     callback = callback_around(call, view)
     if callback is not None:
@@ -44,6 +44,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             callback=callback,
             severity=Severity.NOTE if groups else None,
         )
+
+
+def _is_spun_for(name: str, call: Node, body: Node, view: FileView) -> bool:
+    """Return whether a call stands behind one that spins until the same future is complete.
+
+    That one throws in a callback, which ``node.spin_in_callback`` says, or the answer is there.
+    """
+    spun = rf"\bspin_until_future_complete\s*(?:<[^;()]*>\s*)?\([^;]*?(?<![\w.]){name}\b"
+    return re.search(spun.encode(), view.code[body.start_byte : call.start_byte]) is not None
 
 
 def _asks_whether_it_is_there(name: str, call: Node, body: Node, view: FileView) -> bool:
@@ -60,7 +69,8 @@ def _asks_whether_it_is_there(name: str, call: Node, body: Node, view: FileView)
 RULE = FileRule(
     id="node.future_in_callback",
     title="Waiting for the answer of a service in a callback",
-    finds="A callback that sends a request and waits for its future. Give the request a callback of its own instead.",
+    finds="A callback that sends a request and waits for its future. Give the request a callback of its own instead. "
+    "Where it spins until the future is complete before, `node.spin_in_callback` says so.",
     why="The answer is delivered by the executor that waits for this callback to end. In a single thread, or in the "
     "same "
     "callback group, both wait for ever.",

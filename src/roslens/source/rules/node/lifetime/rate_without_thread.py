@@ -18,7 +18,7 @@ _SPINS_ELSEWHERE = re.compile(rb"[tT]hread|MultiThreadedExecutor|spin_once|spin_
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield ``create_rate`` in a file that sleeps by it and spins in no other thread."""
     call = call_at(node)
-    if call is None or _SPINS_ELSEWHERE.search(view.code) or b".sleep" not in view.code:
+    if call is None or _SPINS_ELSEWHERE.search(view.code) or not _is_slept_on(call, view):
         return
     yield view.hit(
         "node.rate_without_thread",
@@ -28,10 +28,20 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     )
 
 
+def _is_slept_on(call: Node, view: FileView) -> bool:
+    """Return whether ``sleep`` is called on a rate: at once, or on what it is assigned to by its last name."""
+    around = call.parent
+    if around is not None and around.type == "assignment":
+        name = view.text(around.child_by_field_name("left")).rpartition(".")[2].encode()
+        return re.search(rb"\b" + re.escape(name) + rb"\s*\.\s*sleep\b", view.code) is not None
+    return view.text(around).endswith(".sleep")
+
+
 RULE = FileRule(
     id="node.rate_without_thread",
     title="Rate that nobody wakes (rclpy)",
-    finds="`create_rate` and `sleep()` in a program that spins in no other thread. Use a timer, or spin in a thread.",
+    finds="`create_rate` and `sleep()` of that rate in a program that spins in no other thread. "
+    "Use a timer, or spin in a thread.",
     why="`Rate.sleep()` of rclpy waits for a timer of the node, and timers run in the executor: slept on in the "
     "thread that "
     "should spin, it never returns.",

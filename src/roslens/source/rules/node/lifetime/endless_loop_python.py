@@ -33,7 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
-    if _is_of_a_daemon(loop, view):
+    if _ends_with_the_process(loop, view):
         return
     yield view.hit(
         "node.endless_loop_python",
@@ -44,13 +44,21 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     )
 
 
-def _is_of_a_daemon(loop: Node, view: FileView) -> bool:
-    """Return whether a loop runs in a thread that ends with the process: a timer of rospy, or one that is a daemon."""
+def _ends_with_the_process(loop: Node, view: FileView) -> bool:
+    """Return whether a loop runs in a thread that ends with the process.
+
+    That is a timer of rospy, one that is a daemon, or one of a process that ends by ``os._exit``, which waits for none.
+    """
     function = above(loop, "function_definition")
     name = re.escape(view.text(function.child_by_field_name("name")).encode()) if function is not None else b""
     handed = rb"\b(Timer|Thread)\s*\([^\n]*\b" + name + rb"\b(?!\s*\()"
     found = re.search(handed, view.code) if name else None
-    return found is not None and (found[1] == b"Timer" or b"aemon" in view.code)
+    if found is None:
+        return False
+    if found[1] == b"Timer" or b"aemon" in view.code:
+        return True
+    called = rb"(?<!def )\b" + name + rb"\s*\("
+    return b"os._exit(" in view.code and re.search(called, view.code) is None
 
 
 def _is_interrupt_alone(loop: Node, view: FileView) -> bool:

@@ -38,6 +38,10 @@ FAILED = (
     "#include <ros/ros.h>\nvoid f() {{ ros::ServiceClient client; if (!grasp()) {{ client.call(s); {} }}"
     " drive(s.response.a); }}\n"
 )
+EITHER = (
+    "#include <ros/ros.h>\nvoid f() {{ ros::ServiceClient client; if (near()) {{ client.call(s); {} }}"
+    " else if (far()) {{ stop(); }} else {{ turn(); }} {} }}\n"
+)
 COMPARED = "#include <rclcpp/rclcpp.hpp>\nbool f() {{ return {0} > rclcpp::Time(0); }}\n"
 CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clock::now(); }}\n"
 TIMER, HEARD = "Timer(rospy.Duration(1), self.read)", "Subscriber('a', String, self.read)"
@@ -68,6 +72,9 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.service_result_dropped", Language.CPP, FAILED.format("return;"), Severity.NOTE),
         ("node.service_result_dropped", Language.CPP, FAILED.format("throw s;"), Severity.NOTE),
         ("node.service_result_dropped", Language.CPP, FAILED.format("stop();"), None),
+        ("node.service_result_dropped", Language.CPP, EITHER.format("", ""), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, EITHER.format("drive();", ""), None),
+        ("node.service_result_dropped", Language.CPP, EITHER.format("", "drive();"), None),
         ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "brake"), Severity.NOTE),
         ("node.service_result_dropped", Language.CPP, AGAIN.format("drive();", "brake"), None),
         ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "lamp"), None),

@@ -23,6 +23,9 @@ _DOES = re.compile(rb"^\s*[a-z]\w*\s*\(|\.publish\s*\(|\bcall\s*\(", re.MULTILIN
 """What is done between two calls of a service, but for what the second one is given."""
 _BLOCKS = ("compound_statement", "case_statement")
 _LEAVES = ("return_statement", "throw_statement")
+_SERVED = re.compile(rb"(\w+)\s*(?:\.|->)\s*advertiseService\s*(?:<[^;()]*>)?\s*\(\s*\"([^\"\n]*)\"")
+_MADE = rb"\s*[=(]\s*(\w+)\s*(?:\.|->)\s*serviceClient\s*(?:<[^;()]*>)?\s*\(\s*\"([^\"\n]*)\""
+"""How a service and a client of it are made: the handle, and the name where it is a text."""
 _WAITED = re.compile(rb"\bwaitFor(?:Service|Existence)\s*\(")
 _LOOKED_AT = re.compile(
     rb"\b(?:res|response|resp)\.(?:success|ok|result)\b"
@@ -48,8 +51,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             or (_CLIENT.search(name) is not None and name.isidentifier())
         )
     )
-    after = view.code[call.end_byte : _end_of_way(call, function)] if function is not None else b""
-    if is_client and not _LOOKED_AT.search(after):
+    after = _behind(call, function, view.code) if function is not None else b""
+    if is_client and not _is_served_here(name, view) and not _LOOKED_AT.search(after):
         yield view.hit(
             "node.service_result_dropped",
             call,
@@ -58,6 +61,35 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "`if (!...)`",
             severity=None if _matters(call, function, after, view) else Severity.NOTE,
         )
+
+
+def _is_served_here(client: str, view: FileView) -> bool:
+    """Return whether the file itself advertises the service, by the same handle or by its whole name."""
+    served = {(one[1], one[2]) for one in _SERVED.finditer(view.content) if _is_code(one, 2, view)}
+    made = re.compile(rb"\b" + re.escape(client.encode()) + _MADE) if client else None
+    asked = [(one[1], one[2]) for one in made.finditer(view.content) if _is_code(one, 2, view)] if made else []
+    names = {name for _, name in served}
+    return bool(asked) and all(one in served or (one[1].startswith(b"/") and one[1] in names) for one in asked)
+
+
+def _is_code(match: re.Match[bytes], group: int, view: FileView) -> bool:
+    """Return whether a match up to a text stands in code: comments are blank there."""
+    return view.code[match.start() : match.start(group) - 1] == match[0][: match.start(group) - 1 - match.start()]
+
+
+def _behind(call: Node, function: Node, text: bytes) -> bytes:
+    """Return what runs behind a call, of the code or the content; other branches of an ``if`` around it are blank."""
+    end = _end_of_way(call, function)
+    found = bytearray(text[call.end_byte : end])
+    inner = call
+    while inner.parent is not None and inner != function:
+        around = inner.parent
+        other = around.child_by_field_name("alternative") if around.type == "if_statement" else None
+        if other is not None and other != inner and other.start_byte < end:
+            start, stop = other.start_byte - call.end_byte, min(other.end_byte, end) - call.end_byte
+            found[start:stop] = b" " * (stop - start)
+        inner = around
+    return bytes(found)
 
 
 def _end_of_way(call: Node, function: Node) -> int:
@@ -76,7 +108,7 @@ def _end_of_way(call: Node, function: Node) -> int:
 def _matters(call: Node, function: Node | None, after: bytes, view: FileView) -> bool:
     """Return whether what follows a call rests on it: the response is read, or other things are done."""
     given = view.text(arguments(call)[-1])
-    asked = _asked_again(call, after, view)
+    asked = _asked_again(call, function, after, view)
     read = after if asked is None else asked
     if re.search(rb"\b" + re.escape(given.encode()) + rb"(?:\.|->)res", read):
         return True
@@ -86,11 +118,11 @@ def _matters(call: Node, function: Node | None, after: bytes, view: FileView) ->
     return re.search(_ACTS, after) is not None and not _WAITED.search(before)
 
 
-def _asked_again(call: Node, after: bytes, view: FileView) -> bytes | None:
+def _asked_again(call: Node, function: Node | None, after: bytes, view: FileView) -> bytes | None:
     """Return what stands before the next call of the same service whose result is looked at; None is no such call."""
     text = view.text(call)
     service = text.rpartition("," if text.startswith("ros::service::call") else "(")[0]
-    behind = view.content[call.end_byte : call.end_byte + len(after)]
+    behind = _behind(call, function, view.content) if function is not None else b""
     again = re.search(rb"[(!=&|]\s*" + re.escape(service.encode()) + rb"\s*[,(]", behind)
     return None if again is None else after[: again.start()]
 
@@ -100,7 +132,7 @@ RULE = FileRule(
     title="Result of a service call dropped",
     finds="`client.call(...)` of roscpp as a statement of its own. Ask whether it is true. "
     "It is a note where the function does nothing behind the call, or waited for the service before and looks at no "
-    "response.",
+    "response. A service that the same file advertises is there.",
     why="It returns false where the service is gone or refuses, and the response then holds its defaults: brakes that "
     "were "
     "asked to close are taken for closed.",

@@ -9,11 +9,19 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_COMPILES = re.compile(
+    r"\w*add_\w*(?:executable|library|module|node|nodelet|component|plugin|gtest|gmock|benchmark)"
+    r"|rosidl_generate_interfaces|add_subdirectory|fetchcontent_makeavailable|\w+_package"
+)
+"""Commands that have something compiled. An interface of ROS 2 is; a message of ROS 1 is a header."""
+_NO_TARGETS = frozenset({"catkin_package", "ament_package", "catkin_metapackage", "find_package"})
 _STANDARD = re.compile(r"-std=(?:c|gnu)\+\+(\w+)")
 
 
 def found(view: PackageView) -> Iterator[Hit]:
-    """Yield each command that adds ``-std=`` to the flags of all targets."""
+    """Yield each command that adds ``-std=`` to the flags of all targets, where there are any."""
+    if not _compiles(view):
+        return
     for one in view.cmake.named("add_definitions", "add_compile_options", "set"):
         if one.name == "set" and one.words[:1] not in (("CMAKE_CXX_FLAGS",), ("CMAKE_C_FLAGS",)):
             continue
@@ -25,10 +33,17 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield one.hit("cmake.language_standard", message)
 
 
+def _compiles(view: PackageView) -> bool:
+    """Return whether a package has anything compiled."""
+    names = {one.name for one in view.cmake.commands} - _NO_TARGETS
+    return any(_COMPILES.fullmatch(one) for one in names)
+
+
 RULE = PackageRule(
     id="cmake.language_standard",
     title="Standard of C++ as a flag for everything",
-    finds="`-std=c++…` in `add_definitions`, `add_compile_options` or `CMAKE_CXX_FLAGS`, outside of any condition. "
+    finds="`-std=c++…` in `add_definitions`, `add_compile_options` or `CMAKE_CXX_FLAGS`, outside of any condition, "
+    "where something is compiled. "
     "Set `CMAKE_CXX_STANDARD`, or ask for `target_compile_features(… cxx_std_17)`.",
     why="Headers of newer distributions need a newer standard (Noetic's log4cxx and PCL need C++14, ROS 2 needs "
     "C++17): the flag pins the old one, overrules what dependencies ask for, and the package no longer builds.",

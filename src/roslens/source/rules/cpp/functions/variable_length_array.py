@@ -10,9 +10,12 @@ from tree_sitter import Node
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.rule import FileRule
+from roslens.source.rules.rule import FIRMWARE, FileRule
 
 _KEYWORD = re.compile(r"\b(?:class|new|this|template|namespace|typename)\b")
+
+_FIRMWARE = (*FIRMWARE, b"Arduino.h")
+"""What code for microcontrollers mentions, whose library has no ``std::vector``."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -20,6 +23,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     size, parent = node.child_by_field_name("size"), node.parent
     while parent is not None and parent.type in ("init_declarator", "array_declarator", "pointer_declarator"):
         parent = parent.parent
+    if any(one in view.content for one in _FIRMWARE):
+        return
     if size is None or parent is None or parent.type != "declaration" or node.has_error:
         return
     function = above(node, "function_definition", "lambda_expression", "class_specifier", "struct_specifier")
@@ -55,7 +60,8 @@ RULE = FileRule(
     id="cpp.variable_length_array",
     title="Array of variable length",
     finds="An array on the stack whose length is a parameter or a result of a call. "
-    "It is no C++, though C has it, and a large length overruns the stack. Use `std::vector`.",
+    "It is no C++, though C has it, and a large length overruns the stack. Use `std::vector`. "
+    "Code for microcontrollers, which have none, is let be.",
     why="A large scan or image ends the node with a segmentation fault, without any message.",
     profiles=(
         "ros2",

@@ -37,6 +37,7 @@ from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, find_workspace
 from roslens.source.workspace.silence import Silence
+from roslens.source.workspace.surroundings import surroundings_of
 from roslens.source.workspace_result import header_of, workspace_result
 
 if TYPE_CHECKING:
@@ -136,6 +137,7 @@ def analyse(
         left_out=frozenset().union(*left_out.values()),
     )
     silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
+    around = surroundings_of([found.package for found in everything], inventory.files)
     units = {
         found.package.id: key_of(
             shaping,
@@ -143,6 +145,7 @@ def analyse(
             inventory.files[found.package.id],
             inventory.others[found.package.id],
             packaging(found),
+            around.get(found.package.id),
             *(sorted(left_out.get(found.package.id, ()))),
             *([tools.key_of_package(found.package.id)] if tools else ()),
             *silence.acceptances.shaping(file.path for file in found.files),
@@ -183,6 +186,7 @@ def analyse(
             kept_runs,
             engine,
             left_out,
+            around,
         ),
         store,
         cache,
@@ -336,6 +340,7 @@ def _task(run: Run, found: FoundPackage, cache: Cache) -> PackageTask:
         kept=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},
         left_out=run.left_out.get(found.package.id, frozenset()),
+        around=run.around.get(found.package.id),
     )
 
 

@@ -14,6 +14,7 @@ from roslens.source.keys import key_of
 from roslens.source.settings import SourceSettings
 from roslens.source.workspace.find import Workspace
 from roslens.source.workspace.silence import Silence
+from roslens.source.workspace.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from roslens.model.finding import RuleInfo
@@ -81,6 +82,7 @@ class Run(msgspec.Struct, frozen=True):
     kept_runs: int | None
     engine: str | ClusterAhead
     left_out: Mapping[str, frozenset[str]] = {}
+    around: Mapping[str, Surroundings] = {}
 
     def key_kept(self, key: str, *, lost: bool = False) -> str:
         """Return the key under which a result is kept: one of its own where it is tried again by the next run.

@@ -5,16 +5,18 @@ from roslens.source.parsed_file import parse_file
 from roslens.source.rules.package_view import PackageView
 from roslens.source.settings import MacroSettings, WorkspaceSettings
 from roslens.source.workspace.find import find_workspace
+from roslens.source.workspace.surroundings import surroundings_of
 
 
 @pytest.fixture
 def package_view():
-    """The only package in a folder, as rules see it."""
+    """The only package in a folder, or the one of a name, as rules see it."""
 
-    def view(folder):
+    def view(folder, name=""):
         workspace = find_workspace([folder], WorkspaceSettings())
-        (found,) = [one for one in workspace.packages if one.package.manifest.path]
+        (found,) = [one for one in workspace.packages if one.package.manifest.path and name in ("", one.package.name)]
         inventory = take_inventory(workspace, WorkspaceSettings(), {})
+        around = surroundings_of([one.package for one in workspace.packages], inventory.files)
         files = inventory.files[found.package.id]
         facts = {
             file.path: parse_file((folder / file.path).read_bytes(), file.language, MacroSettings()).facts()
@@ -22,6 +24,6 @@ def package_view():
             if file.language.parsed_as
         }
         others = inventory.others[found.package.id]
-        return PackageView(found.package, workspace.root, files, facts, others=others)
+        return PackageView(found.package, workspace.root, files, facts, others=others, around=around[found.package.id])
 
     return view

@@ -130,7 +130,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         entities = without_the_whole(entities)
         known_callbacks = registered_elsewhere(task, hits, callbacks)
     of_files = {file.path: facts for file, facts, _ in measured}
-    view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others)
+    view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others, task.around)
     findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
     return MeasuredPackage(

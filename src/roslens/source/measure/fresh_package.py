@@ -28,6 +28,7 @@ from roslens.source.workspace.acceptances import acceptances_of, read_acceptance
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
 from roslens.source.workspace.manifest import read_manifest
 from roslens.source.workspace.silence import Silence
+from roslens.source.workspace.surroundings import surroundings_of
 from roslens.store.cache import Cache
 
 
@@ -76,6 +77,7 @@ class FreshPackages:
         self._inventory: Inventory = take_inventory(self._workspace, self._settings.workspace, {})
         self._found = {found.package.id: found for found in self._workspace.packages}
         self._files = {package: list(files) for package, files in self._inventory.files.items()}
+        self._around = surroundings_of([one.package for one in self._workspace.packages], self._inventory.files)
         self._owner = {file.path: package for package, files in self._files.items() for file in files}
         accepted, _ = read_acceptances(self._base / ACCEPTED)
         self._silence = Silence(self._settings.ignore, acceptances_of(accepted, self._inventory.files))
@@ -145,7 +147,14 @@ class FreshPackages:
         kept = str(self._cache.path) if self._cache.path else ""
         others = self._inventory.others.get(package, ())
         task = package_task(
-            found, files, others, root=self._workspace.root, settings=self._settings, kept=kept, texts=texts
+            found,
+            files,
+            others,
+            root=self._workspace.root,
+            settings=self._settings,
+            kept=kept,
+            texts=texts,
+            around=self._around.get(package),
         )
         measured = measure_task(task)
         self._cache.put(measured.analyses)

@@ -11,6 +11,7 @@ from roslens.model.source import Package, SourceFile
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings, SourceSettings
 from roslens.source.workspace.find import FoundPackage
+from roslens.source.workspace.surroundings import Surroundings
 
 
 class PackageTask(msgspec.Struct, frozen=True):
@@ -20,7 +21,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
     those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
     ``texts`` are contents that count instead of what files hold, by path. ``left_out`` are paths of sources that are
-    not looked at, because only what is found in the others is wanted.
+    not looked at, because only what is found in the others is wanted. ``around`` is what other packages are to it.
     """
 
     package: Package
@@ -36,6 +37,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     others: tuple[str, ...] = ()
     texts: dict[str, bytes] = {}
     left_out: frozenset[str] = frozenset()
+    around: Surroundings = Surroundings()
 
 
 def package_task(
@@ -49,6 +51,7 @@ def package_task(
     program_keys: Mapping[str, str] | None = None,
     texts: Mapping[str, bytes] | None = None,
     left_out: frozenset[str] = frozenset(),
+    around: Surroundings | None = None,
 ) -> PackageTask:
     """Return the task of measuring a package.
 
@@ -62,6 +65,7 @@ def package_task(
         program_keys: names of cached programs, where they are wanted.
         texts: contents that count instead of what files hold, by path.
         left_out: paths of sources that are not looked at.
+        around: what other packages are to it.
     """
     wanted = wanted_rules_of(settings.rules)
     syntax = key_of(analyser_version(), settings.macros, sorted(wanted))
@@ -83,6 +87,7 @@ def package_task(
         program_keys=dict(program_keys or {}),
         texts=dict(texts or {}),
         left_out=left_out,
+        around=around or Surroundings(),
     )
 
 

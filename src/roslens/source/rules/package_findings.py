@@ -10,6 +10,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
+from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
 from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.by_package.used_once import as_notes_where_used_once
@@ -58,6 +59,7 @@ def rule_findings(
     style = guard_style(settings.profiles, view.ros)
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
     placed = as_notes_with_older_standard(as_notes_without_python3(placed, view), view)
+    placed = as_notes_in_nested_package(placed, view)
     placed = as_notes_where_left_behind(placed)
     placed = as_notes_where_used_once(placed, view)
     return place_hits(placed, callbacks, selection, rules, entities)

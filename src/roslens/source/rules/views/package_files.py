@@ -12,6 +12,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.rules.profiles import profiles_of
 from roslens.source.syntax.facts import FileFacts
+from roslens.source.workspace.surroundings import Surroundings
 
 MOST_BYTES = 4_000_000
 """Of a file that a rule on packages reads."""
@@ -27,6 +28,7 @@ class PackageFiles(msgspec.Struct, frozen=True, dict=True):
         facts: of those that have a syntax, by path.
         texts: contents by path that count instead of what files hold.
         others: paths of the files that have no language of interest: licences, meshes, ``setup.cfg``.
+        around: what other packages of the workspace are to it.
     """
 
     package: Package
@@ -35,6 +37,7 @@ class PackageFiles(msgspec.Struct, frozen=True, dict=True):
     facts: Mapping[str, FileFacts] = {}
     texts: Mapping[str, bytes] = {}
     others: tuple[str, ...] = ()
+    around: Surroundings = Surroundings()
 
     @cached_property
     def by_path(self) -> Mapping[str, SourceFile]:

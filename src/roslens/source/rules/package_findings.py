@@ -9,10 +9,12 @@ from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.source.rules.by_package.caught_type import as_notes_of_caught_types
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
 from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
 from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
+from roslens.source.rules.by_package.unused_script import as_notes_of_unused_scripts
 from roslens.source.rules.by_package.used_once import as_notes_where_used_once
 from roslens.source.rules.edits.placed_edits import with_placed_edits
 from roslens.source.rules.guard_style import guard_style
@@ -60,6 +62,8 @@ def rule_findings(
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
     placed = as_notes_with_older_standard(as_notes_without_python3(placed, view), view)
     placed = as_notes_in_nested_package(placed, view)
+    placed = as_notes_of_caught_types(placed, view)
+    placed = as_notes_of_unused_scripts(placed, view)
     placed = as_notes_where_left_behind(placed)
     placed = as_notes_where_used_once(placed, view)
     return place_hits(placed, callbacks, selection, rules, entities)

@@ -43,7 +43,8 @@ RULE = FileRule(
     id="cpp.rethrow_by_name",
     title="Exception thrown again by its name",
     finds="`throw e;` in the handler that caught `e`: the copy has the type that was caught, not the one that "
-    "was thrown. Write `throw;`.",
+    "was thrown. Write `throw;`. It is a note where nothing in the package derives from a type of its own that was "
+    "caught, or nothing in ROS from one of ROS.",
     why="Callers that handle a more special error, such as a timeout, no longer see it.",
     profiles=(
         "ros2",

@@ -1,13 +1,14 @@
-"""Packages that pin a standard of C++ from before C++17: what that one removed is still there for them.
+"""Packages built with a standard of C++ from before C++17: what that one removed is still there for them.
 
-It is a mistake where nothing pins a standard, as compilers take C++17 and later by themselves, and where C++17 is
-what a package says. Elsewhere it is what stands in the way of a newer one.
+A specification of exceptions is a mistake where nothing pins a standard, as compilers take C++17 and later by
+themselves. Of the library, compilers keep what C++17 removed: that is a mistake where a package asks for C++17, or is
+for ROS 2. Elsewhere it is what stands in the way of a newer one.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 
 import msgspec
 
@@ -15,27 +16,32 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
-_RULES = frozenset({"cpp.removed_library", "cpp.exception_specification"})
+_LANGUAGE = "cpp.exception_specification"
+_LIBRARY = "cpp.removed_library"
 _FLAG = re.compile(r"-std=(?:c|gnu)\+\+(\w+)")
+_FEATURE = re.compile(r"cxx_std_(\d+)")
 _DRAFTS = {"98": 1998, "03": 2003, "0x": 2011, "1y": 2014, "1z": 2017, "2a": 2020, "2b": 2023}
 _REMOVED_IN = 2017
 
 
 def as_notes_with_older_standard(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
-    """Return hits by path; what C++17 has not is a note in packages that pin an older standard.
+    """Return hits by path; what C++17 has not is a note in packages that are built with an older standard.
 
     Args:
         placed: hits of rules in the files of a package.
         view: the package.
     """
-    if any(hit.rule in _RULES for hits in placed.values() for hit in hits) and _pins_an_older_one(view):
-        return {path: [_as_note(hit) for hit in hits] for path, hits in placed.items()}
-    return {path: list(hits) for path, hits in placed.items()}
+    found = {hit.rule for hits in placed.values() for hit in hits} & {_LANGUAGE, _LIBRARY}
+    notes = _rules_of_notes(view) if found else frozenset()
+    return {path: [_as_note(hit) if hit.rule in notes else hit for hit in hits] for path, hits in placed.items()}
 
 
-def _pins_an_older_one(view: PackageView) -> bool:
-    years = list(_pinned(view))
-    return bool(years) and max(years) < _REMOVED_IN
+def _rules_of_notes(view: PackageView) -> Set[str]:
+    pinned = list(_pinned(view))
+    if pinned and max(pinned) < _REMOVED_IN:
+        return {_LANGUAGE, _LIBRARY}
+    asks = bool(pinned) or 2 in view.ros or any(year >= _REMOVED_IN for year in _at_least(view))
+    return frozenset() if asks else {_LIBRARY}
 
 
 def _pinned(view: PackageView) -> Iterator[int]:
@@ -48,6 +54,12 @@ def _pinned(view: PackageView) -> Iterator[int]:
             yield from (_year(match[1]) for match in _FLAG.finditer(written))
 
 
+def _at_least(view: PackageView) -> Iterator[int]:
+    """Yield the years of the standards that targets of a package ask for at least."""
+    for one in view.cmake.named("target_compile_features"):
+        yield from (_year(match[1]) for match in map(_FEATURE.fullmatch, one.words) if match is not None)
+
+
 def _year(written: str) -> int:
     """Return the year of a standard; what is no known one may be the newest."""
     if written in _DRAFTS:
@@ -56,4 +68,4 @@ def _year(written: str) -> int:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if hit.rule in _RULES else hit
+    return msgspec.structs.replace(hit, severity=Severity.NOTE)

@@ -12,14 +12,27 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_ADAPTERS = frozenset(
+    (
+        *("bind1st", "bind2nd", "mem_fun", "mem_fun_ref", "ptr_fun"),
+        *("unary_function", "binary_function"),
+    )
+)
+"""What GCC still has in C++17 and later, and what does there what it always did."""
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each name that is written with ``std::``."""
     if _is_asked_for(view, view.text(node)):
         return
     if view.code[: node.start_byte].rstrip()[-5:] == b"std::" and node.type in ("identifier", "type_identifier"):
+        name = view.text(node)
+        still = "" if name == "unexpected_handler" else ", and is deprecated where a compiler still has it, as GCC does"
         yield view.hit(
-            "cpp.removed_library", node, f"`std::{view.text(node)}` was removed in C++17; expected what replaces it"
+            "cpp.removed_library",
+            node,
+            f"`std::{name}` was removed in C++17{still}; expected what replaces it",
+            severity=Severity.NOTE if name in _ADAPTERS else None,
         )
 
 
@@ -34,8 +47,10 @@ RULE = FileRule(
     finds="`std::auto_ptr`, `std::random_shuffle`, `std::bind1st`, `std::bind2nd`, `std::mem_fun`, "
     "`std::mem_fun_ref`, `std::ptr_fun`, `std::unary_function`, `std::binary_function` and "
     "`std::unexpected_handler` were removed in C++17. Use `std::unique_ptr`, `std::shuffle`, lambdas. "
-    "In a package that pins an older standard it is a note.",
-    why="The package does not compile with the next distribution; `std::auto_ptr` also moves where it seems to copy.",
+    "It is a note in a package that is neither for ROS 2 nor asks for C++17, and of what binds and adapts functions, "
+    "which GCC still has.",
+    why="Compilers with another library, such as libc++, refuse it, and GCC warns; `std::auto_ptr` also moves where it "
+    "seems to copy.",
     severity=Severity.WARNING,
     profiles=(
         "ros2",

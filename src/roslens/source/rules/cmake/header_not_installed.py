@@ -29,7 +29,9 @@ def found(view: PackageView) -> Iterator[Hit]:
         # Generated headers, or a list that is open, may be these.
         if kinds and any("include" in word or "$" in word or "HEADERS" in word for word in one.words):
             return
-    severity = None if 2 in view.ros else Severity.NOTE
+    is_plugin = cmake.first("pluginlib_export_plugin_description_file") is not None
+    is_read = 2 in view.ros and not (is_plugin and not view.around.asked_by)
+    severity = None if is_read else Severity.NOTE
     message = f"folder 'include' ({len(headers)} headers) is exported and installed by nothing"
     hit = command.hit("cmake.header_not_installed", f"{message}; expected install(DIRECTORY include/ …)", "include")
     yield msgspec.structs.replace(hit, severity=severity)
@@ -52,7 +54,9 @@ RULE = PackageRule(
     id="cmake.header_not_installed",
     title="Headers that are exported and not installed",
     finds="`ament_export_include_directories(include)` or `catkin_package(INCLUDE_DIRS include)` in a package "
-    "whose folder `include` no `install` command names. In ROS 1 it is a note: the devel space finds it.",
+    "whose folder `include` no `install` command names. In ROS 1 it is a note: the devel space finds it. So it is "
+    "where the package exports plug-ins, which are loaded and not included, and no package of the workspace depends on "
+    "it.",
     why="Packages that use it build beside its source and nowhere else: against the installation, or the released "
     "package, the header is missing.",
     profiles=("ros2", "ros1"),

@@ -4,28 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
-from roslens.source.rules.views.launch_view import ROS_1_ARGUMENT
+from roslens.source.rules.views.launch_view import ROS_1_ARGUMENT, LaunchXml
+from roslens.source.rules.views.passed_arguments import Passing, declared_in
 from roslens.source.workspace.elements import Element
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield the first use of each argument that a launch file of ROS 1 uses and does not declare."""
+    passing = Passing(view)
     for file in view.launch:
-        declared = {
-            element.attributes.get("name", "") for element, around in file.elements if _declares(element, around)
-        }
+        declared = {*declared_in(file)}
         if file.broken or file.is_test:
             continue
         for element, _ in file.elements:
             for name in _used(element):
                 if name not in declared:
                     declared.add(name)
-                    message = f"$(arg {name}) is used, and the file has no <arg name={name!r}>; expected it"
-                    yield file.hit("launch.undeclared_argument", element, message, name)
+                    yield from _hits(file, element, name, passing)
+
+
+def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Iterator[Hit]:
+    if passing.is_passed(file, name):
+        return
+    what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
+    message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
+    hit = file.hit("launch.undeclared_argument", element, message, name)
+    is_said = passing.is_on_a_command_line(file, name)
+    yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_said else hit
 
 
 def _used(element: Element) -> Iterator[str]:
@@ -36,15 +47,13 @@ def _used(element: Element) -> Iterator[str]:
         yield from ROS_1_ARGUMENT.findall(value)
 
 
-def _declares(element: Element, around: str) -> bool:
-    return element.tag == "arg" and around != "include"
-
-
 RULE = PackageRule(
     id="launch.undeclared_argument",
     title="Launch argument that is not declared",
     finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
-    "where there is one. The files of ROS 2 are left out: they inherit what the including file declares.",
+    "where there is one. The files of ROS 2 are left out: they inherit what the including file declares. So is "
+    "what all files that include this one pass on by `pass_all_args`; where a script or README starts it with `name:=` "
+    "it is a note.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
     severity=Severity.ERROR,
     profiles=("ros1",),

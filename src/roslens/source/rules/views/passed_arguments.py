@@ -1,0 +1,89 @@
+"""What a launch file of ROS 1 gets from outside: of files that include it, and on command lines that are written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from pathlib import Path
+from posixpath import basename, dirname
+from typing import TYPE_CHECKING
+
+from roslens.source.rules.views.launch_view import LaunchXml, launch_files
+from roslens.source.rules.views.package_files import PackageFiles
+
+if TYPE_CHECKING:
+    from roslens.source.workspace.elements import Element
+
+_TOLD = (".sh", ".bash", ".zsh", ".md", ".rst", ".txt", ".desktop", ".service")
+_MOST_TOLD = 200
+_FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)/")
+_GOES_ON = re.compile(rb"\\\r?\n")
+
+
+def declared_in(file: LaunchXml) -> Iterator[str]:
+    """Yield the names of the arguments that a launch file declares."""
+    for element, around in file.elements:
+        if element.tag == "arg" and around != "include":
+            yield element.attributes.get("name", "")
+
+
+class Passing:
+    """What is passed to the launch files of a package."""
+
+    def __init__(self, package: PackageFiles) -> None:
+        """Take a package; nothing is read before it is asked for."""
+        self._package = package
+
+    def is_passed(self, file: LaunchXml, name: str) -> bool:
+        """Return whether others include a file, and all of them pass an argument on with all that they have."""
+        path = self._package.inside(file.path)
+        by = [pair for pair in self._includes if pair[0].path != file.path and self._leads_to(pair[1], path)]
+        return bool(by) and all(_passes(one, element, name) for one, element in by)
+
+    def is_on_a_command_line(self, file: LaunchXml, name: str) -> bool:
+        """Return whether a script or a text gives an argument to a file where it starts it."""
+        pattern = rb"\b%s\b[^\n]*[\s\"'`]%s:=" % (re.escape(basename(file.path).encode()), re.escape(name.encode()))
+        return any(re.search(pattern, text) for text in self._told)
+
+    @cached_property
+    def _includes(self) -> list[tuple[LaunchXml, Element]]:
+        """Elements that include a file, with the one they stand in, of the package and of those that ask for it."""
+        package = self._package
+        others = (LaunchXml(package, file.path, is_test=False) for file in package.around.launched_by)
+        files = (*launch_files(package), *others)
+        return [(one, element) for one in files for element, _ in one.elements if element.tag == "include"]
+
+    @cached_property
+    def _told(self) -> list[bytes]:
+        """Texts and scripts of the package, and those beside it and above."""
+        package = self._package
+        paths = [package.path(one) for one in sorted(package.listing) if one.endswith(_TOLD)]
+        folder = package.folder
+        while folder:
+            folder = dirname(folder)
+            paths.extend(_beside(Path(package.root), folder))
+        return [_GOES_ON.sub(b" ", package.read(path)) for path in paths[:_MOST_TOLD]]
+
+    def _leads_to(self, element: Element, path: str) -> bool:
+        """Return whether an include is of a path below the package; where a folder is open, its name decides."""
+        file = element.attributes.get("file", "")
+        if match := _FIND.match(file):
+            return match[1] == self._package.package.name and file[match.end() :].lstrip("/") == path
+        return basename(file) == basename(path)
+
+
+def _passes(file: LaunchXml, include: Element, name: str) -> bool:
+    if include.attributes.get("pass_all_args", "").strip().lower() not in ("true", "1"):
+        return False
+    given = (one.attributes.get("name", "") for one in include.elements() if one.tag == "arg")
+    return name in given or name in declared_in(file)
+
+
+def _beside(root: Path, folder: str) -> list[str]:
+    """Return the paths of the scripts and texts in a folder of the workspace, sorted."""
+    try:
+        names = sorted(one.name for one in (root / folder).iterdir() if one.name.endswith(_TOLD))
+    except OSError:
+        return []
+    return [f"{folder}/{name}" if folder else name for name in names]

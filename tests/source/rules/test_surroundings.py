@@ -1,0 +1,77 @@
+"""What rules say of one package for what others of the workspace are to it."""
+
+import pytest
+
+from roslens.model.finding import Severity
+from roslens.source.rules.package_findings import rule_findings
+from roslens.source.settings import RuleSettings
+
+MANIFEST = "<package format='3'><name>{}</name>{}<export><build_type>{}</build_type></export></package>"
+PLUGINS = "pluginlib_export_plugin_description_file(nav plugins.xml)\n"
+START = '<launch><param name="ns" value="$(arg name)"/></launch>'
+WHOLE = (
+    '<launch><arg name="name" default="a"/><include file="$(find p)/launch/one.launch" pass_all_args="{}"/></launch>'
+)
+
+
+def package(folder, name, asks="", kind="ament_cmake", **files):
+    (folder / name / "launch").mkdir(parents=True)
+    (folder / name / "package.xml").write_text(MANIFEST.format(name, asks, kind))
+    for path, text in files.items():
+        where = folder / name / path.replace("__", "/").replace("_dot_", ".")
+        where.parent.mkdir(exist_ok=True)
+        where.write_text(text)
+
+
+def found(rule, view):
+    failures = []
+    severities = [one.severity for one in rule_findings(view, RuleSettings((), (rule,)), {}, (), (), failures)]
+    assert not failures
+    return severities
+
+
+@pytest.mark.parametrize(
+    ("plugins", "asks", "severity"),
+    [
+        (PLUGINS, "", Severity.NOTE),
+        (PLUGINS, "<depend>p</depend>", Severity.WARNING),
+        ("", "", Severity.WARNING),
+    ],
+)
+def test_headers_of_plugins_that_nobody_asks_for_need_not_be_installed(plugins, asks, severity, package_view, tmp_path):
+    build = f"project(p)\n{plugins}ament_export_include_directories(include)\nament_package()\n"
+    package(tmp_path, "p", CMakeLists_dot_txt=build, include__a_dot_hpp="int a;\n")
+    package(tmp_path, "q", asks)
+    assert found("cmake.header_not_installed", package_view(tmp_path, "p")) == [severity]
+
+
+@pytest.mark.parametrize(
+    ("asks", "passes", "severities"),
+    [
+        ("<depend>p</depend>", "true", []),
+        ("<depend>p</depend>", "false", [Severity.ERROR]),
+        ("", "true", [Severity.ERROR]),
+    ],
+)
+def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, severities, package_view, tmp_path):
+    package(tmp_path, "p", kind="catkin", launch__one_dot_launch=START)
+    package(tmp_path, "q", asks, "catkin", launch__all_dot_launch=WHOLE.format(passes))
+    assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == severities
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "severity"),
+    [
+        ("start.sh", "roslaunch p one.launch name:=b\n", Severity.NOTE),
+        ("README.md", "Run `roslaunch p one.launch rate:=3 name:=b`.\n", Severity.NOTE),
+        ("p/start.sh", "roslaunch p one.launch \\\n  name:=b\n", Severity.NOTE),
+        ("start.sh", "roslaunch p other.launch name:=b\n", Severity.ERROR),
+        ("start.sh", "roslaunch p one.launch rate:=3\nroslaunch p other.launch name:=b\n", Severity.ERROR),
+        ("start.sh", "roslaunch p one.launch other_name:=b\n", Severity.ERROR),
+    ],
+)
+def test_a_script_may_give_an_argument(path, text, severity, package_view, tmp_path):
+    package(tmp_path, "p", kind="catkin", launch__one_dot_launch=START)
+    package(tmp_path, "q")
+    (tmp_path / path).write_text(text)
+    assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == [severity]

@@ -11,6 +11,7 @@ from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
+from roslens.source.rules.run_code import run_code
 
 _NEEDS_SPIN = re.compile(rb"\b(Subscriber|create_subscription|create_service|create_timer|Service)\b\s*\(")
 _STAYS = re.compile(
@@ -33,8 +34,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     call = call_at(node)
     if call is None or (b"__main__" not in view.content and b"def main" not in view.content):
         return
-    registers = _NEEDS_SPIN.search(view.code)
-    if registers is None or _STAYS.search(view.code) or _may_stay_elsewhere(call, view):
+    if _NEEDS_SPIN.search(view.code) is None or _STAYS.search(view.code) or _may_stay_elsewhere(call, view):
+        return
+    # Of a file that cannot be parsed nobody knows what runs.
+    registers = None if view.root.has_error else _NEEDS_SPIN.search(run_code(view))
+    if registers is None:
         return
     is_rospy = view.text(node) == "init_node"
     yield view.hit(
@@ -65,7 +69,8 @@ def _may_stay_elsewhere(call: Node, view: FileView) -> bool:
 RULE = FileRule(
     id="node.spin_missing_python",
     title="Program that never spins (Python)",
-    finds="A program that makes a subscription, service or timer, in a file in which nothing spins or waits. Spin.",
+    finds="A program that makes a subscription, service or timer, in a file in which nothing spins or waits. Spin. "
+    "What no code of the file's top level or `main` comes to is left out.",
     why="The program ends at once, and with it the node; under a launch that respawns it, it comes and goes.",
     profiles=("ros2", "ros1"),
     tags=("lifetime",),

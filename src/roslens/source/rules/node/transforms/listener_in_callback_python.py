@@ -18,9 +18,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     call, function = call_at(node), function_around(node)
     if call is None or function is None or is_conditional(call, function):
         return
-    callback = callback_around(call, view)
+    is_listener = view.text(node).endswith("Listener")
+    # All publishers of rospy on a topic are one, which stays.
+    callback = callback_around(call, view) if is_listener or b"rclpy" in view.content else None
     if callback is not None:
-        is_listener = view.text(node).endswith("Listener")
         does = "it hears nothing before it is asked" if is_listener else "what it sends at once is lost"
         yield view.hit(
             "node.listener_in_callback_python",
@@ -33,15 +34,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.listener_in_callback_python",
     title="Transform listener or broadcaster made in a callback (Python)",
-    finds="`TransformListener` or `TransformBroadcaster` made in a callback. Make it once, in `__init__`.",
-    why="A new listener subscribes and knows no transform yet, so each look-up fails or waits; a new broadcaster has "
-    "no "
-    "subscriber yet, so what it sends is lost.",
+    finds="`TransformListener` made in a callback, or `TransformBroadcaster` in one of rclpy. Make it once, in "
+    "`__init__`.",
+    why="A new listener subscribes and knows no transform yet, so each look-up fails or waits; a new broadcaster of "
+    "rclpy has no subscriber yet, so what it sends is lost. Those of rospy share one publisher, which stays.",
     profiles=("ros2", "ros1"),
     tags=("transforms", "callbacks"),
-    bad="import rospy\nrospy.Subscriber('odom', Odometry, on)\ndef on(m):\n    tf.TransformBroadcaster().send(m)\n",
-    good="import rospy\nrospy.Subscriber('odom', Odometry, on)\nsender = tf.TransformBroadcaster()\n"
-    "def on(m):\n    sender.send(m)\n",
+    bad="import rospy\nrospy.Subscriber('odom', Odometry, on)\ndef on(m):\n"
+    "    tf.TransformListener().lookupTransform('map', 'base_link', m.header.stamp)\n",
+    good="import rospy\nrospy.Subscriber('odom', Odometry, on)\nlistener = tf.TransformListener()\n"
+    "def on(m):\n    listener.lookupTransform('map', 'base_link', m.header.stamp)\n",
     syntax="python",
     anchors=("TransformListener", "TransformBroadcaster", "StaticTransformBroadcaster"),
     mentions=ROS_PYTHON,

@@ -10,11 +10,14 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.workspace.placeholder import has_placeholder
 
+_PYTHON = ("ament_python_install_package", "catkin_python_setup", "ament_auto_package", "autoware_package")
+"""Commands that install what setup.py names."""
+
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield the version in setup.py where it is another one."""
     call = view.setup_call
-    if call is None or not view.package.version:
+    if call is None or not view.package.version or _runs_nothing(view):
         return
     for keyword in call.keywords:
         value = keyword.value
@@ -26,11 +29,18 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield Hit("package.version_disagrees", message, *at, context="version", path=view.path("setup.py"))
 
 
+def _runs_nothing(view: PackageView) -> bool:
+    """Return whether CMake builds the package and nothing there asks for its setup.py."""
+    cmake = view.cmake
+    is_built = view.package.build_type != "ament_python" and cmake.exists
+    return is_built and cmake.first(*_PYTHON) is None and not any("setup.py" in one.text for one in cmake.commands)
+
+
 RULE = PackageRule(
     id="package.version_disagrees",
     title="Versions of setup.py and package.xml differ",
     finds="A `version` in setup.py that is not the `<version>` of package.xml. Keep them equal; "
-    "`catkin_prepare_release` raises both.",
+    "`catkin_prepare_release` raises both. A setup.py that the package's CMakeLists.txt does not use is left out.",
     why="What is released, and what `pip`, `importlib.metadata` and `ros2 pkg xml` say on the robot, are two things.",
     profiles=("ros2", "ros1"),
     tags=("manifest", "python"),

@@ -10,7 +10,7 @@ from tree_sitter import Node
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import has_token
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
@@ -28,16 +28,40 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     function = function_around(node)
     if operand.type == "identifier" and function is not None and _is_declared_in(function, word, view):
         places = [at for at in places if function.start_byte <= at < function.end_byte]
-    gets = (_NEW.match(view.code, at + len(word)) for at in places)
-    forms = {b"[" in _made(match[1]) for match in gets if match is not None}
+    gets = [match for at in places if (match := _NEW.match(view.code, at + len(word)))]
+    forms = {b"[" in _made(match[1]) for match in gets}
     is_array = has_token(node, "[")
-    if forms == {not is_array}:
-        form = "delete" if is_array else "delete[]"
-        yield view.hit(
-            "cpp.delete_form",
-            node,
-            f"`{view.text(node)}`, but `{name}` is made by `new{'' if is_array else '[]'}`; expected `{form} {name}`",
-        )
+    # Where an argument of a template is an array, `new T` makes one.
+    if forms != {not is_array} or (is_array and any(_is_dependent(match, view) for match in gets)):
+        return
+    made = f"`{view.text(node)}`, but `{name}` is made by `new{'' if is_array else '[]'}`"
+    form = "delete" if is_array else "delete[]"
+    if _is_void(word, view):
+        expected = f"a pointer to the type that was made, and `{form}` of it: `void` does not tell what is freed"
+    else:
+        expected = f"`{form} {name}`"
+    yield view.hit("cpp.delete_form", node, f"{made}; expected {expected}")
+
+
+def _is_void(name: bytes, view: FileView) -> bool:
+    """Return whether a file declares a pointer to void of a name."""
+    declared = re.compile(rb"\bvoid\s*(?:const\s*)?\*\s*(?:const\s+)?%s\s*[=;,){(]" % re.escape(name))
+    return declared.search(view.code) is not None
+
+
+def _is_dependent(made: re.Match[bytes], view: FileView) -> bool:
+    """Return whether the type that ``new`` makes depends on a parameter of a template around it."""
+    kind = _made(made[1])
+    words = set(re.findall(rb"\w+", kind))
+    if b"typename" in words:
+        return True
+    node = view.node_at(made.start(), made.end())
+    templates = (one for one in all_above(node) if one.type == "template_declaration") if node is not None else ()
+    return any(
+        not words.isdisjoint(re.findall(rb"\w+", view.code[listed.start_byte : listed.end_byte]))
+        for one in templates
+        if (listed := one.child_by_field_name("parameters")) is not None
+    )
 
 
 def _is_declared_in(function: Node, name: bytes, view: FileView) -> bool:
@@ -58,7 +82,8 @@ RULE = FileRule(
     id="cpp.delete_form",
     title="`delete` of an array, or `delete[]` of one object",
     finds="`delete p` where the file has `p = new T[…]`, or `delete[] p` where it has `p = new T`. Use the form "
-    "that belongs to it, or `std::vector`.",
+    "that belongs to it, or `std::vector`. A `new T` whose type is a parameter of a template is left out: with an "
+    "array for `T` it makes one.",
     why="The heap is damaged; the node ends somewhere else, long after.",
     profiles=(
         "ros2",

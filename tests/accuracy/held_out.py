@@ -28,7 +28,7 @@ class About(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         title: of its section.
         measured_at: commit of roslens.
-        repositories_seed: that the repositories were drawn with.
+        repositories_seed: that the repositories were drawn with; 0 where they were gathered by search.
         endpoints_seed: that endpoints were drawn with.
         endpoints: how many the command shows in all.
         findings_seed: that findings were drawn with.

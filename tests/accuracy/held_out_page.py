@@ -7,9 +7,9 @@ from collections.abc import Iterable
 
 from graph_findings.judgements import Judgement
 
-from accuracy.held_out import OPEN, RIGHT, WRONG, Endpoint, HeldOut
+from accuracy.held_out import OPEN, RIGHT, WRONG, About, Endpoint, HeldOut
 
-_HEAD = """## Repositories that nobody had opened
+_HEAD = """## Repositories unseen before
 
 Systems above, and the tables of [endpoint_sites.md](endpoint_sites.md), were looked at while the graph was made. What
 it is worth on other code is measured on repositories that were held out:
@@ -49,8 +49,8 @@ def _of_set(one: HeldOut) -> list[str]:
         f"### {about.title}",
         "",
         (
-            f"{len(one.calls)} repositories, measured at `{about.measured_at}` of roslens. Seeds: repositories "
-            f"{about.repositories_seed}, endpoints {about.endpoints_seed}, findings {about.findings_seed}. "
+            f"{len(one.calls)} repositories, {_drawn(about)}, measured at `{about.measured_at}` of roslens. Seeds: "
+            f"endpoints {about.endpoints_seed}, findings {about.findings_seed}. "
             f"{about.since}"
         ),
         "",
@@ -61,6 +61,11 @@ def _of_set(one: HeldOut) -> list[str]:
         *_findings(one),
         "",
     ]
+
+
+def _drawn(about: About) -> str:
+    seed = about.repositories_seed
+    return f"drawn with seed {seed}" if seed else "gathered by search instead of drawn"
 
 
 def _calls(one: HeldOut) -> list[str]:

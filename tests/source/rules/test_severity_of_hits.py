@@ -8,9 +8,6 @@ from roslens.source.parsed_file import parse_file
 from roslens.source.rules.match_file import match_file
 from roslens.source.settings import MacroSettings
 
-CPP = (
-    "#include <rclcpp/rclcpp.hpp>\nvoid A::f() {{\n  sensor_msgs::msg::{0} m;\n  m.{1} = 1;\n  pub_->publish(m);\n}}\n"
-)
 PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub.publish(m)\n"
 
 LATE = """import rospy
@@ -22,10 +19,6 @@ class Sensor:
     def read(self, message):
         return self.scale
 """
-EXIT = (
-    "#include <ros/ros.h>\nvoid A::stop(const Stop &) {{ exit({0}); }}\n"
-    'void A::f() {{ sub_ = nh_.subscribe("stop", 1, &A::stop, this); }}\n'
-)
 AGAIN = (
     '#include <ros/ros.h>\nvoid f() {{\nros::service::call("brake", s);\n{}\n'
     'if (ros::service::call("{}", s)) report(s.response.a);\n}}\n'
@@ -51,14 +44,8 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 @pytest.mark.parametrize(
     ("rule", "language", "text", "severity"),
     [
-        ("node.stamp_missing", Language.CPP, CPP.format("Range", "range"), None),
-        ("node.stamp_missing", Language.CPP, CPP.format("JointState", "position"), Severity.NOTE),
         ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("Range", "range"), None),
         ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("JointState", "position"), Severity.NOTE),
-        ("node.stamp_missing", Language.CPP, CPP.format("TwistStamped", "twist"), Severity.NOTE),
-        ("node.exit_in_callback", Language.CPP, EXIT.format(1), None),
-        ("node.exit_in_callback", Language.CPP, EXIT.format(0), Severity.NOTE),
-        ("node.exit_in_callback", Language.CPP, EXIT.format("EXIT_SUCCESS"), Severity.NOTE),
         ("node.deprecated_ros2", Language.CPP, HEADER.format("rclcpp::executor::Executor"), None),
         (
             "node.deprecated_ros2",

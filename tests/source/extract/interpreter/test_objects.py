@@ -44,7 +44,7 @@ def test_a_list_in_braces_is_no_text_whose_signs_are_items(node_of):
 )
 @pytest.mark.parametrize("first", ["", ", tf_()", ", tf_{}", ", tf_(nullptr)"])
 def test_a_pointer_that_is_made_of_nothing_points_to_nothing(units, members, first):
-    text = f"class A : public rclcpp::Node {{ public: A() : Node(\"a\"){first} {{}} {members} }};"
+    text = f'class A : public rclcpp::Node {{ public: A() : Node("a"){first} {{}} {members} }};'
     (facts,) = units(a_cpp="#include <tf2_ros/transform_listener.h>\n#include <rclcpp/rclcpp.hpp>\n" + text)
     assert not facts.endpoints
 

@@ -16,7 +16,7 @@ def findings(*nodes, **surroundings):
 
 def test_two_names_that_mean_each_other_are_one_finding_at_the_end_that_waits():
     (one,) = findings(node("/lidar", end("pub", "/scan_raw", line=3)), node("/slam", end("sub", "/scan_row", line=8)))
-    assert one.severity is Severity.WARNING
+    assert one.severity is Severity.NOTE
     assert (one.path, one.line) == ("src/slam.cpp", 8)
     assert one.message == (
         "/slam (src/slam.cpp:8) subscribes to the topic /scan_row, which nobody publishes. Candidate: /scan_raw of "
@@ -100,7 +100,7 @@ def test_how_the_code_gives_the_name_is_told():
 def test_a_candidate_outweighs_nodes_that_are_not_known():
     nodes = node("/a", end("sub", "/scan_row")), node("/b", end("pub", "/scan_raw")), node("/driver", known=False)
     (one,) = findings(*nodes)
-    assert one.severity is Severity.WARNING
+    assert one.severity is Severity.NOTE
 
 
 def test_a_name_that_a_launch_file_gives_a_node_of_the_catalogue_is_meant():
@@ -133,21 +133,21 @@ def test_what_nobody_hears_of_a_type_of_the_workspace_is_a_note():
     ]
 
 
-def test_a_name_below_that_of_a_node_which_has_none_of_it_is_a_warning():
+def test_a_name_below_that_of_a_node_which_has_none_of_it_is_a_note():
     tracker = node("/tracker", end("pub", "/tracker/feature"), line=7)
     (one,) = findings(tracker, node("/slam", end("sub", "/tracker/features", "m/msg/F", line=3)))
-    assert (one.entity, one.severity) == ("topic:/tracker/features", Severity.WARNING)
+    assert (one.entity, one.severity) == ("topic:/tracker/features", Severity.NOTE)
     assert (
         "The name is below that of /tracker (launch/robot.launch.xml:7), which has none of it: it publishes "
         "`/tracker/feature`. Correct the name, or let /tracker have it." in one.message
     )
 
 
-def test_a_name_that_a_parameter_gives_to_a_node_which_does_not_use_it_is_a_warning():
+def test_a_name_that_a_parameter_gives_to_a_node_which_does_not_use_it_is_a_note():
     pose = (parameter("pose", value="/truth/pose", set_by=launched(9)),)
     truth = node("/gazebo", end("pub", "/truth/pose"), end("pub", "/other"))
     (one,) = findings(truth, node("/control", end("sub", "/state", "m/msg/S"), parameters=pose), external=("/state",))
-    assert (one.entity, one.severity) == ("topic:/truth/pose", Severity.WARNING)
+    assert (one.entity, one.severity) == ("topic:/truth/pose", Severity.NOTE)
     assert (
         "Parameter `pose` (launch/robot.launch.xml:9) gives the name to /control, which does not use it." in one.message
     )
@@ -183,4 +183,4 @@ def test_a_configuration_that_is_not_whole_is_in_doubt():
     assert "the configuration is not whole: what `other/b.launch` (src/x.cpp:1) starts is unknown" in one.message
     other = msgspec.structs.replace(missing, opens=False)
     (one,) = found(msgspec.structs.replace(whole, unresolved=(other,)), Surroundings())
-    assert one.severity is Severity.WARNING
+    assert one.severity is Severity.NOTE

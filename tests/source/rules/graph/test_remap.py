@@ -86,7 +86,7 @@ def test_who_is_alone_at_the_other_name_is_told():
 
 def test_a_name_in_another_namespace_was_meant():
     (one,) = findings(node("/a", end("sub", "/a/scan", given="~/scan"), remaps=(remap("scan", "/front/scan"),)))
-    assert one.severity is Severity.WARNING
+    assert one.severity is Severity.NOTE
     assert "Did you mean `~/scan`?" in one.message
 
 

@@ -15,11 +15,13 @@ _LEFT = re.compile(r"old|deprecated|obsolete|unused|archived?|not_for_build|do_n
 
 def as_notes_where_left_behind(placed: Mapping[str, Sequence[Hit]]) -> dict[str, list[Hit]]:
     """Return hits by path; those below a folder of what is no longer used are notes."""
-    return {
-        path: [msgspec.structs.replace(hit, severity=Severity.NOTE) for hit in hits] if _is_left(path) else list(hits)
-        for path, hits in placed.items()
-    }
+    return {path: _notes(hits) if is_left_behind(path) else list(hits) for path, hits in placed.items()}
 
 
-def _is_left(path: str) -> bool:
+def _notes(hits: Sequence[Hit]) -> list[Hit]:
+    return [msgspec.structs.replace(hit, severity=Severity.NOTE) for hit in hits]
+
+
+def is_left_behind(path: str) -> bool:
+    """Return whether a file lies below a folder of what is no longer used."""
     return any(_LEFT.fullmatch(folder) for folder in path.split("/")[:-1])

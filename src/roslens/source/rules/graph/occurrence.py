@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from roslens.model.configuration import ConfiguredNode, Proof
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
+from roslens.source.rules.by_package.left_behind import is_left_behind
 from roslens.source.rules.graph.doubt import Doubt
 
 TOOL = "graph"
@@ -30,14 +31,15 @@ def occurrence(
         message: what was found, where, what was expected, what to do; why it is in doubt stands behind it.
         proof: of what is found fault with.
         entity: text form of its id.
-        severity: where doubt lowers it.
+        severity: where doubt lowers it; what lies in a folder of what is no longer used is a note at most.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
         also: further entities for which it holds alike.
         doubt: why it may be none.
     """
+    weight = rule.severity if severity is None else severity
     return Finding(
         rule.id,
-        rule.severity if severity is None else severity,
+        Severity.NOTE if is_left_behind(proof.path) else weight,
         f"{message}{doubt}",
         proof.path,
         proof.line,

@@ -16,16 +16,14 @@ RULE = RuleInfo(
     "graph.one_end",
     "One end only",
     "A topic, service or action is used by one side only. Most such names are the interface of a node to what is "
-    "started beside it, so it is a warning only where the other end is expected: another node has nearly the same "
-    "name, or the same one in another namespace, with the same type, and that one is used by one side too; the name is "
-    "below that of a node of the configuration which has none of it; or a parameter gives it to a node that does not "
-    "use it. Otherwise what nobody "
-    "publishes or serves is a note, and so is what nobody subscribes to or calls where its type is one of the "
-    "workspace; of other types it is nothing. In a configuration that "
-    "`roslens.toml` declares to be the whole system (`whole = true`) what nobody publishes or serves is a warning, and "
-    "what nobody subscribes to or calls a note. Names whose other end is usually elsewhere are left out; `external` in "
-    "`[options.graph]` says which.",
-    Severity.WARNING,
+    "started beside it, so this is a note. Where the other end is expected, the message says why: another node has "
+    "nearly the same name, or the same one in another namespace, with the same type, and that one is used by one side "
+    "too; the name is below that of a node of the configuration which has none of it; or a parameter gives it to a "
+    "node that does not use it. Topics with subscribers alone are listed, those with publishers alone only where their "
+    "type is one of the workspace. In a configuration that `roslens.toml` declares to be the whole system "
+    "(`whole = true`), a subscription without a publisher and a client without a server are warnings. Names whose "
+    "other end is usually elsewhere are left out; `external` in `[options.graph]` lists them.",
+    Severity.NOTE,
     ("ros", "graph", "names", "connectivity"),
     "A name that is mistyped, remapped wrongly or in the wrong namespace joins nothing, and no node notices: "
     "a subscription waits for ever.",
@@ -87,7 +85,7 @@ def _told(
     end = of_name[0]
     waits = end.role in WAITING
     severity, doubt = weighed(
-        RULE.severity if why is not None or (surroundings.whole and waits) else Severity.NOTE,
+        Severity.WARNING if surroundings.whole and waits else RULE.severity,
         (end.one.proof,),
         end.conditions,
         # That the other end is expected says more than that somebody unknown might be there.

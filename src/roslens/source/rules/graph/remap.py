@@ -20,7 +20,7 @@ RULE = RuleInfo(
     "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, "
     "and a note where it may be left over; what every node has, "
     "as /tf, is left out. Correct the name, or move or remove the remapping.",
-    Severity.WARNING,
+    Severity.NOTE,
     ("ros", "graph", "names", "launch"),
     "The node keeps its name and the one meant stays unconnected; nothing says that a remapping had no effect.",
     tool=TOOL,

@@ -20,7 +20,7 @@ RULE = RuleInfo(
     "`use_sim_time` is true for some nodes and not for others that run together and use messages with a stamp. Nodes "
     "for which it is unknown, publishers of static transforms, bridges to a simulator and programs that end once they "
     "have done their work are left out. Set it for all of them, by one argument.",
-    Severity.WARNING,
+    Severity.NOTE,
     ("ros", "graph", "parameters", "launch"),
     "Stamps of the two kinds of node are decades apart: transforms cannot be looked up, messages count as too old.",
     tool=TOOL,

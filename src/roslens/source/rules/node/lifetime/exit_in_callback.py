@@ -14,8 +14,6 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
-_MEANT = re.compile(r"\(\s*(?:0|EXIT_SUCCESS)\s*\)$")
-"""A tool that has done its work, or that somebody closed."""
 _EXECUTES = re.compile(rb"\bexec[lv]p?e?\s*\(")
 
 
@@ -36,7 +34,6 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             + ("`rclcpp::shutdown()`" if b"rclcpp" in view.content else "`ros::shutdown()`")
             + ", and `main` to return",
             callback=callback,
-            severity=Severity.NOTE if _MEANT.search(view.text(call)) else None,
         )
 
 
@@ -48,6 +45,7 @@ RULE = FileRule(
     why="Destructors of the node do not run: drivers are not stopped, the last velocity stays, and in a "
     "container all "
     "other components end too.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("lifetime", "callbacks"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -11,7 +11,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.node.messages.stamped import COMMANDS, STAMPED
+from roslens.source.rules.node.messages.stamped import STAMPED
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _NAMES = "|".join(sorted(STAMPED))
@@ -47,7 +47,6 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         call,
         f"`{view.text(given[0])}` ({kind}) is published and its header never set: time 0, no frame; expected "
         "`header.stamp` and `header.frame_id`",
-        severity=Severity.NOTE if kind in COMMANDS else None,
     )
 
 
@@ -60,6 +59,7 @@ RULE = FileRule(
     why="Whoever transforms, filters or records it looks at 1970 in a frame without a name: it is dropped, or taken "
     "for the "
     "newest of all.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("messages", "time"),
     bad="""#include <rclcpp/rclcpp.hpp>

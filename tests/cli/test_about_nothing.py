@@ -17,8 +17,8 @@ TEXT = b"kind: reference\nname: r\nconstraints:\n  - {node: /b, cpu: <= 5 %}\n  
 def test_one_several_and_too_many():
     notes = [Note(0.0, NoteKind.UNMATCHED, f"sentence {number}") for number in range(MOST + 5)]
     assert lines_of([]) == []
-    assert lines_of(notes[:1]) == ["1 constraint is about nothing that was seen:", "  sentence 0"]
-    assert lines_of(notes)[0] == f"{MOST + 5} constraints are about nothing that was seen:"
+    assert lines_of(notes[:1]) == ["1 constraint matches nothing that was seen:", "  sentence 0"]
+    assert lines_of(notes)[0] == f"{MOST + 5} constraints match nothing that was seen:"
     assert lines_of(notes)[-1] == "  and 5 more"
     assert len(lines_of(notes)) == MOST + 2
 

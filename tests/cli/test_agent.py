@@ -22,7 +22,7 @@ def test_addresses(text, address):
 
 @pytest.mark.parametrize("text", ["base:x", "base:70000", ":80", ""])
 def test_no_addresses(text):
-    with pytest.raises(UsageError, match="is no address"):
+    with pytest.raises(UsageError, match="is not an address"):
         address_of(text)
 
 

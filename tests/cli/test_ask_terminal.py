@@ -55,7 +55,7 @@ def test_what_is_no_answer_is_none_and_a_line_may_come_in_pieces(terminal):
     terminal.ask(decision(1), 160.0)
     terminal.type("maybe\ny 7\ny 1 2\n\ny")
     assert terminal.answers() == []
-    assert said(terminal).count("is no answer") == 3
+    assert said(terminal).count("is not an answer") == 3
     terminal.type(" 1\n")
     assert len(terminal.answers()) == 1
 

@@ -137,7 +137,7 @@ def test_a_baseline_that_is_not_there_ends_with_3_whatever_is_found(walking, cap
         ("gone.json", "no such file"),
         ("{other}", "is of another workspace"),
         ("{garbage}", "cannot be read"),
-        ("{none}", "is no report of roslens"),
+        ("{none}", "is not a report of roslens"),
         ("{broken}", "is not as it was written"),
     ],
 )

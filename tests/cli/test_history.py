@@ -123,8 +123,8 @@ def test_what_was_long_ago_is_told_in_the_resolution_that_is_left(tmp_path, caps
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--entity", "topic:/nothing"], "is about nothing that was kept"),
-        (["--signal", "rat"], "is about nothing that was kept"),
+        (["--entity", "topic:/nothing"], "matches nothing that was kept"),
+        (["--signal", "rat"], "matches nothing that was kept"),
         (["--since", "yesterday"], "--since 'yesterday'"),
         (["--since", "1s", "--until", "1min"], "before"),
         (["--format", "parquet"], "-o FILE"),

@@ -41,7 +41,7 @@ def test_a_hold_that_cannot_be_read_holds(environment, content):
     path = hold_path(environment)
     path.parent.mkdir(parents=True)
     path.write_text(content)
-    assert "nobody can read who wrote it" in held()
+    assert "its author cannot be read" in held()
     path.unlink()
     path.mkdir()
     assert held()

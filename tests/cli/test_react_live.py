@@ -32,8 +32,8 @@ def reference(tmp_path, monkeypatch):
     ("words", "why"),
     [
         (["bare.yaml"], "no reaction in bare.yaml"),
-        (["r.yaml", "--mode", "ask"], "--mode ask where nobody can answer"),
-        (["r.yaml", "--maintenance", "tonight"], "--maintenance: 'tonight' is no maintenance window"),
+        (["r.yaml", "--mode", "ask"], "--mode ask without a way to answer"),
+        (["r.yaml", "--maintenance", "tonight"], "--maintenance: 'tonight' is not a maintenance window"),
         (["r.yaml", "--at-most", "-1"], "--at-most -1; expected 0 or more"),
         (["r.yaml", "--cool-down", "soon"], "--cool-down 'soon'"),
         (["r.yaml", "--allow", "allow.yaml", "--ros1"], "allow.yaml:1:29: the action 'reboot'"),

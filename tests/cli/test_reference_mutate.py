@@ -63,7 +63,7 @@ def test_for_programs_and_ci(bag, reference, capsys):
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        (["--time", "soon"], "--time: 'soon' is no amount"),
+        (["--time", "soon"], "--time: 'soon' is not an amount"),
         (["--at-least", "120"], "--at-least 120; expected a share from 0 to 100"),
         (["--topic", "/none"], "no topic to put faults into"),
         (["--topic", "re:("], "--topic: "),

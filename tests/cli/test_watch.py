@@ -130,10 +130,10 @@ SCAM = (
     "  - {topic: /odom, type: nav_msgs/Path, rate: 1..2 Hz}\n  - {node: /nobody*, cpu: <= 5 %}\n"
 )
 ABOUT_NOTHING = [
-    "r.topic.odom.rate is about nothing: no topic /odom of type {} is there. /odom is there, but of type {}".format(
+    "r.topic.odom.rate matches nothing: no topic /odom of type {} exists. /odom is there, but of type {}".format(
         "nav_msgs/Path", "sensor_msgs/Imu"
     ),
-    "r.topic.scam*.rate is about nothing: no topic /scam* is there. Did you mean '/scan'?",
+    "r.topic.scam*.rate matches nothing: no topic /scam* exists. Did you mean '/scan'?",
 ]
 
 
@@ -143,7 +143,7 @@ def test_what_is_about_nothing_is_told_at_the_end(bag, tmp_path, capsys):
     reported = [f"{scam}:{line}: {text}" for line, text in zip((5, 4), ABOUT_NOTHING, strict=True)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--no-color"])
     out = capsys.readouterr().out.splitlines()
-    assert out[-5:-2] == ["2 constraints are about nothing that was seen:", *(f"  {one}" for one in reported)]
+    assert out[-5:-2] == ["2 constraints match nothing that was seen:", *(f"  {one}" for one in reported)]
     main(["watch", "--bag", bag, "--reference", str(scam), "--format", "json"])
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [line["text"] for line in lines if line["is"] == "note"] == reported

@@ -98,7 +98,7 @@ def test_what_other_monitors_report_is_a_line_and_other_events_are_where_more_is
 )
 def test_an_error_that_could_not_have_been_noticed_is_no_pass(capsys, severity, judged, code, said):
     options = argparse.Namespace(output=None, format="text", verbose=False, quiet=False, no_color=True, color=False)
-    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, severity=severity, evidence="nobody observes it")
+    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, severity=severity, evidence="it is not observed")
     ok, other = (
         msgspec.structs.replace(MAP, state=State.OK, expectation=name) for name in (MAP.expectation, "r.other")
     )
@@ -132,7 +132,7 @@ def test_the_lines_of_a_step_are_sorted_by_time(tell):
 
 def test_a_watch_that_could_judge_nothing_is_not_clean(capsys):
     options = argparse.Namespace(output=None, format="text", verbose=False, quiet=False, no_color=True, color=False)
-    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, evidence="it is published, but nobody observes it")
+    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, evidence="it is published, but not observed")
     ok = msgspec.structs.replace(MAP, state=State.OK)
     found = []
     for changes in ((unknown,), (ok, unknown)):
@@ -143,5 +143,5 @@ def test_a_watch_that_could_judge_nothing_is_not_clean(capsys):
     assert found == [3, 0]
     said = capsys.readouterr().err
     assert "nothing could be judged: every verdict stayed unknown" in said
-    assert "topic:/map rate since it is published, but nobody observes it" in said
+    assert "topic:/map rate since it is published, but not observed" in said
     assert "--tap" in said

@@ -57,7 +57,7 @@ def test_what_a_pattern_matches(text: str, matching: list[str], others: list[str
         ("*a" * 101, "101 stars in the pattern"),
         ("{" * 30 + "}" * 30, "more than 20 braces"),
         ("re:", "empty"),
-        ("re:(a", "is no regular expression: missing"),
+        ("re:(a", "is not a regular expression: missing"),
         (r"re:(a)\1", "has a reference to a group"),
         ("re:(?!/tmp).*", "use `without` to leave names out"),
         ("re:(a{100}){100}", "repeats too much"),

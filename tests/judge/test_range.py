@@ -45,7 +45,7 @@ def test_parse_takes_other_spellings(text: str):
 
 @pytest.mark.parametrize("text", ["", "15", "1...15", "< 15", "a..b", "1..", "..2", "nan..1", "<= inf", "1..2..3"])
 def test_parse_refuses_what_is_no_range(text: str):
-    with pytest.raises(ValueError, match="is no range, expected a range such as"):
+    with pytest.raises(ValueError, match="is not a range, expected a range such as"):
         Range.parse(text)
 
 

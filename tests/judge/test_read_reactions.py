@@ -156,7 +156,7 @@ EACH = "{node: /x*, is: gone, match: each}"
         (GONE, "[{restart: {}}]", "6:18: `restart` with no target; expected `node: NAME`"),
         (GONE, "[{restart: /x*}]", "restart '/x*' has wildcards; expected the name of one node. To act on each"),
         (GONE, "[{restart: {node: /x, gracee: 1 s}}]", "unknown key 'gracee' of a `restart`"),
-        (GONE, "[{restart: {node: /x, grace: soon}}]", "grace: 'soon' is no amount"),
+        (GONE, "[{restart: {node: /x, grace: soon}}]", "grace: 'soon' is not an amount"),
         (GONE, "[{restart: {node: /x, whole_process: 1}}]", "whole_process is '1'; expected true or false"),
         (GONE, "[{publish: {topic: /stop}}]", "`publish` without 'type'; expected the line `type: …`"),
         (GONE, "[{publish: {topic: stop, type: std_msgs/Bool}}]", "topic is 'stop'; expected a name that begins"),

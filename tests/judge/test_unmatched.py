@@ -34,7 +34,7 @@ def test_a_graph_is_full_of_subjects():
     )
 
 
-NOBODY = "connection /scan to /nobody is there. /scan is there, but to /amcl"
+NOBODY = "connection /scan to /nobody exists. /scan is there, but to /amcl"
 
 
 def test_what_matches_nothing_is_told_with_the_nearest_name():
@@ -55,11 +55,11 @@ chains:
 """
     reference = load_reference([GivenText("r.yaml", text)], BY_KEY)
     assert [str(one) for one in unmatched(reference, subjects_of(GRAPH))] == [
-        "r.yaml:13: r.chain.scan.map.age is about nothing: no topic /map is there",
-        f"r.yaml:6: r.connection.scan.nobody.rate is about nothing: no {NOBODY}",
-        "r.yaml:11: r.field.scan.x.value is about nothing: no topic /mode is there",
-        "r.yaml:9: r.node.lidar.presence is about nothing: no node /driver is there",
-        "r.yaml:5: r.topic.scam.rate is about nothing: no topic /scam is there. Did you mean '/scan'?",
+        "r.yaml:13: r.chain.scan.map.age matches nothing: no topic /map exists",
+        f"r.yaml:6: r.connection.scan.nobody.rate matches nothing: no {NOBODY}",
+        "r.yaml:11: r.field.scan.x.value matches nothing: no topic /mode exists",
+        "r.yaml:9: r.node.lidar.presence matches nothing: no node /driver exists",
+        "r.yaml:5: r.topic.scam.rate matches nothing: no topic /scam exists. Did you mean '/scan'?",
     ]
 
 
@@ -101,8 +101,8 @@ fields:
   - {id: pair, topic: /scan, field: a, difference: 0..1, to: {topic: /skan, field: a}}
 """
     found = unmatched(load_reference([GivenText("r.yaml", text.encode())], BY_KEY), subjects_of(GRAPH))
-    assert [str(one).partition(" is there.")[0] for one in found] == [
-        "r.yaml:5: r.field.wheel_*.ticks.change is about nothing: no topic /wheel_* is there",
-        "r.yaml:6: r.pair.difference is about nothing: no topic /skan",
+    assert [str(one).partition(" exists.")[0] for one in found] == [
+        "r.yaml:5: r.field.wheel_*.ticks.change matches nothing: no topic /wheel_* exists",
+        "r.yaml:6: r.pair.difference matches nothing: no topic /skan",
     ]
     assert "Did you mean '/scan'?" in str(found[1])

@@ -29,9 +29,9 @@ def reactions(when: str, do: str):
         ("{topic: '**', type: sensor_msgs/msg/LaserScan, is: bad}", []),
         (
             "{node: /lider, is: gone}",
-            ["r.yaml:5:10: r.a is about nothing: no node /lider is there. Did you mean '/lidar'?"],
+            ["r.yaml:5:10: r.a matches nothing: no node /lider exists. Did you mean '/lidar'?"],
         ),
-        ("{node: '/l*', on: base, is: gone}", ["r.yaml:5:10: r.a is about nothing: no node /l* on base is there"]),
+        ("{node: '/l*', on: base, is: gone}", ["r.yaml:5:10: r.a matches nothing: no node /l* on base exists"]),
         ("{service: /x, is: there}", []),
     ],
 )

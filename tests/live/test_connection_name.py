@@ -23,5 +23,5 @@ def test_every_name_comes_back(topic, publisher, subscriber):
 
 
 def test_another_name_is_refused():
-    with pytest.raises(ValueError, match="no connection"):
+    with pytest.raises(ValueError, match="not a connection"):
         connection_ends(EntityId(EntityKind.CONNECTION, "/scan"))

@@ -123,7 +123,7 @@ def test_what_is_disabled_is_not_imported(name, tmp_path, fixtures, monkeypatch)
 def test_a_misspelt_name_to_disable_is_told(fixtures):
     found = discover(["orderly.py"], disable=["orderley", "something_else"], base=fixtures, search=())
     (failure,) = found.failures
-    assert "'orderley' in `disable` is no plug-in that is there" in str(failure)
+    assert "'orderley' in `disable` is not an installed plug-in" in str(failure)
     assert "Did you mean 'orderly'?" in str(failure)
 
 
@@ -148,7 +148,7 @@ def test_folders_that_are_no_plugins_get_advice(tmp_path):
     (tmp_path / "project").mkdir()
     (tmp_path / "project" / "pyproject.toml").touch()
     (failure,) = discover(["project"], base=tmp_path, search=()).failures
-    assert "it is no plug-in" in str(failure)
+    assert "it is not a plug-in" in str(failure)
     assert "Install it" in str(failure)
 
 

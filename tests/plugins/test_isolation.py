@@ -172,7 +172,7 @@ BREACHES = {
     "no number": ("misbehaving.share is 'much'; expected a number", ""),
     "wrong entity": ("entity 'file:elsewhere.py' is not here", ""),
     "wrong kind": ("a value of 'misbehaving.share' for a function; expected a file", ""),
-    "wrong path": ("path '/etc/passwd' is no file of what it was given", ""),
+    "wrong path": ("path '/etc/passwd' is not one of the files it was given", ""),
     "wrong line": ("line 99 is behind the end of pack/wrong line.py", ""),
     "no line": ("line is 'one'; expected a whole number from 1", ""),
     "twice": ("0.25 and 0.5 for 'misbehaving.share' of one entity; expected one value", ""),

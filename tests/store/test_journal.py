@@ -91,7 +91,7 @@ def test_a_line_that_was_never_completed_is_told_and_writing_goes_on(path):
 def test_what_is_no_journal_is_not_appended_to(path):
     path.parent.mkdir()
     path.write_text("name: rover\nparts: 3\n")
-    with pytest.raises(StoreError, match="no entry"):
+    with pytest.raises(StoreError, match="not an entry"):
         Journal(path)
     assert path.read_text() == "name: rover\nparts: 3\n"
 

@@ -78,7 +78,7 @@ examples:
 
 exit codes: 0 clean, 1 findings at or above --fail-on, 2 usage or bad input,
 3 something could not be analysed, 70 a bug, 74 the output could not be written,
-130 interrupted, 141 nobody reads the output"""
+130 interrupted, 141 output closed by its reader"""
 
 
 def parser(only: str | None = None) -> CommandParser:

@@ -150,7 +150,7 @@ def _from_path(path: str, base: Path) -> _Candidate | Failure:
     if (target / "__init__.py").is_file() or (target.is_file() and target.suffix == ".py"):
         return _Candidate(target.stem, f"file {path}", LoadSpec(Source.FILE, path=str(target)))
     advice = "Install it, then it is found without a path" if (target / "pyproject.toml").is_file() else ""
-    return would_not_load(path, "it is no plug-in", expected=expected, advice=advice)
+    return would_not_load(path, "it is not a plug-in", expected=expected, advice=advice)
 
 
 def _load_here(candidate: _Candidate) -> Member | Failure:
@@ -217,5 +217,5 @@ def _misspelt(disable: Sequence[str], labels: set[str]) -> Iterator[Failure]:
         if name in labels or HAROS_PREFIX + name in labels:
             continue
         if near := did_you_mean(name, labels):
-            what = f"{name!r} in `disable` is no plug-in that is there"
+            what = f"{name!r} in `disable` is not an installed plug-in"
             yield Failure(tool=TOOL, what=what, expected=f"one of {', '.join(sorted(labels))}", advice=near)

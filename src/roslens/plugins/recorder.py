@@ -124,7 +124,7 @@ class Recorder:
             return inside if inside in self.grounds.paths else self.grounds.default_path
         found = self.grounds.resolve(str(path))
         if found is None:
-            raise _BreachError(f"path {str(path)!r} is no file of what it was given", "a path of one of its files")
+            raise _BreachError(f"path {str(path)!r} is not one of the files it was given", "a path of one of its files")
         return found
 
     def _check_entity(self, entity: str) -> None:

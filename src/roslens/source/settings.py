@@ -63,7 +63,7 @@ class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_f
 class DeclaredConfiguration(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
     """A system that runs together: a launch file (``package/file`` or a path) and its arguments.
 
-    ``whole`` says that nothing else runs beside it: who waits for what nobody in it provides waits for ever.
+    ``whole`` says that nothing else runs beside it: who waits for what nothing in it provides waits for ever.
     """
 
     launch: str

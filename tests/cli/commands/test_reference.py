@@ -89,7 +89,9 @@ topic:/scan
 
 def test_explain_wants_an_entity(base: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["reference", "explain", str(base), "topik:/scan"]) == 2
-    assert "'topik:/scan' is no entity; expected KIND:NAME with one of host, node" in (err := capsys.readouterr().err)
+    assert "'topik:/scan' is not an entity; expected KIND:NAME with one of host, node" in (
+        err := capsys.readouterr().err
+    )
     assert "Did you mean 'topic'?" in err
 
 

@@ -30,8 +30,8 @@ def test_a_line_for_each(tmp_path: Path) -> None:
     [
         ("", "no token"),
         ("# nothing\n", "no token"),
-        ("view vera\n", ":1: 2 words that are no token"),
-        (f"\nadmin vera {ONE}\n", ":2: 3 words that are no token"),
+        ("view vera\n", ":1: 2 words that are not a token"),
+        (f"\nadmin vera {ONE}\n", ":2: 3 words that are not a token"),
         ("view vera short\n", "a token of 5 characters for 'vera'"),
         (f"view vera {'ü' * 30}\n", "a token of 30 characters for 'vera'"),
         (f"view vera {ONE}\nview otto {ONE}\n", "'otto' has the token of 'vera'"),

@@ -141,7 +141,9 @@ def test_a_node_that_is_gone_is_started_and_one_that_runs_is_left_alone(scene):
     found = scene.ask("start", pid=node.pid)
     assert found.text.startswith("started again as process")
     pid = found.text.split()[-1]
-    assert scene.ask("start", pid=node.pid).text == f"somebody started it again as process {pid}", "not started twice"
+    assert scene.ask("start", pid=node.pid).text == f"another process started it again as process {pid}", (
+        "not started twice"
+    )
 
 
 def test_nodes_that_share_a_process_are_left_alone(scene):

@@ -183,7 +183,7 @@ def test_times():
 
 def test_pids():
     assert read_pids(named_pids({5, 3})) == [3, 5]
-    with pytest.raises(LinkError, match="no process ids"):
+    with pytest.raises(LinkError, match="not process ids"):
         read_pids(b"\xc1")
 
 

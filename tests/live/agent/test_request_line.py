@@ -156,7 +156,7 @@ def test_what_was_asked_when_the_line_broke_has_failed(scene):
     scene.agents.pop().close()
     found = []
     wait_until(lambda: found.extend(scene.monitor.poll()) or found)
-    assert "nobody knows whether it was done" in found[0].text
+    assert "it is unknown whether the action was done" in found[0].text
 
 
 def test_enrolling_twice_and_odd_names_are_refused(keys, tmp_path):

@@ -73,8 +73,8 @@ def test_every_changed_byte_is_noticed(believing):
     ("request_", "why"),
     [
         (HostRequest("r", "publish", "/n", 7), "nothing that a host does"),
-        (HostRequest("r", "stop", "/n", 1), "1 is no process"),
-        (HostRequest("r", "stop", "/n", -7), "no process"),
+        (HostRequest("r", "stop", "/n", 1), "1 is not a process"),
+        (HostRequest("r", "stop", "/n", -7), "not a process"),
         (HostRequest("r", "stop", "/n\n", 7), "names"),
         (HostRequest("r", "stop", "/n", 7, ("/a",) * 2000), "names"),
         (HostRequest("r", "stop", "/n", 7, (), {"shell": "rm"}), "no argument 'shell'"),

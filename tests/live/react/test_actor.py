@@ -137,7 +137,7 @@ def test_what_has_to_wait_is_done_later_if_it_is_still_to_be_done():
     scene.truth["r/3.0"] = False
     scene.step(seconds=6.0)
     assert [one for one, _ in scene.begun] == ["r/1.0", "r/2.0"]
-    assert scene.outcomes == [("r/3.0", Result.REFUSED, "what it was about is gone")]
+    assert scene.outcomes == [("r/3.0", Result.REFUSED, "its condition no longer holds")]
     gates = [(fields["decision"], fields["gate"]) for what, fields in scene.entries if what == "gate"]
     assert gates == [("r/1.0", "allow"), ("r/2.0", "wait"), ("r/3.0", "wait"), ("r/2.0", "allow")]
 
@@ -187,7 +187,7 @@ def test_a_question_is_withdrawn_when_nobody_answers_or_its_cause_is_gone():
     assert scene.withdrawn == ["r/1.0"]
     scene.step(seconds=ANSWER_WITHIN_S + 1)
     assert scene.withdrawn == ["r/1.0", "r/2.0"]
-    assert "nobody answered" in scene.outcomes[-1][2]
+    assert "no answer within" in scene.outcomes[-1][2]
 
 
 def test_what_repeats_ends_when_its_cause_is_gone():
@@ -231,4 +231,4 @@ def test_what_nobody_tells_of_has_failed():
     scene = Scene()
     scene.step(decision())
     scene.step(seconds=1000.0)
-    assert "nobody reported" in scene.outcomes[-1][2]
+    assert "no result was reported" in scene.outcomes[-1][2]

@@ -66,7 +66,7 @@ def test_a_node_that_is_gone_is_acted_upon_in_the_ros_that_it_was_seen_in(node, 
     assert Scene().do("set_parameter", node) == (asked, [])
 
 
-@pytest.mark.parametrize(("node", "why"), [("/bridge", "is in both"), ("/nobody", "nobody saw of which")])
+@pytest.mark.parametrize(("node", "why"), [("/bridge", "is in both"), ("/nobody", "no node of that name")])
 def test_what_cannot_be_told_is_left_alone(node, why):
     asked, (text,) = Scene().do("set_parameter", node)
     assert asked == [0, 0]

@@ -30,12 +30,12 @@ def test_a_window_holds_its_times(text, within, outside):
         ("tonight", "expected `22:00"),
         ("25:00-26:00", "00:00 to 24:00"),
         ("Foo 01:00-02:00", "'foo'"),
-        ("01:00-01:00", "no time at all"),
+        ("01:00-01:00", "is empty"),
         ("24:30-25:00", "00:00 to 24:00"),
         ("01:60-02:00", "00:00 to 24:00"),
     ],
 )
 def test_what_is_no_window_is_refused(text, why):
-    with pytest.raises(ValueError, match="no") as caught:
+    with pytest.raises(ValueError, match="expected") as caught:
         parse_window(text)
     assert why in str(caught.value)

@@ -41,7 +41,7 @@ class ScriptedRos:
     def call(self, service, type_, fields, timeout_s):
         self._did("call", service, fields)
         if service not in self.answers:
-            raise ActionError(f"nobody offers {service}")
+            raise ActionError(f"no server offers {service}")
         return self.answers[service]
 
     def set_parameter(self, node, name, value, timeout_s):
@@ -108,7 +108,7 @@ def test_a_call_whose_answer_says_so_failed(act):
     found = act(answers={"/enable": {"success": False, "message": "hot"}}).order("call", **reported)
     assert (found.done, "message: hot" in found.text) == (False, True)
     assert act(answers={"/enable": {}}).order("call", **reported).text == "/enable answered without fields"
-    assert "nobody offers" in act().order("call", **reported).text
+    assert "no server offers" in act().order("call", **reported).text
 
 
 def test_notices_go_where_they_are_asked_for(act):
@@ -172,8 +172,8 @@ def test_components_are_unloaded_by_their_number_and_not_loaded_twice(act):
 
 
 def test_what_is_not_done_through_ros_and_not_in_this_generation_is_refused(act):
-    assert "no action that is done through ROS" in act().order("restart", "/n").text
-    assert "no action" in act().order("rm -rf", "/n").text
+    assert "not an action that is carried out through ROS" in act().order("restart", "/n").text
+    assert "not an action" in act().order("rm -rf", "/n").text
     assert "does not exist in ROS 1" in act(generation=1).order("lifecycle", "/n", transition="activate").text
 
 

@@ -127,7 +127,7 @@ def _of_file(path: Path) -> Baseline:
         raise UsageError(
             f'--baseline "{path}" is not as it was written: {type(error).__name__}: {error}', expected=expected
         ) from error
-    raise UsageError(f'--baseline "{path}" is no report of roslens', expected=expected)
+    raise UsageError(f'--baseline "{path}" is not a report of roslens', expected=expected)
 
 
 def _of_json(one: Mapping[str, Any]) -> Finding:

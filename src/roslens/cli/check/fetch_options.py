@@ -126,7 +126,7 @@ def _check(options: argparse.Namespace, counted: bool) -> None:
     if options.depth is not None and options.depth < 1:
         raise UsageError(f"--depth {options.depth}", expected="at least 1")
     if options.depth and options.at:
-        raise UsageError("--depth with --at", expected="one of them: a shallow history does not tell what was when")
+        raise UsageError("--depth with --at", expected="one of them: a shallow history has no past revisions")
     if counted and not options.filter:
         raise UsageError("--at count", expected="--filter FILE with the number of commits of each repository")
 

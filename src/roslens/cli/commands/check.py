@@ -74,7 +74,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--accept-partial",
         action="store_true",
         default=None,
-        help="do not exit with 3 for files of which only parts could not be parsed",
+        help="do not exit with 3 for files that were parsed only in part",
     )
     parser.add_argument(
         "--jobs",

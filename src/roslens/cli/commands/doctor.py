@@ -78,7 +78,7 @@ def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
         else:
             absent.append(tool.name)
     if absent:
-        yield "note", f"not installed: {', '.join(absent)}; `roslens plugins` says how to get them for --tools"
+        yield "note", f"not installed: {', '.join(absent)}; `roslens plugins` shows how to get them for --tools"
 
 
 def _libraries() -> Iterator[tuple[str, str]]:

@@ -85,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
             [*(f"--entity {one!r}" for one in options.entity), *(f"--signal {one!r}" for one in options.signal)]
         )
         raise UsageError(
-            f"{words} is about nothing that was kept", expected="a pattern of what the file holds",
+            f"{words} matches nothing that was kept", expected="a pattern of what the file holds",
             advice="See it all: roslens history FILE",
         )  # fmt: skip
     units = {key: quantity.unit for key, quantity in BY_KEY.items()}

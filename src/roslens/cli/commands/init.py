@@ -105,7 +105,7 @@ imports = []
 # [graph.configurations.robot]
 # launch = "my_bringup/robot.launch.py"
 # arguments = { simulation = false }
-# whole = true    # nothing runs beside it: who waits for what nobody in it provides waits for ever
+# whole = true    # nothing runs beside it: a node that waits for something not provided within it waits for ever
 [graph.configurations]
 
 # What code cannot tell of a node, for `roslens graph`; by its name, or by package/executable:

@@ -258,7 +258,7 @@ def _subject(options: argparse.Namespace) -> Subject:
     words = [one.value for one in KINDS]
     if kind not in words or not name:
         expected = f"KIND:NAME with one of {', '.join(words)}"
-        raise UsageError(f"{options.entity!r} is no entity", expected=expected, advice=did_you_mean(kind, words))
+        raise UsageError(f"{options.entity!r} is not an entity", expected=expected, advice=did_you_mean(kind, words))
     return Subject(EntityKind(kind), name, **{word: getattr(options, word) for word in _NARROWING})
 
 

@@ -75,7 +75,7 @@ class NamedRuns:
         if not commit:
             near = names_like(repository, name)
             raise UsageError(
-                f'"{name}" is no run: git knows no such revision',
+                f'"{name}" is not a run: git knows no such revision',
                 expected="a number of a kept run, `now`, `release`, or a branch, tag or commit",
                 advice=f"Did you mean {', '.join(near)}?" if near else "",
             )
@@ -105,7 +105,7 @@ class NamedRuns:
             time_s = seconds_of(name) + (_DAY_S - 1 if re.fullmatch(r"\d{4}-\d{2}-\d{2}", name) else 0)
         except UsageError:
             raise UsageError(
-                f'"{name}" is no run: the workspace holds {len(states.repositories)} repositories, '
+                f'"{name}" is not a run: the workspace holds {len(states.repositories)} repositories, '
                 "and a revision is of one of them",
                 expected="a number of a kept run, `now`, `release`, or a date such as 2024-01-31",
             ) from None

@@ -48,7 +48,7 @@ def trends_of(start: str) -> Iterator[Trends]:
             reported = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
             print(f"roslens: {reported}", file=sys.stderr)
         if trends.other_root:
-            reported = f'the newest run is of "{trends.other_root}" and no point of the history of "{kept.root}"'
+            reported = f'the newest run is of "{trends.other_root}" and not a point of the history of "{kept.root}"'
             print(f"roslens: {reported}; `roslens check {kept.root}` makes one", file=sys.stderr)
         if not trends.points:
             raise UsageError(

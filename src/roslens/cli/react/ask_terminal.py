@@ -57,7 +57,9 @@ class AskTerminal:
             return None
         number = int(words[1]) if len(words) == 2 and words[1].isdigit() else None
         if words[0] not in (*_YES, *_NO) or (len(words) > 1 and number not in self._open) or len(words) > 2:
-            print(f"roslens: {line[:60]!r} is no answer, expected y or n and a number that is asked", file=self._out)
+            print(
+                f"roslens: {line[:60]!r} is not an answer, expected y or n and a number that is asked", file=self._out
+            )
             return None
         if number is None:
             if len(self._open) != 1:

@@ -79,4 +79,4 @@ class Held:
             until = reported["until"]
             return f"by {reported['by']}{why}", None if until is None else float(until)
         except (OSError, ValueError, KeyError, TypeError):
-            return f"{self._path} is there, and nobody can read who wrote it", None
+            return f"{self._path} exists, but its author cannot be read", None

@@ -58,7 +58,7 @@ def react_live(options: argparse.Namespace) -> int:
     limits, files = limits_of(options), files_with_reactions(options)
     if options.mode == "ask" and not sys.stdin.isatty() and options.serve is None:
         raise UsageError(
-            "--mode ask where nobody can answer", expected="a terminal, or --serve PORT",
+            "--mode ask without a way to answer", expected="a terminal, or --serve PORT",
             advice="Take --mode dry-run or act",
         )  # fmt: skip
     length = length_of(options.length, "--for") if options.length is not None else None

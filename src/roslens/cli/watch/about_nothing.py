@@ -46,5 +46,5 @@ def lines_of(notes: Collection[Note]) -> list[str]:
         return []
     shown = [f"  {note.text}" for note in list(notes)[:MOST]]
     more = [f"  and {len(notes) - MOST} more"] if len(notes) > MOST else []
-    number = "1 constraint is" if len(notes) == 1 else f"{len(notes)} constraints are"
-    return [f"{number} about nothing that was seen:", *shown, *more]
+    number = "1 constraint matches" if len(notes) == 1 else f"{len(notes)} constraints match"
+    return [f"{number} nothing that was seen:", *shown, *more]

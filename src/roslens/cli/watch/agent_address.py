@@ -18,5 +18,5 @@ def address_of(text: str, default_port: int = DEFAULT_PORT) -> tuple[str, int]:
     if not separator or text.endswith("]") or (":" in host and not host.startswith("[")):
         host, port = text, str(default_port)
     if not port.isdigit() or not 0 <= int(port) < 65536 or not host:
-        raise UsageError(f"{text!r} is no address", expected="HOST, HOST:PORT or [IPv6]:PORT")
+        raise UsageError(f"{text!r} is not an address", expected="HOST, HOST:PORT or [IPv6]:PORT")
     return host.strip("[]"), int(port)

@@ -39,7 +39,7 @@ def fetched(address: str, what: str, environment: Mapping[str, str] = os.environ
                     return b""
                 if "json" in answer.headers.get("content-type", ""):
                     return bytes(answer.read(_MOST_BYTES))
-                tried = "a page that is no live page"
+                tried = "a page that is not a live page"
         except urllib.error.HTTPError as error:
             if error.code in (401, 403):
                 raise UsageError(
@@ -50,7 +50,7 @@ def fetched(address: str, what: str, environment: Mapping[str, str] = os.environ
         except (OSError, ValueError) as error:
             raise UsageError(
                 f"{address} does not answer: {getattr(error, 'reason', error)}", expected=_EXPECTED,
-                advice="Look at the address that it printed when it was started",
+                advice="Use the address that it printed when it was started",
             ) from None  # fmt: skip
     raise UsageError(f"{address} answers with {tried}", expected=_EXPECTED)
 

@@ -44,7 +44,7 @@ def not_in_source(one: Claim, source: Side, same_node: Sequence[Claim]) -> Why:
             text = f"The source may start more than could be read: {source.open}"
             return Why(Reason.INCOMPLETE, UNDECIDED, text, _NOTE)
     elif one.node in source.unread:
-        text = f"The code of its node was not understood wholly: {source.unread[one.node]}"
+        text = f"The code of its node was understood only in part: {source.unread[one.node]}"
         return Why(Reason.INCOMPLETE, UNDECIDED, text, _NOTE)
     elif one.node and same_node and all(other.kind in (NODE, PARAMETER) or other.implicit for other in same_node):
         # Its package is not in the workspace.

@@ -103,7 +103,7 @@ def _person(words: list[str], where: str) -> tuple[str, Person]:
     """Return the token of a line, and who has it."""
     if len(words) != 3 or words[0] not in {one.value for one in Role}:
         # The line holds a secret: it is not quoted.
-        raise UsageError(f"{len(words)} words that are no token", where=where, expected=_EXPECTED)
+        raise UsageError(f"{len(words)} words that are not a token", where=where, expected=_EXPECTED)
     role, name, token = words
     if len(token) < SHORTEST or not token.isascii():
         raise UsageError(

@@ -25,12 +25,12 @@ _SIDES = {
         ("subscriptions", "Subscriptions", Role.SUBSCRIPTION, "No node of this configuration subscribes."),
     ),
     Kind.SERVICE: (
-        ("servers", "Servers", Role.SERVICE_SERVER, "Nobody serves it."),
-        ("clients", "Clients", Role.SERVICE_CLIENT, "Nobody calls it."),
+        ("servers", "Servers", Role.SERVICE_SERVER, "It has no server."),
+        ("clients", "Clients", Role.SERVICE_CLIENT, "It has no client."),
     ),
     Kind.ACTION: (
-        ("servers", "Servers", Role.ACTION_SERVER, "Nobody serves it."),
-        ("clients", "Clients", Role.ACTION_CLIENT, "Nobody calls it."),
+        ("servers", "Servers", Role.ACTION_SERVER, "It has no server."),
+        ("clients", "Clients", Role.ACTION_CLIENT, "It has no client."),
     ),
 }
 _OF_NODE = ("name", "type", "qos", "place", "conditions", "callback", "sure", "more")

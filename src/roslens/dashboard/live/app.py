@@ -48,7 +48,7 @@ _KEYS = (
     ("← →", "close and open a row"),
     ("Enter", "show the row in the graph"),
     ("/", "filter"),
-    ("w", "only what is worse than ok"),
+    ("w", "only rows worse than ok"),
     ("[ ]", "the moment of the event before and after"),
     ("p n", "play the past, back to now"),
     ("+ - 0", "zoom the graph, all of it; so does the wheel with Ctrl, or once the graph was clicked"),

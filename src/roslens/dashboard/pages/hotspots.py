@@ -98,7 +98,12 @@ def _coupled(site: Site, process: tuple[RepositoryProcess, ...], request: Reques
         ),
     )
     return Table(
-        "coupled", "What changes together", columns, rows, total=len(pairs), empty="Nothing does often enough."
+        "coupled",
+        "What changes together",
+        columns,
+        rows,
+        total=len(pairs),
+        empty="No files change together often enough.",
     )
 
 

@@ -129,7 +129,7 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
         Column("share", "Outside", "number", unit="%", decimals=1),
         Column("judged", "Judged in this run"),
     )
-    empty = "No model says what is too much or too little of it."
+    empty = "No quality model limits it."
     return Table("bounds", "Limits of each quality model", columns, tuple(rows), total=len(rows), empty=empty)
 
 
@@ -153,7 +153,7 @@ def _worst(site: Site, quantity: Quantity, kind: EntityKind, found: Values, digi
     rows = tuple(_worst_row(site, kind, quantity, row, linked=limit is not None) for row in ranked[:limit])
     which = "Lowest" if not falling else "Highest"
     title = f"{which} {min(len(found), WORST)} of {len(found):,}"
-    table = Table("worst", title, columns, rows, total=len(found), empty="Nothing of this kind has a value.")
+    table = Table("worst", title, columns, rows, total=len(found), empty="No entity of this kind has a value.")
     return sort_rows(table, "")
 
 

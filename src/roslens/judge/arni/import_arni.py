@@ -188,7 +188,7 @@ class _Import:
     def _others(self, table: Table, taken: str) -> None:
         for key, place in table.keys.items():
             if key != taken and key.strip("/") not in ("countermeasure", "arni/countermeasure"):
-                self._tell(place, Outcome.LEFT_OUT, key, "it is no part of the specifications")
+                self._tell(place, Outcome.LEFT_OUT, key, "it is not part of the specifications")
 
     def _entity(self, module: str, seuid: str, fields: Node, place: Place) -> None:
         selected = read_id(seuid)

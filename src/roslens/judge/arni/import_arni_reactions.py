@@ -64,7 +64,7 @@ def reactions_of(root: Node | None, tell: Tell) -> list[str]:
     level = _level(found, tell)
     for key, place in found.keys.items():
         if key not in ("constraints", "config"):
-            tell(place, LEFT_OUT, key, "it is no part of countermeasures")
+            tell(place, LEFT_OUT, key, "it is not part of the countermeasures")
     lines: list[str] = []
     taken: set[str] = set()
     for name, node in constraints.nodes.items():

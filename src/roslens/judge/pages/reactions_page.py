@@ -77,7 +77,7 @@ _HEAD = """\
 # Reactions
 
 Under `reactions` a [reference](references.md) says what is done when something of it does not hold: a condition, and a
-chain of actions of which the next one follows where the one before did not take the cause away. Nothing of it is done
+chain of actions; each next one follows where the previous one did not remove the cause. Nothing of it is done
 unless `roslens react` runs in a mode that acts; `roslens react --simulate` says what would have been done, when and
 why. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
 
@@ -89,8 +89,8 @@ _AFTER = """\
 
 ## When a condition is true
 
-A condition is true, false or **unknown**, and only what is true is acted upon. Unknown is what nobody judges: no
-constraint is about it, its observer is not heard, time stands still, or the first cause has not been the same for long
+A condition is true, false or **unknown**, and only what is true is acted upon. It is unknown where nothing is judged:
+no constraint covers it, its observer is silent, time stands still, or the first cause has not been the same for long
 enough. `not` of unknown is unknown; `all` is false where one part is false, else unknown where one is; `any` is true
 where one part is true, else unknown where one is. A statement may say what unknown is taken for (`unknown: false`),
 and that something *is* unknown can be asked for (`is: unknown`).
@@ -122,7 +122,7 @@ the next one follows; where it is unknown at the end of that time, the next one 
 condition becomes false the chain ends, and it can begin anew after the cool-down. When the last action did not help
 either, nothing more is done until the condition has been false.
 
-An action that failed, or of which there were too many, is followed by the next one at once; where a gate refused it or
+An action that failed, or that reached its limit, is followed by the next one at once; where a gate refused it or
 everything is on hold, the chain ends.
 
 `{entity}`, `{host}` and `{cause}` may name a target; the other fields are for texts. Names of targets have no
@@ -132,7 +132,7 @@ wildcards: what is to be done to each of several wants `match: each`.
 
 Conditions that can never be true or always are, circles of named conditions, unknown actions, missing or unknown
 arguments, values of the wrong type, templates that name what there is not, a target that nothing fills, and two
-documents of which one ends what the other one starts: each with `file:line:column`. `roslens reference check FILE…
+documents where one ends what the other starts: each with `file:line:column`. `roslens reference check FILE…
 --bag FILE` says which targets were not there in a recording. Messages, services and fields that do not exist are
 refused there and by `roslens react`, as far as their definitions are here.
 

@@ -22,7 +22,7 @@ def automaton_of(expression: str) -> Automaton:
     """Return what accepts the names that ``expression`` matches as a whole.
 
     Raises:
-        ValueError: it is no regular expression, or not one that an automaton can hold; the message says why.
+        ValueError: it is not a regular expression, or not one that an automaton can hold; the message says why.
     """
     if not expression:
         raise ValueError("the regular expression is empty")
@@ -31,7 +31,7 @@ def automaton_of(expression: str) -> Automaton:
             warnings.simplefilter("error")
             tree = _parser().parse(expression)
     except (re.error, Warning, RecursionError, OverflowError) as error:
-        raise ValueError(f"{expression[:60]!r} is no regular expression: {error}") from None
+        raise ValueError(f"{expression[:60]!r} is not a regular expression: {error}") from None
     flags = tree.state.flags
     if flags & ~_FLAGS:
         raise ValueError(f"the regular expression {expression[:60]!r} has flags; only (?i), (?a), (?s), (?x) go here")

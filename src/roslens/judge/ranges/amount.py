@@ -87,7 +87,7 @@ def parse_amount(text: str, unit: str, *, bare: bool = True) -> float:
     found = _ONE.match(stripped) if len(stripped) <= _LONGEST else None
     if found is None:
         example = "a number" if not unit else f"a number and a unit, such as `10 {unit}`"
-        raise ValueError(f"{text[:60]!r} is no amount, expected {example}")
+        raise ValueError(f"{text[:60]!r} is not an amount, expected {example}")
     if found[2] is None and not bare:
         raise ValueError(f"{stripped!r} has no unit, expected `{stripped} {unit}`")
     return float(_exact(found[1], found[2] or unit, unit))
@@ -162,7 +162,7 @@ def _range(stripped: str, text: str, unit: str) -> Range:
         raise ValueError(f"{text!r} is a single value, which nothing measured ever has; expected {FORMS}")
     if re.match(r"[<>]\s*[-+.\d]", stripped):
         raise ValueError(f"{text!r} leaves out the bound itself, expected `{stripped[0]}= {stripped[1:].strip()}`")
-    raise ValueError(f"{text!r} is no range, expected {FORMS}")
+    raise ValueError(f"{text!r} is not a range, expected {FORMS}")
 
 
 def _around(text: str, centre: str, unit1: str | None, width: str, unit2: str | None, unit: str) -> Range:

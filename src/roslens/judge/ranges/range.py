@@ -46,7 +46,7 @@ class Range(msgspec.Struct, frozen=True):
         if one := _ONE.match(stripped):
             bound = float(one[2])
             return cls(maximum=bound) if one[1] == "<=" else cls(minimum=bound)
-        raise ValueError(f"{text!r} is no range, expected {FORMS}")
+        raise ValueError(f"{text!r} is not a range, expected {FORMS}")
 
     def __str__(self) -> str:
         """Return ``1..15``, ``<= 15``, ``>= 20`` or ``any``."""

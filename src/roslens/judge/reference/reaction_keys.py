@@ -15,11 +15,11 @@ STATEMENT_KEYS = {
     **SELECTOR_KEYS,
     "is": "what they are: of verdicts `ok`, `low`, `high`, `absent`, `bad` (one of these three), `unknown`, "
     "`suspended`; without any constraint `there`, `gone`, `crashed`, `restarted`, `flapping`, `stopped`, `hung`, of "
-    "topics `misfit`; or a list of which one is enough",
+    "topics `misfit`; or a list of these; one match is enough",
     "signal": "only verdicts on this signal, `presence`, `lifecycle`, or `value` of fields",
     "severity": "only verdicts that are at least so grave",
-    "lifecycle": "state in which a managed node is, or a list of which one is enough",
-    "value": "what a parameter is: a value, a list of which one is enough, or a range (`0.2..0.5`)",
+    "lifecycle": "lifecycle state of a managed node, or a list of these; one match is enough",
+    "value": "what a parameter is: a value, a list of values (one match is enough), or a range (`0.2..0.5`)",
     "match": "of all that match `any` (by default), `all`, or `each` on its own: then `{entity}` is the one",
     "effects": "`true` counts faults that another fault explains, too; by default only first causes count",
     "unknown": "what unknown is taken for: `true` or `false`; by default it stays unknown, and nothing is done",
@@ -27,7 +27,7 @@ STATEMENT_KEYS = {
 
 TREE_KEYS = {
     "all": "a list of conditions that all have to be true",
-    "any": "a list of conditions of which one has to be true",
+    "any": "a list of conditions; at least one has to be true",
     "not": "a condition that has to be false",
     "at_least": "how many of the conditions in `among` have to be true",
     "among": "the list of conditions of `at_least`",
@@ -48,7 +48,7 @@ REACTION_KEYS = {
     "cool_down": "how long after its latest action about an entity it may begin again about it; by default 60 s",
     "at_most": "how many actions it may begin in a time: `3 per 10 min`",
     "mode": "`dry-run`, `ask` or `act`; the more careful one of this and of the command line counts",
-    "text": "what to tell the operator; may hold templates",
+    "text": "message for the operator; may hold templates",
     "override": "`true` replaces the reaction of the same `id` in an included or earlier document",
 }
 

@@ -41,7 +41,7 @@ DEFAULT_KEYS = {
 TOLD_KEYS = {
     "id": "name of the constraint, by default made from what it is about",
     "override": "`true` replaces the constraint of the same `id` in an included or earlier document",
-    "text": "what to tell the operator",
+    "text": "message for the operator",
     **DEFAULT_KEYS,
 }
 

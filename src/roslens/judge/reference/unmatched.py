@@ -44,7 +44,7 @@ class Unmatched(msgspec.Struct, frozen=True):
     def __str__(self) -> str:
         """Return it in the message form."""
         details = self.constraint.details
-        text = f"{details.where}: {details.id} is about nothing: no {selector_words(self.selector)} is there"
+        text = f"{details.where}: {details.id} matches nothing: no {selector_words(self.selector)} exists"
         return f"{text}. {self.advice}" if self.advice else text
 
 

@@ -33,7 +33,7 @@ def unmatched_statements(
             if selector.kind not in kinds or stated.place in reported or _is_matched(selector, subjects):
                 continue
             reported.add(stated.place)
-            text = f"{stated.place}: {reaction.name} is about nothing: no {selector_words(selector)} is there"
+            text = f"{stated.place}: {reaction.name} matches nothing: no {selector_words(selector)} exists"
             yield text + _advice(selector.name, selector.kind, subjects)
 
 

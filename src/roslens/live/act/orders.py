@@ -77,7 +77,7 @@ class Orders:
     def _done(self, order: Order) -> str:
         kind = action_kind(order.kind)
         if kind is None or kind.by is not By.ROS:
-            raise ActionError(f"{order.kind[:60]!r} is no action that is done through ROS")
+            raise ActionError(f"{order.kind[:60]!r} is not an action that is carried out through ROS")
         if self._ros.generation not in kind.ros:
             raise ActionError(f"{order.kind} does not exist in ROS {self._ros.generation}")
         module = import_module(f"roslens.live.act.actions.{kind.key}")

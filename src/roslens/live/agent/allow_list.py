@@ -30,7 +30,7 @@ _LONGEST_COMMAND_S = 300.0
 _DEFAULT_TIMEOUT_S = 20.0
 
 EXAMPLE = """\
-# What a roslens monitor may do on this host. Nobody but its owner may be able to write it.
+# What a roslens monitor may do on this host. Only its owner may be able to write it.
 nodes:
   - name: /camera*                # pattern of names
     actions: [restart, start]     # of stop, restart, start, kill

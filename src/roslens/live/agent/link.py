@@ -252,7 +252,7 @@ def read_pids(body: bytes) -> list[int]:
     try:
         return msgspec.msgpack.decode(body, type=list[int])
     except (msgspec.DecodeError, RecursionError) as error:
-        raise LinkError(f"{len(body)} bytes that are no process ids: {error}") from None
+        raise LinkError(f"{len(body)} bytes that are not process ids: {error}") from None
 
 
 class Outbox:

@@ -102,7 +102,7 @@ class Believing:
         try:
             signed = _DECODER.decode(body)
         except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-            raise RefusedError(f"it is no request: {error}") from None
+            raise RefusedError(f"it is not a request: {error}") from None
         if signed.version != VERSION:
             raise RefusedError(f"it is of version {signed.version}, expected {VERSION}: update the older side")
         if signed.host != self._host:
@@ -131,7 +131,7 @@ def _senseless(request: HostRequest) -> str:
     if len(request.beside) > _MOST_BESIDE or any(len(one) > _LONGEST_NAME or not one.isprintable() for one in names):
         return "it has names that are none"
     if not 0 <= request.pid < 2**31 or request.pid == 1:
-        return f"{request.pid} is no process of a node"
+        return f"{request.pid} is not a process of a node"
     if unknown := [one for one in request.arguments if kind.argument(one) is None]:
         return f"`{kind.key}` has no argument {unknown[0][:60]!r}"
     return ""

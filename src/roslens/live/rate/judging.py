@@ -213,9 +213,9 @@ def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool
     grace = topic.appeared + max(constraint.timing.grace, _UNSEEN_PERIODS * constraint.period)
     there = topic.known and graph_known
     if there and topic.publishers:
-        raw, judged.evidence = State.UNKNOWN, "it is published, but nobody observes it"
+        raw, judged.evidence = State.UNKNOWN, "it is published, but not observed"
     elif constraint.silence and (constraint.literal is not None or topic.connections):
-        raw, judged.evidence = State.ABSENT, "nobody publishes it" if there else "never seen"
+        raw, judged.evidence = State.ABSENT, "it has no publisher" if there else "never seen"
     elif constraint.literal is not None and not there and not topic.connections:
         raw, judged.evidence = State.ABSENT, "never seen"
     else:

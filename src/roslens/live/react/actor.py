@@ -195,7 +195,7 @@ class Actor:
             holds = self.reactor.holds(decision_id)
             if holds is False or steady - waiting.since > LONGEST_WAIT_S:
                 del self._waiting[decision_id]
-                why = "what it was about is gone" if holds is False else f"it had to wait for {LONGEST_WAIT_S:g} s"
+                why = "its condition no longer holds" if holds is False else f"it had to wait for {LONGEST_WAIT_S:g} s"
                 self._end(waiting.decision, Outcome(Result.REFUSED, why), step.time)
             elif holds is True and steady >= waiting.due:
                 self._pass(waiting.decision, step.time)
@@ -217,13 +217,13 @@ class Actor:
             if gone or now - asked.since > ANSWER_WITHIN_S:
                 del self._asked[decision_id]
                 self._asker.withdraw(decision_id)
-                why = "what it was about is gone" if gone else f"nobody answered within {ANSWER_WITHIN_S:g} s"
+                why = "its condition no longer holds" if gone else f"no answer within {ANSWER_WITHIN_S:g} s"
                 self._end(asked.decision, Outcome(Result.REFUSED, why), step.time)
 
     def _allowed(self, decision: Decision, now: float) -> None:
         """Do what somebody allowed, if it is still to be done and nothing else forbids it by now."""
         if self.reactor.holds(decision.id) is not True:
-            self._end(decision, Outcome(Result.REFUSED, "what it is about is gone, or nobody knows"), now)
+            self._end(decision, Outcome(Result.REFUSED, "its condition no longer holds, or is unknown"), now)
             return
         asked_for = msgspec.structs.replace(decision, mode=Mode.ASK)
         found = self._gate.judge(asked_for, self._steady(), wall_s=now, held=self._held())
@@ -259,7 +259,7 @@ class Actor:
             if now - open_.since > _UNANSWERED_S:
                 del self._under_way[decision_id]
                 self._gate.ended(open_.decision, now)
-                text = f"nobody reported what became of it within {_UNANSWERED_S:g} s"
+                text = f"no result was reported within {_UNANSWERED_S:g} s"
                 self._end(open_.decision, Outcome(Result.FAILED, text, now - open_.since), step.time)
 
     def _end(self, decision: Decision, outcome: Outcome, now: float) -> None:

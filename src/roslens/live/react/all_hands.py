@@ -127,7 +127,7 @@ class AllHands:
         """Begin to carry a decision out."""
         kind = action_kind(decision.action.kind)
         if kind is None:
-            self._fail(decision, f"{decision.action.kind!r} is no action")
+            self._fail(decision, f"{decision.action.kind!r} is not an action")
         elif kind.by is By.ROS:
             self._through_ros(decision, kind)
         elif kind.by is By.HOST:
@@ -211,8 +211,11 @@ class AllHands:
             name = decision.action.target.name
             generations = self._places.generations_of(name)
             if len(generations) != 1:
-                known = "a node of that name is in both" if generations else "nobody saw of which it is"
-                self._fail(decision, f"ROS 1 and ROS 2 are observed, and in which {name} is, is not known: {known}")
+                known = "a node of that name is in both" if generations else "no node of that name was observed"
+                self._fail(
+                    decision,
+                    f"ROS 1 and ROS 2 are both observed, and it is unknown which one {name} belongs to: {known}",
+                )
                 return
             lines = [one for one in lines if one.generation in generations]
         self._waited_for[decision.id] = len(lines)
@@ -271,8 +274,8 @@ class AllHands:
         home = self._places.of(target.name)
         if home is None:
             raise ActionError(
-                f"nobody knows on which host {target.name} is or was",
-                expected="a node that was seen long enough to know its process, some seconds",
+                f"the host of {target.name} is unknown",
+                expected="a node that was observed long enough for its process to be known (some seconds)",
             )
         return home.host, HostRequest(decision.id, call.kind, target.name, home.pid, home.beside, arguments)
 

@@ -161,7 +161,7 @@ class FarAgents:
                 now = self._steady()
                 heard = now if piece else heard
                 if now - heard > _SILENT_S:
-                    raise LineError(f"the agent of {agent.host} has said nothing for {_SILENT_S:g} s")
+                    raise LineError(f"the agent of {agent.host} has sent nothing for {_SILENT_S:g} s")
                 for letter, body in reader.feed(piece or b""):
                     self._take(agent, letter, body)
         finally:
@@ -169,7 +169,7 @@ class FarAgents:
                 if self._agents.get(agent.host) is agent:
                     del self._agents[agent.host]
             for decision in agent.under_way:
-                text = f"the line to the agent of {agent.host} broke: nobody knows whether it was done"
+                text = f"the line to the agent of {agent.host} broke: it is unknown whether the action was done"
                 self._came.put(CarriedOut(decision, False, text))
 
     def _take(self, agent: _Agent, letter: bytes, body: bytes) -> None:
@@ -180,7 +180,7 @@ class FarAgents:
             try:
                 done = msgspec.msgpack.decode(body, type=Done)
             except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-                raise LineError(f"an answer that is none: {error}") from None
+                raise LineError(f"a malformed answer: {error}") from None
             with agent.lock:
                 asked = done.id in agent.under_way
                 agent.under_way.discard(done.id)

@@ -188,7 +188,7 @@ class Gate:
         if mode is Mode.DRY_RUN:
             return GateAnswer(Answer.DRY_RUN, "dry run: nothing is done")
         if mode is Mode.ASK and touches:
-            return GateAnswer(Answer.ASK, "somebody has to allow it")
+            return GateAnswer(Answer.ASK, "it needs approval")
         return GateAnswer(Answer.ALLOW, f"mode {mode.value}")
 
     @staticmethod

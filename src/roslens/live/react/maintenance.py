@@ -38,22 +38,22 @@ def parse_window(text: str) -> Window:
     """
     found = _FORM.match(text.strip().lower())
     if found is None:
-        raise ValueError(f"{text[:60]!r} is no maintenance window, expected {EXPECTED}")
+        raise ValueError(f"{text[:60]!r} is not a maintenance window, expected {EXPECTED}")
     first, last = found[1], found[2] or found[1]
     for day in filter(None, (first, last)):
         if day not in _DAYS:
-            raise ValueError(f"{day!r} in {text!r} is no day, expected one of {', '.join(_DAYS)}")
+            raise ValueError(f"{day!r} in {text!r} is not a day, expected one of {', '.join(_DAYS)}")
     hours = [int(found[place]) for place in (3, 5)]
     minutes = [int(found[place]) for place in (4, 6)]
     if max(hours) > 24 or max(minutes) > 59 or any(h == 24 and m for h, m in zip(hours, minutes, strict=True)):
-        raise ValueError(f"{text!r} has a time that is none, expected 00:00 to 24:00")
+        raise ValueError(f"{text!r} has an invalid time, expected 00:00 to 24:00")
     days = list(range(7))
     if first:
         start, stop = _DAYS.index(first), _DAYS.index(last)
         days = [day % 7 for day in range(start, stop + 1 + (7 if stop < start else 0))]
     begin, end = (h * 60 + m for h, m in zip(hours, minutes, strict=True))
     if begin == end:
-        raise ValueError(f"{text!r} is no time at all, expected an end after its beginning")
+        raise ValueError(f"{text!r} is empty, expected an end after its beginning")
     return Window(frozenset(days), begin, end, text.strip())
 
 

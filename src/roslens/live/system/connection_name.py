@@ -28,7 +28,7 @@ def connection_ends(entity: EntityId) -> tuple[str, str, str]:
     """
     ends = entity.name.split(_ARROW)
     if len(ends) != len(("publisher", "topic", "subscriber")):
-        raise ValueError(f"{entity.name!r} is no connection, expected `/publisher > /topic > /subscriber`")
+        raise ValueError(f"{entity.name!r} is not a connection, expected `/publisher > /topic > /subscriber`")
     publisher, topic, subscriber = ("" if end == _UNKNOWN else _ESCAPED.sub(r"\1", end) for end in ends)
     return topic, publisher, subscriber
 

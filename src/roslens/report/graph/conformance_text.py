@@ -21,10 +21,10 @@ REASONS = {
     Reason.OTHER_LAUNCH: "started by another launch file",
     Reason.NOT_LAUNCHED: "built, but not started by the launch file",
     Reason.UNSTARTED: "made by code that no known program starts",
-    Reason.PATTERN: "of which the source knows a part of the name",
-    Reason.INCOMPLETE: "where the source could not be read wholly",
+    Reason.PATTERN: "whose name is only partly known from source",
+    Reason.INCOMPLETE: "where the source was read only in part",
     Reason.TOOL: "of tools",
-    Reason.GUESSED: "of which the source is not sure",
+    Reason.GUESSED: "that are uncertain in the source",
     Reason.NOT_RECORDED: "not recorded",
     Reason.IGNORED: "set and ignored",
     Reason.SET_OTHERWISE: "set otherwise",
@@ -50,7 +50,7 @@ def to_lines(found: Conformance, *, notes: bool = False) -> str:
             lines += _lines(one, found)
     hidden = [] if notes else [one for one in found.disparities if one.severity is Severity.NOTE]
     if hidden:
-        lines.append(f"{_plural(len(hidden), 'note')} more: {_by_reason(hidden)}; --notes tells them")
+        lines.append(f"{_plural(len(hidden), 'note')} more: {_by_reason(hidden)}; --notes lists them")
     lines += found.notes
     lines.append(summary(found))
     return "".join(f"{printable(line)}\n" for line in lines)
@@ -97,7 +97,7 @@ def to_markdown(found: Conformance) -> str:
         lines = [f"| | what | differs in | {titles} | right | why |", f"|{' --- |' * (len(found.titles) + 5)}"]
         lines += [_row(one) for one in found.disparities[:MOST_ROWS]]
         if (more := len(found.disparities) - MOST_ROWS) > 0:
-            lines += ["", f"{more} more are not shown: `roslens compare` tells all."]
+            lines += ["", f"{more} more are not shown: `roslens compare` lists all."]
         if len(lines) > FOLDED_FROM:
             title = _plural(len(found.disparities), "difference")
             lines = [f"<details><summary>{title}</summary>", "", *lines, "", "</details>"]

@@ -110,7 +110,7 @@ def _difference_table(found: Sequence[Difference]) -> str:
 def _table(head: str, rows: Sequence[str], title: str) -> str:
     lines = [head, f"{'| --- ' * (head.count('|') - 1)}|", *rows[:MOST_ROWS]]
     if len(rows) > MOST_ROWS:
-        lines += ["", f"{len(rows) - MOST_ROWS} more are not shown: `roslens graph --diff` tells all."]
+        lines += ["", f"{len(rows) - MOST_ROWS} more are not shown: `roslens graph --diff` lists all."]
     if len(rows) > FOLDED_FROM:
         lines = [f"<details><summary>{title}</summary>", "", *lines, "", "</details>"]
     return "\n".join(lines)

@@ -291,7 +291,7 @@ def _next(
     if not packages:
         steps.append(("roslens check PATH", "name a folder with a package.xml somewhere below it"))
     if groups:
-        steps.append((f"roslens explain {terminal.clean(groups[0].rule)}", "what the rule wants, and why"))
+        steps.append((f"roslens explain {terminal.clean(groups[0].rule)}", "what the rule requires, and why"))
     if packages:
         steps.append(("roslens serve", "package graph, findings and metrics in a browser"))
         steps.append(("roslens report --single-file report.html", "the same in one file to pass on"))

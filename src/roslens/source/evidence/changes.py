@@ -68,4 +68,4 @@ def _integration(folder: PackageFolder) -> Item:
         if place := folder.says(r"\bpull_request\b|merge_request", path):
             return met("2.iv", f"{len(folder.pipelines)} pipelines, one of them on change requests", place)
     places = (folder.location(one) for one in folder.pipelines)
-    return not_known("2.iv", f"{len(folder.pipelines)} pipelines, none of which names change requests", *places)
+    return not_known("2.iv", f"{len(folder.pipelines)} pipelines, none of them triggered by change requests", *places)

@@ -94,7 +94,9 @@ class ForgeClient:
         kept = self._answers.last(url)
         if self._offline:
             if kept is None:
-                raise ForgeError(f"{url} was never asked before, and --offline asks nobody", "Leave out --offline once")
+                raise ForgeError(
+                    f"{url} was never asked before, and --offline contacts no server", "Leave out --offline once"
+                )
             return _reported(kept)
         status, headers, body = self._patiently(url, kept)
         if status == 304 and kept is not None:

@@ -63,8 +63,8 @@ _FORGE = """\
 # On the forge
 
 `roslens check --process-metrics --forge` also asks the forge of each repository, which is that of its remote `origin`:
-GitHub, GitLab, Codeberg, gitea.com, and hosts that `--forge-host git.example.org=gitlab` names. Nobody is asked without
-`--forge`.
+GitHub, GitLab, Codeberg, gitea.com, and hosts that `--forge-host git.example.org=gitlab` names. No forge is contacted
+without `--forge`.
 
 - A token comes from `GITHUB_TOKEN` or `GH_TOKEN`, `GITLAB_TOKEN`, `GITEA_TOKEN`, and of codeberg.org `CODEBERG_TOKEN`.
   It is sent to these forges only, never to another host that a remote or a redirection names.

@@ -77,7 +77,7 @@ def marks_of_graph(spoken: Spoken | None) -> Mapping[str, str]:
         "graph_measures": f'its nodes publish "{measures[0]}" and take nothing of the kind'
         if measures and not uses
         else "",
-        "graph_obeys": f'its nodes are commanded to move by "{obeys[0]}" and command nobody'
+        "graph_obeys": f'its nodes are commanded to move by "{obeys[0]}" and command no others'
         if obeys and not commands
         else "",
         "graph_commands": f'its nodes tell others to move by "{commands[0]}"' if commands and not obeys else "",

@@ -24,7 +24,7 @@ UNUSED = RuleInfo(
     "A comment asks roslens to leave out findings, and there are none of these where it stands.",
     Severity.NOTE,
     TAGS,
-    "It hides the next finding there, which nobody has looked at. Remove it.",
+    "It hides the next finding there, which has not been reviewed. Remove it.",
     "roslens",
 )
 UNKNOWN = RuleInfo(

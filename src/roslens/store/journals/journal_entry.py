@@ -69,7 +69,7 @@ def read(line: bytes) -> Entry:
     try:
         entry = _DECODER.decode(line)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise EntryError(f"{line[:60]!r} is no entry: {error}") from None
+        raise EntryError(f"{line[:60]!r} is not an entry: {error}") from None
     body, separator, _ = line.rpartition(b',"hash":"')
     if not separator or hashlib.sha256(body).hexdigest() != entry.hash:
         raise EntryError(f"entry {entry.n} was changed: its hash is not that of its content")

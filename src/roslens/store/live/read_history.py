@@ -141,7 +141,7 @@ def read_history(path: Path) -> Iterator[KeptHistory]:
         with _as_errors(path):
             tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
         if not tables >= _KEPT_TABLES:
-            raise StoreError("this is no history", where=str(path), expected=_EXPECTED, advice=_ADVICE)
+            raise StoreError("this is not a history", where=str(path), expected=_EXPECTED, advice=_ADVICE)
         yield KeptHistory(connection, path)
     finally:
         connection.close()

@@ -29,9 +29,9 @@ def test_arguments(monkeypatch):
     ("words", "said"),
     [
         (["--master", "robot:11311"], "no URI of the form"),
-        (["--period", "0"], "no number from"),
-        (["--period", "soon"], "no number from"),
-        (["--tap-budget", "200"], "no number from"),
+        (["--period", "0"], "not a number from"),
+        (["--period", "soon"], "not a number from"),
+        (["--tap-budget", "200"], "not a number from"),
         (["--tap", ""], "--tap"),
     ],
 )

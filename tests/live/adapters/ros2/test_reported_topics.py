@@ -87,7 +87,7 @@ def test_levels_of_other_monitors_become_events(heard):
     (event,) = reported.events
     assert (event.time, event.change, event.entity) == (5.0, Change.CHANGED, "node:/m")
     (failure,) = reported.failures
-    assert "what /m sends cannot be read" in failure.what
+    assert "diagnostics of /m cannot be decoded" in failure.what
 
 
 class Qos:

@@ -82,7 +82,7 @@ def test_a_topic_that_cannot_be_told_is_named_once(statistics, subscribed, node)
     for _ in range(3):
         assert statistics.take(message(), "g", node, 2000.0) is None
     (failure,) = statistics.failures()
-    assert "without saying of which topic" in failure.what
+    assert "without naming its topic" in failure.what
     assert failure.partial
     assert statistics.failures() == []
 

@@ -75,7 +75,7 @@ export class Alerts {
     if (alert.handled) return [button("Undo", "undo", 0, `No longer ${alert.handled}`)];
     const length = make("select", { "aria-label": `Mute ${alert.name} for`, onchange: (event) => event.target.value && this.handle(alert.key, "mute", event.target.value) },
       ...[["", "Mute…"], [600, "10 min"], [3600, "1 h"], [28_800, "8 h"], [86_400, "1 day"]].map(([value, text]) => make("option", { value, text })));
-    return [button("Acknowledge", "acknowledge", 0, "Say that somebody looks after it"), length];
+    return [button("Acknowledge", "acknowledge", 0, "Mark it as being taken care of"), length];
   }
 
   async handle(key, how, seconds) {

@@ -38,7 +38,7 @@ def act(ros: Ros, asked: Asked) -> str:
             f"published on {topic} to {_subscribers(heard)}, and again at {arguments['rate']:g} Hz until it is cleared"
         )
     if not heard and not latched:
-        raise ActionError(f"published on {topic}, which nobody subscribes to", expected="a subscriber")
+        raise ActionError(f"published on {topic}, which has no subscriber", expected="a subscriber")
     return f"published on {topic} to {_subscribers(heard)}"
 
 

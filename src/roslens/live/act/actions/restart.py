@@ -37,5 +37,5 @@ def started_again(host: Host, process: Known, node: str) -> str:
     """
     wait_s = RESPAWN_S if process.supervisor else 0.0
     if pid := host.comes_back(process, wait_s):
-        return f"{process.supervisor or 'somebody'} started it again as process {pid}"
+        return f"{process.supervisor or 'another process'} started it again as process {pid}"
     return f"started again as process {host.start(process, node)}"

@@ -108,7 +108,7 @@ class McapLayout:
         stopped = ""
         while at < end:
             if at + PREFIX.size > end:
-                stopped = f"{end - at} bytes at its end that are no record"
+                stopped = f"{end - at} bytes at its end that are not a record"
                 break
             kind, length = PREFIX.unpack_from(content, at)
             start = at + PREFIX.size

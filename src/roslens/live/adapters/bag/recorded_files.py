@@ -56,7 +56,7 @@ def _files_of(path: Path, failures: FailureLog) -> RecordedFiles:
             return RecordedFiles([path])
         found = "is no file" if path.exists() else "does not exist"
     except (OSError, ValueError) as error:
-        found = f"cannot be looked at ({getattr(error, 'strerror', None) or error})"
+        found = f"cannot be accessed ({getattr(error, 'strerror', None) or error})"
     raise UsageError(f'"{path}" {found}', expected=_EXPECTED, advice="Check the path.")
 
 

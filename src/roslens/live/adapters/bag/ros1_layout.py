@@ -32,7 +32,7 @@ def fields_of(header: bytes) -> dict[str, bytes]:
     at = 0
     while at < len(header):
         if at + 4 > len(header):
-            raise DamageError(f"{len(header) - at} bytes at the end of a header that are no field")
+            raise DamageError(f"{len(header) - at} bytes at the end of a header that are not a field")
         length = _U32.unpack_from(header, at)[0]
         at += 4
         name, equals, value = header[at : at + length].partition(b"=")
@@ -206,7 +206,7 @@ def split(content: bytes, at: int) -> tuple[dict[str, bytes], int, int]:
     """
     end = len(content)
     if at + 4 > end:
-        raise DamageError(f"{end - at} bytes at its end that are no record")
+        raise DamageError(f"{end - at} bytes at its end that are not a record")
     header = _U32.unpack_from(content, at)[0]
     if header > end - at - 8:
         raise DamageError(f"a header of {header:,} bytes where {end - at - 4:,} are left")

@@ -48,7 +48,7 @@ class Resolver:
             UnresolvedError: there is none, or none was reported in time.
         """
         if not host or len(host) > _LONGEST_NAME:
-            raise UnresolvedError(f"{host[:60]!r} is no name of a host")
+            raise UnresolvedError(f"{host[:60]!r} is not a host name")
         with self._lock:
             known = self._current(host)
             done = self._asked.get(host)

@@ -22,9 +22,9 @@ from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.wire import Frame
 
 SILENT_ROUNDS = 10
-"""Rounds after which it is worth saying that nobody publishes statistics."""
+"""Rounds after which it is worth reporting that no node publishes statistics."""
 _UNREPORTED = (
-    f"nobody publishes {TOPIC}, so periods and ages are unknown but where a tap reads: set the parameter "
+    f"no node publishes {TOPIC}, so periods and ages are unknown but where a tap reads: set the parameter "
     "/enable_statistics to true before nodes start, or start them through roslens"
 )
 

@@ -90,7 +90,7 @@ class Ros2Hand:
         end = time.monotonic() + timeout_s
         if not client.wait_for_service(timeout_sec=timeout_s):
             raise ActionError(
-                f"nobody offers {service} of the type {type_}", expected=f"a server within {timeout_s:g} s"
+                f"no server offers {service} of the type {type_}", expected=f"a server within {timeout_s:g} s"
             )
         answered = threading.Event()
         future = client.call_async(request)

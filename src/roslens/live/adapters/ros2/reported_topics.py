@@ -134,7 +134,7 @@ class ReportedTopics:
         except ArrayError as error:
             if node not in self._odd:
                 self._odd.add(node)
-                what = f"what {node or 'somebody'} sends cannot be read: {error}"
+                what = f"diagnostics of {node or 'an unknown node'} cannot be decoded: {error}"
                 expected, entity = _TYPES[DIAGNOSTICS], f"topic:{DIAGNOSTICS}"
                 self._failures.append(Failure(TOOL, what, expected, entity=entity, partial=True))
             return []

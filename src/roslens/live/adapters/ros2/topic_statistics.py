@@ -97,7 +97,7 @@ class TopicStatistics:
         if node and len(topics) == 1:
             return topics[0]
         who = node or name[:80]
-        what = f"{who} tells statistics of a subscription without saying of which topic"
+        what = f"{who} reports statistics of a subscription without naming its topic"
         expected = f"one subscription of {who}"
         if topics:
             expected += f"; it has {len(topics)}: {', '.join(topics[:5])}{', …' if len(topics) > 5 else ''}"

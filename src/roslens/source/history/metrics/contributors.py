@@ -16,7 +16,7 @@ QUANTITY = Quantity(
     formula="number of distinct names of authors and of `Co-authored-by:` trailers, after `.mailmap`",
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#DC, typed in by hand "
     "there)",
-    limits="Somebody with two names counts twice until `.mailmap` says so; programs that commit count as people. Names "
+    limits="A person with two names counts twice until `.mailmap` says so; programs that commit count as people. Names "
     "are compared and not kept.",
 )
 

@@ -69,7 +69,7 @@ class MacroPreset:
             settings: what the project adds.
 
         Raises:
-            ValueError: a name in the settings is no regular expression, or none that is matched in one pass.
+            ValueError: a name in the settings is not a regular expression, or none that is matched in one pass.
         """
         table = tomllib.loads(preset.decode())
         key = blake2b(preset, digest_size=8)
@@ -139,7 +139,7 @@ def load_macros(extra: MacroSettings | None = None) -> MacroPreset:
     """Load the preset that ships with roslens and add what the project's settings name.
 
     Raises:
-        ValueError: a name in the settings is no regular expression, or none that is matched in one pass.
+        ValueError: a name in the settings is not a regular expression, or none that is matched in one pass.
     """
     preset = files("roslens.source.syntax").joinpath("presets/ros_macros.toml").read_bytes()
     return MacroPreset(preset, extra or MacroSettings())

@@ -22,7 +22,7 @@ class OwnMacros:
         """Compile.
 
         Raises:
-            ValueError: a name is no regular expression, or none that is matched in one pass.
+            ValueError: a name is not a regular expression, or none that is matched in one pass.
         """
         self._kinds: list[tuple[str, Automaton]] = [
             (kind, _automaton(name)) for kind, names in patterns.items() for name in names

@@ -107,7 +107,7 @@ class Caller:
         try:
             name = bracketed.encode("idna") if not bracketed.isascii() else bracketed.encode()
         except UnicodeError:
-            raise CallError(Trouble.GARBLED, f"{host[:60]!r} is no name of a host") from None
+            raise CallError(Trouble.GARBLED, f"{host[:60]!r} is not a host name") from None
         request = b"POST /RPC2 HTTP/1.1\r\nHost: %s:%d\r\nContent-Type: text/xml\r\nContent-Length: %d\r\n\r\n%s" % (
             name,
             port,

@@ -122,7 +122,7 @@ def _repeated(ctx: Context, statement: Loop) -> None:
     """Follow a loop with a condition turn by turn, as long as that is known to hold.
 
     Raises:
-        SpentError: it holds too often.
+        BudgetExceededError: it holds too often.
     """
     for _ in range(ctx.budget.repeats):
         if not _turn(ctx, statement):

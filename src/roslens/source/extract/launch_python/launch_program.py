@@ -60,7 +60,7 @@ class LaunchProgram:
         """Call a function; what it returns may be unknown.
 
         Raises:
-            SpentError: the bounds are spent.
+            BudgetExceededError: the bounds are spent.
         """
         outer, self._visit.scope = self._visit.scope, scope or self._visit.scope
         try:

@@ -81,7 +81,7 @@ def plain(value: Value, weight: Weight | None = None) -> Plain:
     """Return a value as Python has it, with what is inside; what is made stays, for it is looked into when visited.
 
     Raises:
-        SpentError: it is too large to follow.
+        BudgetExceededError: it is too large to follow.
     """
     weight = weight or Weight()
     weight.add(value)

@@ -26,7 +26,7 @@ class Weight:
         """Count a value, but for what is inside of it.
 
         Raises:
-            SpentError: it is too large to follow.
+            BudgetExceededError: it is too large to follow.
         """
         self._counted += 1 + (len(value) // _SIGNS if isinstance(value, str) else 0)
         if self._counted > MOST_WEIGHT:
@@ -37,7 +37,7 @@ def bounded(value: _Value) -> _Value:
     """Return a value.
 
     Raises:
-        SpentError: it is too large to follow, or a part of itself.
+        BudgetExceededError: it is too large to follow, or a part of itself.
     """
     waiting: list[Any] = [value]
     weight = Weight()

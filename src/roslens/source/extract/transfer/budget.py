@@ -41,7 +41,7 @@ class Budget:
         """Count a statement or an expression.
 
         Raises:
-            SpentError: there were too many.
+            BudgetExceededError: there were too many.
         """
         self.steps += 1
         if self.steps > self.most:

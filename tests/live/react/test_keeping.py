@@ -31,13 +31,13 @@ def keeping():
 def test_what_was_said_before_and_after_is_in_the_recording(keeping, tmp_path):
     for second in range(20):
         keeping.clock.now = 1000.0 + second
-        keeping.heard(STOP, BODY)
+        keeping.received(STOP, BODY)
 
     def meanwhile(seconds):
         assert seconds == 5.0
         for second in range(5):
             keeping.clock.now = 1020.0 + second
-            keeping.heard(SCAN, BODY)
+            keeping.received(SCAN, BODY)
 
     path = tmp_path / "recordings" / "r.mcap"
     text = keeping.write(str(path), "ros2", 5.0, meanwhile)
@@ -47,13 +47,13 @@ def test_what_was_said_before_and_after_is_in_the_recording(keeping, tmp_path):
     assert bag.messages == 16
     assert (bag.start, bag.end) == (1009.0, 1024.0)
     assert {one.name for one in bag.topics} == {"/stop", "/scan"}
-    keeping.heard(SCAN, BODY)
+    keeping.received(SCAN, BODY)
     assert open_bag(path).messages == 16
 
 
 def test_memory_is_bounded_and_the_oldest_given_up(keeping, tmp_path):
     for _ in range(50):
-        keeping.heard(STOP, b"x" * 100)
+        keeping.received(STOP, b"x" * 100)
     assert "10 messages" in keeping.write(str(tmp_path / "r.mcap"), "ros2", 0.0)
 
 
@@ -61,7 +61,7 @@ def test_what_cannot_be_written_is_a_failure_and_keeping_goes_on(keeping, tmp_pa
     (tmp_path / "there.mcap").write_bytes(b"")
     with pytest.raises(ActionError, match="cannot be written"):
         keeping.write(str(tmp_path / "there.mcap"), "ros2", 0.0)
-    keeping.heard(STOP, BODY)
+    keeping.received(STOP, BODY)
     assert "1 message " in keeping.write(str(tmp_path / "r.mcap"), "ros2", 0.0)
 
 
@@ -71,7 +71,7 @@ def test_threads_may_speak_while_it_is_written(tmp_path):
 
     def speak():
         while not ended.is_set():
-            keeping.heard(STOP, BODY)
+            keeping.received(STOP, BODY)
 
     threads = [threading.Thread(target=speak) for _ in range(3)]
     for one in threads:

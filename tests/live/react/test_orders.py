@@ -85,7 +85,8 @@ def act():
 def test_publishing_to_nobody_is_a_failure_unless_it_is_kept(act):
     acting = act(subscribers=0)
     assert not acting.order("publish", **STOP).done
-    assert acting.order("publish", **STOP, how="latched").done
+    assert act().order("publish", **STOP).text.endswith("to 1 subscriber")
+    assert acting.order("publish", **STOP, how="latched").text.endswith("to 0 subscribers")
     assert acting.order("publish", **STOP, how="repeated").done
     acting.orders.take(Order(VERSION, "", Verb.STOP))
 

@@ -60,7 +60,7 @@ class Keeping:
         self._lock = threading.Lock()
         self._writing: list[_Writing] = []
 
-    def heard(self, topic: Topic, body: bytes) -> None:
+    def received(self, topic: Topic, body: bytes) -> None:
         """Take a message."""
         one = _Kept(topic, self._wall(), body)
         with self._lock:
@@ -72,7 +72,7 @@ class Keeping:
                 writing.put(one)
 
     def write(self, path: str, profile: str, after_s: float, waited: Callable[[float], object] = time.sleep) -> str:
-        """Write what is kept, and what is heard in the next ``after_s``; return what was written.
+        """Write what is kept, and what is received in the next ``after_s``; return what was written.
 
         Raises:
             ActionError: it cannot be written.

@@ -42,7 +42,7 @@ class _Line(msgspec.Struct, eq=False):
     peer: str
     channel: Channel
     begun: float
-    heard: float
+    last_received: float
     sending: bytearray
     sender: str = ""
     named: frozenset[int] | None = None
@@ -178,7 +178,7 @@ class Listener:
             return [*self._hang_up(line, f"the line broke: {error.strerror or error}")]
         if not piece:
             return self._left(line)
-        line.heard = self._steady()
+        line.last_received = self._steady()
         found: list[Frame | Failure] = []
         try:
             for letter, body in line.channel.feed(piece):
@@ -252,7 +252,7 @@ class Listener:
         slow = [line for line in self._lines.values() if not line.channel.ready and now - line.begun > PROOF_S]
         for line in slow:
             reported += self._refuse(line, f"it did not prove within {PROOF_S:g} s that it knows the key")
-        late = [line for line in self._lines.values() if now - line.heard > SILENT_S]
+        late = [line for line in self._lines.values() if now - line.last_received > SILENT_S]
         reported += [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
         return reported
 

@@ -28,7 +28,7 @@ class Evaluator:
     Attributes:
         round: the time since the last tick.
         waiting: entities with news that has to be looked at.
-        heard: whether tallies came in the round that cannot have changed a verdict.
+        received: whether tallies came in the round that cannot have changed a verdict.
         suspended: whether nothing is judged of traffic.
         silent: observers of which nothing is heard.
     """
@@ -42,13 +42,13 @@ class Evaluator:
         self._existence = existence
         self._plan = plan
         self._queue = DueQueue()
-        self.heard = False
+        self.received = False
         self.silent: list[Voice] = []
 
     @property
     def due(self) -> float:
         """When something has to be looked at; minus infinity where news waits for it."""
-        return -NEVER if self.waiting or self.heard else self._queue.first
+        return -NEVER if self.waiting or self.received else self._queue.first
 
     def wait(self, one: Measured) -> None:
         """Look at an entity in the next tick."""
@@ -71,7 +71,7 @@ class Evaluator:
         if not self.suspended:
             self.round.time = now
             self.round = Round()
-            self.heard = False
+            self.received = False
         topics, others = self._awake(now)
         self._plan((*topics, *others), now)
         changed: list[Judged] = []
@@ -94,7 +94,7 @@ class Evaluator:
             if type(one) is Connection:
                 envelope = one.envelope
                 if envelope is not None and not self.suspended:
-                    if one.heard(envelope, now):
+                    if one.notice(envelope, now):
                         self._queue.put(one)
                         continue
                     one.wake()

@@ -104,7 +104,7 @@ class Monitor:
         if connection is not None:
             envelope, evaluator = connection.envelope, self._evaluator
             if envelope is not None and envelope.takes(row_of(tally), evaluator.round):
-                evaluator.heard = True
+                evaluator.received = True
                 return
         self._add(tally, connection, voice)
 
@@ -114,19 +114,19 @@ class Monitor:
             for tally in tallies:
                 self.add_tally(tally, voice)
             return
-        evaluator, heard, known = self._evaluator, False, self._known
+        evaluator, received, known = self._evaluator, False, self._known
         now = evaluator.round
         for names, connection, row in zip(tallies.names, map(known.get, tallies.names), tallies.rows(), strict=False):
             envelope = connection.envelope if connection is not None else None
             if envelope is not None and envelope.takes(row, now):
-                heard = True
+                received = True
                 continue
             tally = tally_of(names, row)
             key = (tally.topic, tally.publisher, tally.subscriber)
             self._add(tally, connection or self._world.connections.get(key), voice)
             if connection is None and key in self._world.connections:
                 known[names] = self._world.connections[key]
-        evaluator.heard |= heard
+        evaluator.received |= received
 
     def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
         # What has no name cannot be distinguished, nor shown.

@@ -156,11 +156,11 @@ class FarAgents:
             before.line.hang_up()
         reader = MessageReader()
         try:
-            heard = self._steady()
+            last_received = self._steady()
             while not self._closed.is_set() and (piece := agent.line.receive(_LOOK_S)) != b"":
                 now = self._steady()
-                heard = now if piece else heard
-                if now - heard > _SILENT_S:
+                last_received = now if piece else last_received
+                if now - last_received > _SILENT_S:
                     raise LineError(f"the agent of {agent.host} has sent nothing for {_SILENT_S:g} s")
                 for letter, body in reader.feed(piece or b""):
                     self._take(agent, letter, body)

@@ -119,7 +119,7 @@ class Connection(Measured):
         self._lengths = lengths
         self._sort()
 
-    def heard(self, envelope: Envelope, now: float) -> bool:
+    def notice(self, envelope: Envelope, now: float) -> bool:
         """Note when news came to a connection with an envelope; False where it is silent for too long."""
         envelope.notice()
         windows = self._order[0]

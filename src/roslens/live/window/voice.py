@@ -21,21 +21,22 @@ class Voice:
     Attributes:
         name: by which it calls itself: ``<host>/<what it observes>``.
         of_graph: whether it tells who is there.
-        heard: when something was heard of it last.
-        lag: by how many seconds what was heard last came later than usual, because it waited for a line.
+        last_received: when something of it was received last.
+        lag: by how many seconds what was received last came later than usual, because it waited for a line.
         silent: whether nothing was heard of it for longer than it usually takes.
         since: when it began to be silent, or to speak.
     """
 
     __slots__ = (
-        "_base", "_fresh", "_looked", "_looked_at", "_spacing", "heard", "lag", "name", "of_graph", "silent", "since",
+        "_base", "_fresh", "_looked", "_looked_at", "_spacing", "lag", "last_received", "name", "of_graph", "silent",
+        "since",
     )  # fmt: skip
 
     def __init__(self, name: str, now: float) -> None:
         """Begin to listen at ``now``."""
         self.name = name
         self.of_graph = False
-        self.heard = self.since = self._looked_at = now
+        self.last_received = self.since = self._looked_at = now
         self.silent = False
         self._fresh = False
         self._looked = 0.0
@@ -52,16 +53,16 @@ class Voice:
     def settle(self, now: float) -> bool:
         """Bring it to ``now``; return whether it fell silent, or speaks again."""
         if not self._fresh:
-            if self.silent or now - self.heard <= self.patience:
+            if self.silent or now - self.last_received <= self.patience:
                 return False
-            self.silent, self.since = True, self.heard
+            self.silent, self.since = True, self.last_received
             return True
         self._fresh = False
-        gap = now - self.heard
+        gap = now - self.last_received
         if self._looked:
             self._take_looked(now)
         was, self.silent = self.silent, False
-        self.heard = now
+        self.last_received = now
         if was:
             self.since = now
         else:
@@ -79,11 +80,11 @@ class Voice:
 
     def forgive(self, seconds: float) -> None:
         """Do not count a time in which the monitor itself was not there to hear."""
-        self.heard += seconds
+        self.last_received += seconds
 
     def shift(self, now: float) -> None:
         """Begin anew, because the time of the monitor itself broke."""
-        self.heard = self._looked_at = now
+        self.last_received = self._looked_at = now
         self._base, self.lag = float("inf"), 0.0
 
     def _take_looked(self, now: float) -> None:

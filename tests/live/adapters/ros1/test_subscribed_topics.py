@@ -33,15 +33,15 @@ class Listening:
 @pytest.fixture
 def make():
     def build(taps=(), statistics=False):
-        ear = SubscribedTopics(Observation(), Listening(), [Pattern.parse(text) for text in taps], statistics)
-        return ear, ear._observation, ear._listening
+        subscribed = SubscribedTopics(Observation(), Listening(), [Pattern.parse(text) for text in taps], statistics)
+        return subscribed, subscribed._observation, subscribed._listening
 
     return build
 
 
 def test_nothing_is_listened_to_unasked(make):
-    ear, _, listening = make()
-    assert ear.round().tallies == []
+    subscribed, _, listening = make()
+    assert subscribed.round().tallies == []
     assert listening.wanted is None
 
 
@@ -71,28 +71,28 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
 
 
 def test_patterns_choose_topics(make):
-    ear, _, listening = make(["/sc*"])
-    assert ear.round().shed == 3
+    subscribed, _, listening = make(["/sc*"])
+    assert subscribed.round().shed == 3
     assert listening.wanted == [Source(Use.TAP, "/scan", "/lidar", "http://l:1/")]
 
 
 def test_statistics_are_read_from_all_who_publish_them(make):
-    ear, _, listening = make(statistics=True)
-    ear.round()
+    subscribed, _, listening = make(statistics=True)
+    subscribed.round()
     assert listening.wanted == [Source(Use.STATISTICS, "/statistics", "/b", "http://b:1/")]
 
 
 def test_the_lengths_that_rospy_counts_are_taken_off_and_roscpp_counts_none(make):
-    ear, observation, _ = make(statistics=True)
-    assert ear.round().tallies[0].bytes == 260
+    subscribed, observation, _ = make(statistics=True)
+    assert subscribed.round().tallies[0].bytes == 260
     observation.unframed = frozenset({"/b"})
-    assert ear.round().tallies[0].bytes == 300
+    assert subscribed.round().tallies[0].bytes == 300
 
 
 def test_statistics_that_nobody_publishes_are_named_once_and_no_failure(make):
-    ear, observation, _ = make(statistics=True)
+    subscribed, observation, _ = make(statistics=True)
     observation.publishers = {}
-    frames = [ear.round() for _ in range(3 * SILENT_ROUNDS)]
+    frames = [subscribed.round() for _ in range(3 * SILENT_ROUNDS)]
     assert [failure for frame in frames for failure in frame.failures] == []
     (event,) = [event for frame in frames for event in frame.events]
     assert "/enable_statistics" in event.detail
@@ -104,5 +104,5 @@ def test_what_subscribers_tell_of_what_we_publish_ourselves_is_left_out():
             own = Tally("/diagnostics", "/me", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
             return Taken([TOLD, own])
 
-    ear = SubscribedTopics(Observation(), Hearing(), [], True, "/me")
-    assert [(tally.topic, tally.publisher) for tally in ear.round().tallies] == [("/t", "/a")]
+    subscribed = SubscribedTopics(Observation(), Hearing(), [], True, "/me")
+    assert [(tally.topic, tally.publisher) for tally in subscribed.round().tallies] == [("/t", "/a")]

@@ -31,15 +31,15 @@ def act(ros: Ros, asked: Asked) -> str:
     def once() -> int:
         return ros.publish(topic, arguments["type"], arguments["fields"], latched=latched)
 
-    heard = once()
+    count = once()
     if arguments["how"] == "repeated":
         asked.repeat(1 / float(arguments["rate"]), once)
         return (
-            f"published on {topic} to {_subscribers(heard)}, and again at {arguments['rate']:g} Hz until it is cleared"
+            f"published on {topic} to {_subscribers(count)}, and again at {arguments['rate']:g} Hz until it is cleared"
         )
-    if not heard and not latched:
+    if not count and not latched:
         raise ActionError(f"published on {topic}, which has no subscriber", expected="a subscriber")
-    return f"published on {topic} to {_subscribers(heard)}"
+    return f"published on {topic} to {_subscribers(count)}"
 
 
 def _subscribers(count: int) -> str:

@@ -115,13 +115,13 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     with suppress(UnresolvedError):
         at = resolver.address(own)
     listened = at if is_local(at) else ""
-    saying = _saying(options, listened, own, caller)
+    publisher = _monitor_publisher(options, listened, own, caller)
     updates = UpdateServer(
         listened, own, options.master, lambda topic, uris: wakes.put(("updated", topic, uris)),
-        saying.answers if saying else None,
+        publisher.answers if publisher else None,
     )  # fmt: skip
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
-    publications = saying.publications if saying else ()
+    publications = publisher.publications if publisher else ()
     follower = Follower(Master(options.master, caller, resolver), caller, updates.uri, publications)
     parameters = _parameters(options, caller, resolver, updates) if options.parameters else None
     observation = Observation(
@@ -131,11 +131,11 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     listening = Listening(
         caller, resolver, time.time, socket.gethostname(), limits, news=lambda: wakes.put(("changed", "", ()))
     )
-    ear = SubscribedTopics(
+    subscribed = SubscribedTopics(
         observation, listening, tuple(options.tap), options.statistics, caller, reports=options.reports
     )
     try:
-        _turn(options.period, observation, ear, speaker, wakes)
+        _turn(options.period, observation, subscribed, speaker, wakes)
     finally:
         if parameters:
             parameters.leave(lambda _: None)
@@ -144,17 +144,17 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
         observation.close()
         ends.close()
         updates.close()
-        if saying:
-            saying.close()
+        if publisher:
+            publisher.close()
 
 
-def _saying(options: argparse.Namespace, address: str, own: str, caller: str) -> MonitorPublisher | None:
+def _monitor_publisher(options: argparse.Namespace, address: str, own: str, caller: str) -> MonitorPublisher | None:
     """Publish what comes on standard input, where that was asked for."""
     if not (options.diagnostics or options.rated):
         return None
-    saying = MonitorPublisher(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
-    when_asked(0, saying.publish, _complain)
-    return saying
+    publisher = MonitorPublisher(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
+    when_asked(0, publisher.publish, _complain)
+    return publisher
 
 
 def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, updates: UpdateServer) -> Parameters:
@@ -168,7 +168,11 @@ def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, up
 
 
 def _turn(
-    period: float, observation: Observation, ear: SubscribedTopics, speaker: Speaker, wakes: queue.SimpleQueue[Wake]
+    period: float,
+    observation: Observation,
+    subscribed: SubscribedTopics,
+    speaker: Speaker,
+    wakes: queue.SimpleQueue[Wake],
 ) -> None:
     moved: frozenset[str] = frozenset()
     due = time.monotonic()
@@ -176,13 +180,13 @@ def _turn(
     while True:
         now = time.monotonic()
         if now >= due:
-            speaker.say(ear.round(moved))
+            speaker.say(subscribed.round(moved))
             moved = frozenset()
             due = max(now + period, time.monotonic() + period / 10)
             hear = time.monotonic() + HEARD_S
         elif now >= hear:
             hear = now + HEARD_S
-            speaker.say(ear.heard())
+            speaker.say(subscribed.received())
         with suppress(queue.Empty):
             what, name, uris = wakes.get(timeout=max(min(due, hear) - time.monotonic(), 0.0))
             if what == "ended":

@@ -176,7 +176,7 @@ class Ros1Hand:
             keeping = self._kept.get((patterns, before_s))
             if keeping is None:
                 keeping = self._kept[patterns, before_s] = Keeping(before_s)
-                self._hearing.append(Hearing(self._uri, self._caller, self._resolver, patterns, keeping.heard))
+                self._hearing.append(Hearing(self._uri, self._caller, self._resolver, patterns, keeping.received))
         return keeping.write(path, "ros1", after_s) if path else "kept from now on"
 
     def close(self) -> None:

@@ -28,7 +28,7 @@ class Hearing:
 
     def __init__(
         self, master_uri: str, caller: str, resolver: Resolver, patterns: Sequence[str],
-        heard: Callable[[Topic, bytes], None],
+        received: Callable[[Topic, bytes], None],
     ) -> None:  # fmt: skip
         """Hear topics for which a pattern matches.
 
@@ -42,7 +42,7 @@ class Hearing:
         self._uri = master_uri
         self._caller = caller
         self._resolver = resolver
-        self._heard = heard
+        self._received = received
         self._lock = threading.Lock()
         self._open: set[tuple[str, str]] = set()
         self._closed = threading.Event()
@@ -105,7 +105,7 @@ class Hearing:
         more = (("callerid", node), ("md5sum", header.get("md5sum", "")), ("latching", header.get("latching", "0")))
         known = Topic(topic, header.get("type", ""), "ros1msg", header.get("message_definition", ""), "ros1", more)
         while not self._closed.is_set():
-            self._heard(known, self._part(line, _LARGEST))
+            self._received(known, self._part(line, _LARGEST))
 
     def _part(self, line: socket.socket, largest: int) -> bytes:
         size = int.from_bytes(self._exactly(line, 4), "little")

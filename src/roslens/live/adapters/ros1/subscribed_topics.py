@@ -30,7 +30,7 @@ _UNREPORTED = (
 
 
 class SubscribedTopics:
-    """Adds what is heard to the rounds of an observation."""
+    """Adds what is received to the rounds of an observation."""
 
     def __init__(
         self,
@@ -54,7 +54,7 @@ class SubscribedTopics:
         self._rounds = 0
 
     def round(self, moved: frozenset[str] = frozenset()) -> Frame:
-        """Return the frame of a round with what was heard until then."""
+        """Return the frame of a round with what was received until then."""
         frame = self._observation.round(moved)
         if not self._taps and not self._statistics and not self._reports:
             return msgspec.structs.replace(frame, looked=frame.time)
@@ -66,13 +66,13 @@ class SubscribedTopics:
         if self._statistics and not reported and self._rounds == SILENT_ROUNDS:
             # No failure: ROS 1 as it comes publishes none, and a watch of it is not incomplete for that.
             events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNREPORTED))
-        return self._with_heard(msgspec.structs.replace(frame, events=events))
+        return self._with_received(msgspec.structs.replace(frame, events=events))
 
-    def heard(self) -> Frame:
-        """Return the frame of what was heard since; one of nothing says that there was silence."""
-        return self._with_heard(self._observation.between())
+    def received(self) -> Frame:
+        """Return the frame of what was received since; one of nothing says that there was silence."""
+        return self._with_received(self._observation.between())
 
-    def _with_heard(self, frame: Frame) -> Frame:
+    def _with_received(self, frame: Frame) -> Frame:
         taken = self._listening.take()
         events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
         # Of what waited while we were stopped nobody knows when it came, nor what is missing.

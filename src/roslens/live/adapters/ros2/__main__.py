@@ -121,7 +121,7 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     host = socket.gethostname()
     wakes: queue.SimpleQueue[int] = queue.SimpleQueue()
     ends = ProcessEnds(wakes.put)
-    saying = _saying(options, node, speaker, host)
+    publisher = _monitor_publisher(options, node, speaker, host)
     event = None
     try:
         event = GraphEvent(node, lambda: wakes.put(0))
@@ -131,8 +131,8 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     counters.read(time.time())
     tap = Tap(node, options.tap, options.tap_budget, host) if options.tap else None
     lifecycles = Lifecycles(lambda service: StateClient(node, service))
-    heard = ReportedTopics(node, host, Parameters(lambda name: NodeQuestions(node, name)))
-    observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap, heard)
+    reported = ReportedTopics(node, host, Parameters(lambda name: NodeQuestions(node, name)))
+    observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap, reported)
     try:
         _Turns(observation, speaker, ends, wakes, tap, options.period, polled=event is None).run()
     finally:
@@ -140,22 +140,22 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
             event.close()
         ends.close()
         counters.close()
-        heard.close()
-        if saying is not None:
-            saying.close()
+        reported.close()
+        if publisher is not None:
+            publisher.close()
         node.destroy_node()
         rclpy.try_shutdown()
 
 
-def _saying(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str) -> MonitorPublisher | None:
+def _monitor_publisher(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str) -> MonitorPublisher | None:
     """Publish what comes on standard input, where that was asked for."""
     if not (options.diagnostics or options.rated):
         return None
-    saying = MonitorPublisher(node, diagnostics=options.diagnostics, rated=options.rated)
-    if saying.failures:
-        speaker.say(Frame(VERSION, f"{host}/{TOOL}", 0, time.time(), failures=saying.failures))
-    when_asked(0, saying.publish, _complain)
-    return saying
+    publisher = MonitorPublisher(node, diagnostics=options.diagnostics, rated=options.rated)
+    if publisher.failures:
+        speaker.say(Frame(VERSION, f"{host}/{TOOL}", 0, time.time(), failures=publisher.failures))
+    when_asked(0, publisher.publish, _complain)
+    return publisher
 
 
 def _without_events(host: str, error: Exception) -> Frame:

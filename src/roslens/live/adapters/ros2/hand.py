@@ -136,7 +136,7 @@ class Ros2Hand:
             keeping = self._kept.get((patterns, before_s))
             if keeping is None:
                 keeping = self._kept[patterns, before_s] = Keeping(before_s)
-                self._listening.append(Listening(self._node, patterns, keeping.heard))
+                self._listening.append(Listening(self._node, patterns, keeping.received))
         return keeping.write(path, "ros2", after_s) if path else "kept from now on"
 
     def close(self) -> None:

@@ -29,7 +29,7 @@ _BUILT_IN = {
 class Listening:
     """Subscribes to every topic that matches, from a thread of its own that looks for new ones."""
 
-    def __init__(self, node: Any, patterns: Sequence[str], heard: Callable[[Topic, bytes], None]) -> None:
+    def __init__(self, node: Any, patterns: Sequence[str], received: Callable[[Topic, bytes], None]) -> None:
         """Hear topics for which a pattern matches.
 
         Raises:
@@ -40,7 +40,7 @@ class Listening:
         except ValueError as error:
             raise ActionError(str(error), expected="patterns of topics") from None
         self._node = node
-        self._heard = heard
+        self._received = received
         self._subscribed: dict[str, Any] = {}
         self._closed = threading.Event()
         self.look()
@@ -79,7 +79,7 @@ class Listening:
             durability=DurabilityPolicy.TRANSIENT_LOCAL if latched else DurabilityPolicy.VOLATILE,
         )
         topic = Topic(name, type_, "ros2msg", definition(type_), "cdr")
-        return self._node.create_subscription(kind, name, lambda body: self._heard(topic, body), profile, raw=True)
+        return self._node.create_subscription(kind, name, lambda body: self._received(topic, body), profile, raw=True)
 
 
 def definition(type_: str) -> str:

@@ -52,7 +52,7 @@ class Taps(Protocol):
     def shed(self) -> int: ...  # noqa: D102
 
 
-class Hears(Protocol):
+class Reports(Protocol):
     """What listens to what nodes and monitors tell of themselves."""
 
     parameters: Parameters
@@ -77,17 +77,17 @@ class Observation:
         graphs: reads the graph.
         counters: reads what nodes count themselves.
         taps: own subscriptions; None without.
-        heard: what nodes and monitors tell of themselves; None to leave that out.
+        reports: what nodes and monitors tell of themselves; None to leave that out.
     """
 
     def __init__(
-        self, host: str, graphs: Graphs, counters: Counters, taps: Taps | None = None, heard: Hears | None = None
+        self, host: str, graphs: Graphs, counters: Counters, taps: Taps | None = None, reports: Reports | None = None
     ) -> None:
         self._host = host
         self._graphs = graphs
         self._counters = counters
         self._taps = taps
-        self._heard = heard
+        self._reports = reports
         self._parameters_reported = float("-inf")
         self._changes = Changes()
         self._graph: Graph | None = None
@@ -110,14 +110,14 @@ class Observation:
     def changed(self, now: float) -> Frame | None:
         """Return the graph and what happened, at seconds since the epoch; None where nothing did."""
         graph = self._graphs.update()
-        if self._heard is not None:
-            self._heard.choose(graph)
+        if self._reports is not None:
+            self._reports.choose(graph)
             # What is known of parameters since is no reason to tell the whole at once.
             graph = msgspec.structs.replace(graph, parameters=self._graph.parameters if self._graph else {})
         if graph == self._graph:
             return None
-        if self._heard is not None:
-            graph = msgspec.structs.replace(graph, parameters=self._heard.parameters.known())
+        if self._reports is not None:
+            graph = msgspec.structs.replace(graph, parameters=self._reports.parameters.known())
         self._remember_names(graph, now)
         self._domain.take(graph, now)
         self._graph = graph
@@ -141,8 +141,8 @@ class Observation:
 
         Of who was not ``attentive`` all the time, taps lost messages that nobody else lost.
         """
-        heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
-        counted = joined(heard, self._name_of, self._host)
+        counted_here = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
+        counted = joined(counted_here, self._name_of, self._host)
         self._calls.add(one for one in self._counters.called() if self._domain.has(one.tally.publisher, one.pid))
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
@@ -162,11 +162,11 @@ class Observation:
 
     def ask(self, now: float) -> bool:
         """Ask nodes for their parameters; return whether that is to go on soon. ``now`` is of a clock without jumps."""
-        if self._heard is None:
+        if self._reports is None:
             return False
-        self._heard.parameters.again(now)
-        self._heard.parameters.turn(now)
-        return self._heard.parameters.busy
+        self._reports.parameters.again(now)
+        self._reports.parameters.turn(now)
+        return self._reports.parameters.busy
 
     def _called(self, now: float) -> list[Sample]:
         """Return what is known of the services of this domain, once a second."""
@@ -176,18 +176,18 @@ class Observation:
         return self._calls.samples(now)
 
     def _listened(self, now: float) -> Reported:
-        if self._heard is None:
+        if self._reports is None:
             return Reported()
-        return self._heard.take(now, self._name_of)
+        return self._reports.take(now, self._name_of)
 
     def _with_parameters(self, now: float) -> Graph | None:
         """Return the graph anew where parameters are other than it says."""
-        if self._heard is None or self._graph is None or not self._heard.parameters.news:
+        if self._reports is None or self._graph is None or not self._reports.parameters.news:
             return None
         if now - self._parameters_reported < PARAMETERS_S:
             return None
         self._parameters_reported = now
-        self._graph = msgspec.structs.replace(self._graph, parameters=self._heard.parameters.known())
+        self._graph = msgspec.structs.replace(self._graph, parameters=self._reports.parameters.known())
         return self._graph
 
     def _stands(self, tally: Tally) -> bool:

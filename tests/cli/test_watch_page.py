@@ -13,7 +13,7 @@ from random import Random
 from urllib.request import ProxyHandler, build_opener
 
 import pytest
-from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
+from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot, written
 
 from roslens.cli.page.row_list import RECORDED, RowList
 from roslens.cli.page.watch_graph import MOST_DRAWN, GraphPicture
@@ -163,7 +163,38 @@ def test_what_happened_is_sorted_by_time_and_leaves_out_programs():
     page = PageSource("rover", clock=str, live=True, steady=lambda: 0.0)
     page.take(Step(7.0, changes=(late,), events=tuple(events)))
     shown = page.snapshot(robot.session, 8.0, "").happened
-    assert [(one.time, one.name) for one in shown] == [(6.5, "/lidar"), (6.0, "/scan"), (5.0, "/lidar")]
+    assert [(one.time, one.name) for one in shown] == [(7.0, "/scan"), (6.5, "/lidar"), (5.0, "/lidar")]
+
+
+SLOW_AND_QUICK = """
+kind: reference
+name: rover
+defaults: {grace: 0 s}
+constraints:
+  - {topic: /scan, rate: ">= 8 Hz"}
+  - {topic: /odom, rate: ">= 45 Hz", for: 4 s}
+  - {topic: /image, rate: ">= 10 Hz", for: 9 s}
+"""
+
+
+def test_changes_with_one_beginning_have_the_times_at_which_they_were_judged():
+    robot = ScriptedRobot(reference=SLOW_AND_QUICK)
+    topics, changed = ("/scan", "/odom", "/image"), {}
+    for rates in (dict.fromkeys(topics, 1), {}):
+        robot.rates = rates
+        for _ in range(30):
+            before = {name: row(document(robot), f"topic:{name}")["state"] for name in topics}
+            robot.run()
+            for name in topics:
+                if (state := row(document(robot), f"topic:{name}")["state"]) != before[name]:
+                    changed[name, state] = robot.now
+    assert len(changed) == 6
+    assert len({changed[name, "low"] for name in topics}) == 3
+    past = json.loads(robot.page.past.snapshot(robot.now))
+    for found in (document(robot), past):
+        listed = {(one["name"], one["state"]): one for one in found["happened"] if one["time"] > 6 and one.get("state")}
+        assert {key: one["time"] for key, one in listed.items()} == changed
+        assert all(one["when"] == written(one["time"]) for one in listed.values())
 
 
 def test_a_node_that_went_is_still_drawn():

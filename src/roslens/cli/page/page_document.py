@@ -96,11 +96,11 @@ def event_line(event: Event, clock: Callable[[float], str]) -> Happening:
 
 
 def verdict_line(one: Verdict, clock: Callable[[float], str]) -> Happening:
-    """Return a change of a verdict as the page tells it."""
+    """Return a change of a verdict as the page lists it, at the time of the change: the fault began before it."""
     entity = shown_text(str(one.entity))
     detail = shown_text(sentence(one)) if one.state.bad or one.of_observer else _title(one.quantity)
     name = shown_name(one.entity.name)
-    return Happening(one.since, clock(one.since), f"is {one.state.value}", entity, name, one.state.value, detail)
+    return Happening(one.time, clock(one.time), f"is {one.state.value}", entity, name, one.state.value, detail)
 
 
 def _title(quantity: str) -> str:

@@ -119,7 +119,7 @@ def run(options: argparse.Namespace) -> int:
                 page.draw_on(source_grounds(site))
             # A page that waited for minutes would tell nothing, and keep all others waiting.
             view.wait_at_most(PATIENCE_S)
-            sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=_named(options.bag))
+            sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=options.bag or ())
             site.against = against(site, sides) if sides else None
             serve(
                 site,
@@ -153,10 +153,6 @@ def _refuse_contradictions(options: argparse.Namespace) -> None:
             expected="both",
             advice="A reference is compared with a running system: add --live",
         )
-
-
-def _named(bag: list[Path] | None) -> str:
-    return ", ".join(one.name for one in bag) if bag else ""
 
 
 def _questions(options: argparse.Namespace) -> Questions | None:

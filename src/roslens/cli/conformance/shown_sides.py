@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.conformance.side_word import WordKind, kind_of
@@ -30,14 +31,14 @@ def add_against_argument(parser: argparse._ActionsContainer) -> None:
 
 
 def shown_sides(
-    words: Sequence[str], live: Callable[[], Graph | None] | None, *, recorded: str = ""
+    words: Sequence[str], live: Callable[[], Graph | None] | None, *, recorded: Sequence[Path] = ()
 ) -> Callable[[], list[Side]] | None:
     """Return what gives the sides beside source, read anew where they change; None where there is none.
 
     Args:
-        words: what ``--against`` names.
+        words: what ``--against`` names; a file that is named again, or shown already, is one side.
         live: gives the graph of what is shown beside the run; None where nothing is.
-        recorded: what that is called where it is a recording; empty of what runs.
+        recorded: the recording of which that is the graph; empty of what runs.
 
     Raises:
         UsageError: a word is nothing to hold source against, or there are too many.
@@ -49,6 +50,7 @@ def shown_sides(
     for word, kind in zip(words, kinds, strict=True):
         if kind not in _FILES:
             raise UsageError(f'--against "{word}"', expected="a recording, a reference, or a graph that was written")
+    words = list(_each_once(words, recorded if len(recorded) == 1 else ()))
     if len(words) + (live is not None) > MOST:
         raise UsageError(f"{len(words)} of --against{' with --live' if live else ''}", expected=f"{MOST} at most")
     if not words and live is None:
@@ -58,10 +60,10 @@ def shown_sides(
         WordKind.REFERENCE: observed_side.reference_side,
         WordKind.WRITTEN: observed_side.written_side,
     }
-    kept = [read[kind](word) for word, kind in zip(words, kinds, strict=True)]
+    kept = [read[kind_of(word)](word) for word in words]
 
     def sides() -> list[Side]:
-        found = [*_live(live, recorded=recorded), *kept]
+        found = [*_live(live, ", ".join(one.name for one in recorded)), *kept]
         if not found:
             raise UsageError("what runs was not seen yet", expected="a node that runs")
         return found
@@ -69,7 +71,17 @@ def shown_sides(
     return sides
 
 
-def _live(live: Callable[[], Graph | None] | None, *, recorded: str) -> list[Side]:
+def _each_once(words: Iterable[str], known: Iterable[Path]) -> Iterator[str]:
+    """Yield the words that name files which no word before them names, and which are not known."""
+    seen = {one.resolve() for one in known}
+    for word in words:
+        path = Path(word).resolve()
+        if path not in seen:
+            seen.add(path)
+            yield word
+
+
+def _live(live: Callable[[], Graph | None] | None, recorded: str) -> list[Side]:
     from roslens.compare.conformance.observed import recorded_side, running_side
 
     graph = live() if live is not None else None

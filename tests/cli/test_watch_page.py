@@ -447,5 +447,8 @@ def test_what_was_recorded_misses_no_host():
     robot = ScriptedRobot(dict.fromkeys(("/a", "/b"), ""), [("/a", "/t", ("/b",), 10, 1)])
     view = robot.session.tree(robot.now)
     rows = RowList()
-    names = [next(one.name for one in rows.of(view, live=live) if one.kind == "host") for live in (True, False, True)]
+    names = [
+        next(one.name for one in rows.of(view, recorded=recorded) if one.kind == "host")
+        for recorded in (False, True, False)
+    ]
     assert names == ["(host unknown)", RECORDED, "(host unknown)"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 import time
@@ -11,7 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from roslens.cli.conformance.shown_sides import shown_sides
 from roslens.cli.main import main
+from roslens.cli.page.row_list import RECORDED
 from roslens.cli.page.watch_page import PageSource
 from roslens.cli.served.recording import recording_beside
 from roslens.cli.watch.param_reference import reference_argument
@@ -54,6 +57,38 @@ def test_the_example_has_one_fault_and_it_is_named(bag: Path) -> None:
     assert not found["live"]
     nodes = {row["name"] for row in found["rows"] if row["kind"] == "node"}
     assert nodes == {"/range_filter", "/rover_base", "/battery_monitor", "/rover_follower"} | OTHERS
+
+
+def test_moments_of_the_past_name_what_has_no_host_as_the_end_does(bag: Path) -> None:
+    with recording_beside(options(bag)) as page:
+        found = read_to_the_end(page)
+        assert page.past
+        line = page.past.timeline(0.0, 0.0)
+        assert line
+        moments = [json.loads(page.past.snapshot(at)) for at in (line.first, line.marks[0].time, line.last)]
+    for one in (found, *moments):
+        assert [row["name"] for row in one["rows"] if row["kind"] == "host"] == [RECORDED]
+        assert not one["live"]
+
+
+def test_a_recording_that_is_shown_and_compared_is_one_side(
+    bag: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = tmp_path / bag.name
+    shutil.copytree(bag, other)
+    monkeypatch.chdir(bag.parent)
+    with recording_beside(options(bag)) as page:
+        read_to_the_end(page)
+        for words in ([], [str(bag)], [bag.name, f"{bag}/", f"./{bag.name}"]):
+            sides = shown_sides(words, lambda: page.whole, recorded=[bag])
+            assert sides
+            assert [side.title for side in sides()] == [bag.name]
+        sides = shown_sides([str(other)], lambda: page.whole, recorded=[bag])
+        assert sides
+        assert len(sides()) == 2
+    alone = shown_sides([str(bag), bag.name], None)
+    assert alone
+    assert len(alone()) == 1
 
 
 def test_the_healthy_one_has_none(tmp_path: Path) -> None:

@@ -38,6 +38,7 @@ def document(
     clock: Callable[[float], str],
     title: str,
     live: bool,
+    recorded: bool,
     cost: str,
     happened: Iterable[Happening],
     failures: tuple[str, ...] = (),
@@ -50,7 +51,7 @@ def document(
     where that is given, because nobody sees it.
     """
     row_list = row_list or RowList()
-    rows = row_list.of(view, live=live)
+    rows = row_list.of(view, recorded=recorded)
     # What is fine is no alert, nothing explains it, and no node is bad by it.
     uneasy = [one for one in standing if one.state is not State.OK]
     return Snapshot(

@@ -45,13 +45,24 @@ class PastPage:
     """Answers from one history; may be asked from any thread."""
 
     def __init__(
-        self, recall: Recall, title: str, *, clock: Callable[[float], str], picture: Callable[[], GraphPicture]
-    ) -> None:
-        """Show what is called ``title``; ``picture`` gives the one whose places are kept to."""
+        self, recall: Recall, title: str, *, clock: Callable[[float], str], picture: Callable[[], GraphPicture],
+        live: bool, recorded: bool,
+    ) -> None:  # fmt: skip
+        """Show what is called ``title``.
+
+        Args:
+            recall: the history.
+            title: of what is shown.
+            clock: writes times.
+            picture: gives the one whose places are kept to.
+            live: whether more will come after what is kept.
+            recorded: whether it is a recording, which names no hosts.
+        """
         self._recall = recall
         self._title = title
         self._clock = clock
         self._picture = picture
+        self._live, self._recorded = live, recorded
         self._drawn: GraphPicture | None = None
         self._lock = Lock()
 
@@ -152,7 +163,8 @@ class PastPage:
                 time=at,
                 clock=self._clock,
                 title=self._title,
-                live=True,
+                live=self._live,
+                recorded=self._recorded,
                 cost="",
                 happened=sorted(lines, key=lambda one: -one.time)[:_KEPT],
             )

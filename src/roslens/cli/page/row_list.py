@@ -49,7 +49,7 @@ class RowList:
     def __init__(self) -> None:
         self._kept: dict[str, _Kept] = {}
         self._there = 0
-        self._live = True
+        self._recorded = False
         self._rows: tuple[Row, ...] = ()
         self.order = object()
         self.columns: frozenset[str] = frozenset()
@@ -60,9 +60,9 @@ class RowList:
         """Of how many parts rows are kept, those that went included."""
         return len(self._kept)
 
-    def of(self, whole: SystemView, *, live: bool = True) -> tuple[Row, ...]:
-        """Return the rows of everything below the whole, in order; where nothing is live, hosts are not missing."""
-        before, self._rows = self._rows, self._made(whole, live=live)
+    def of(self, whole: SystemView, *, recorded: bool = False) -> tuple[Row, ...]:
+        """Return the rows of everything below the whole, in order; of a recording no host is missing."""
+        before, self._rows = self._rows, self._made(whole, recorded=recorded)
         rows = self._rows
         if len(before) != len(rows):
             moved = anew = True
@@ -77,9 +77,9 @@ class RowList:
             self.unjudged = len({row.entity for row in rows if row.state == UNJUDGED and not row.entity.endswith(":")})
         return rows
 
-    def _made(self, whole: SystemView, *, live: bool) -> tuple[Row, ...]:
-        if live is not self._live:
-            self._live = live
+    def _made(self, whole: SystemView, *, recorded: bool) -> tuple[Row, ...]:
+        if recorded is not self._recorded:
+            self._recorded = recorded
             self._kept.clear()
         rows: list[Row] = []
         for part in whole.children:
@@ -119,7 +119,7 @@ class RowList:
         return row if made == row else made
 
     def _name(self, part: SystemView) -> str:
-        return RECORDED if part.kind == "host" and not part.name and not self._live else _name(part)
+        return RECORDED if part.kind == "host" and not part.name and self._recorded else _name(part)
 
     def _name_again(self, part: SystemView, before: SystemView, row: Row) -> str:
         """Return the name of a part that had one; what has none is called by what is below it."""

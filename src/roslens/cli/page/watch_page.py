@@ -56,7 +56,8 @@ class PageSource:
 
     def __init__(
         self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float],
-        handled: HandledAlerts | None = None, spent: Callable[[], float] | None = None,
+        recorded: bool | None = None, handled: HandledAlerts | None = None,
+        spent: Callable[[], float] | None = None,
     ) -> None:  # fmt: skip
         """Show what is called ``title``.
 
@@ -64,6 +65,7 @@ class PageSource:
             title: of what is watched.
             clock: writes times.
             live: whether more will come.
+            recorded: whether it is a recording, which names no hosts; by default what is not live is one.
             steady: tells how long ago something was.
             spent: tells how much of a processor was used, in seconds; by default what ``steady`` tells.
             handled: keeps what somebody notes of alerts; by default as long as the page lasts.
@@ -71,6 +73,7 @@ class PageSource:
         self._title = title
         self._clock = clock
         self._live = live
+        self._recorded = not live if recorded is None else recorded
         self._steady = steady
         self._spent = spent or steady
         self._picture = GraphPicture(shown_name)
@@ -98,7 +101,10 @@ class PageSource:
     def remember(self, recall: Recall) -> None:
         """Show the past from a history, too."""
         self._recall = recall
-        self.past = PastPage(recall, self._title, clock=self._clock, picture=lambda: self._picture)
+        self.past = PastPage(
+            recall, self._title, clock=self._clock, picture=lambda: self._picture, live=self._live,
+            recorded=self._recorded,
+        )  # fmt: skip
 
     def end_at(self, time: float) -> bool:
         """Show how it stood at ``time``, from what is remembered; return whether something is known of then."""
@@ -108,7 +114,7 @@ class PageSource:
             return False
         view, moment = seen
         self._looked = Looked(view, moment.verdicts, moment.graph, Reference(""), time)
-        self._shown = msgspec.structs.replace(shown, live=False)
+        self._shown = shown
         return True
 
     @property
@@ -205,6 +211,7 @@ class PageSource:
             clock=self._clock,
             title=self._title,
             live=self._live,
+            recorded=self._recorded,
             cost=cost,
             happened=sorted(self._happened, key=lambda one: one.time)[::-1],
             failures=tuple(reversed(self._failures)),

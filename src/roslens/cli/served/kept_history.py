@@ -23,7 +23,7 @@ def history_beside(path: Path) -> Iterator[PageSource]:
     """
     with open_past(path) as recall:
         span = recall.span()
-        page = PageSource(path.name, clock=journal_clock, live=False, steady=time.monotonic)
+        page = PageSource(path.name, clock=journal_clock, live=False, recorded=False, steady=time.monotonic)
         page.remember(recall)
         if span is None or not page.end_at(span[1]):
             raise UsageError(

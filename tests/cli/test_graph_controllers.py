@@ -81,6 +81,6 @@ def test_a_manager_in_code_has_what_is_spawned(launched):
 
 def test_what_nobody_knows_is_said(launched):
     reported = {one.text: one.reason for one in launched.unresolved}
-    assert reported["controller lost"].startswith("nothing is known of other/Lost")
+    assert reported["controller lost"].startswith("other/Lost is not a known controller")
     assert "controller state_controller" not in reported
     assert "controller joints" not in reported

@@ -83,7 +83,7 @@ def test_code_is_told_that_is_not_understood_or_never_called(workspace, capsys):
     assert main(["graph", str(workspace)]) == 0
     out = capsys.readouterr().out
     assert "  library later  p/more.cpp:2" in out
-    assert "p/odd.cpp:1  this part of the file was not understood" in out
+    assert "p/odd.cpp:1  this part of the file could not be parsed" in out
 
 
 def test_of_what_a_launch_file_starts_it_is_told_too(workspace, capsys):
@@ -95,8 +95,8 @@ def test_of_what_a_launch_file_starts_it_is_told_too(workspace, capsys):
     )
     assert main(["graph", str(workspace), "--launch", "p/a.launch.xml"]) == 0
     out = capsys.readouterr().out
-    assert "p/talk.cpp:6  this function makes endpoints" in out
-    assert "this part of the file was not understood" in out
+    assert "p/talk.cpp:6  this function creates endpoints" in out
+    assert "this part of the file could not be parsed" in out
 
 
 @pytest.mark.parametrize("nodes", ["talk", ""])

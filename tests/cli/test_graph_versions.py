@@ -77,7 +77,7 @@ def test_a_launch_file_starts_programs_of_its_version(found):
 def test_a_program_of_the_other_version_is_said_to_be(found):
     new = found.launched("driver/new.launch.py", {})
     (reason,) = {one.reason for one in new.unresolved if "old_camera_alone" in one.text}
-    assert reason.startswith("no build of package camera makes old_camera_alone for this ROS: it is for ROS 1; ")
+    assert reason.startswith("no build of package camera creates old_camera_alone for this ROS: it is for ROS 1; ")
 
 
 def test_what_is_left_of_one_version_is_listed_as_of_that_version(found):

@@ -41,7 +41,7 @@ def test_parameters_say_what_code_writes_them(graph):
     by_code = Proof("pkg/src/a.cpp", 12, how="while the node runs", sure="likely")
     declared = Proof("pkg/cfg/A.cfg", 4)
     launch = Proof("pkg/launch/a.launch", 7)
-    changed = msgspec.structs.replace(by_code, how="`12` is above the most")
+    changed = msgspec.structs.replace(by_code, how="`12` is above the maximum")
     parameters = (
         ConfiguredParameter("/n/a", "1", "int", "1", access="declared", proof=declared, written_by=server),
         ConfiguredParameter("/n/b", "9", "int", "1", proof=declared, set_by=launch, written_by=changed),
@@ -50,7 +50,7 @@ def test_parameters_say_what_code_writes_them(graph):
     node = msgspec.structs.replace(graph.nodes[0], parameters=parameters)
     text = to_graph_text(msgspec.structs.replace(graph, nodes=(node,)))
     assert "pkg/cfg/A.cfg:4 by pkg/src/a.cpp:9" in text
-    assert "set in pkg/launch/a.launch:7, written in pkg/src/a.cpp:12: `12` is above the most, default 1" in text
+    assert "set in pkg/launch/a.launch:7, written in pkg/src/a.cpp:12: `12` is above the maximum, default 1" in text
     assert "int, likely: while the node runs" in text
 
 

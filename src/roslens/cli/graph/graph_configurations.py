@@ -182,7 +182,7 @@ def _failure(one: Named, error: Exception) -> Failure:
         "graph",
         f"{what}{type(error).__name__}: {error}",
         expected="a launch file that can be evaluated",
-        advice="Please report it with the file: this is a fault of roslens",
+        advice="Please report it with the file: this is a bug in roslens",
         detail="".join(traceback.format_exception(error)),
     )
 

@@ -121,7 +121,7 @@ def read_configuration(path: Path) -> Configuration:
     """Read a configuration file.
 
     Raises:
-        DocumentError: it is no TOML, or a key or value is not valid.
+        DocumentError: it is not valid TOML, or a key or value is not valid.
     """
     text = _text(path)
     document: dict[str, Any] = _toml(path, text)

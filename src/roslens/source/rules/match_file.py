@@ -273,7 +273,7 @@ def _broken(rule: FileRule, error: Exception) -> Failure:
         tool=TOOL,
         what=f"rule {rule.id} failed: {type(error).__name__}: {error}",
         expected="findings of this rule, or none",
-        advice="Please report it with the file: this is a fault of roslens",
+        advice="Please report it with the file: this is a bug in roslens",
         detail="".join(traceback.format_exception(error)),
         partial=True,
     )

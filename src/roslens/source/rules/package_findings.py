@@ -75,7 +75,7 @@ def _broken(rule: PackageRule, view: PackageView, error: Exception) -> Failure:
         tool=TOOL,
         what=f"rule {rule.id} failed: {type(error).__name__}: {error}",
         expected="findings of this rule, or none",
-        advice="Please report it with the package: this is a fault of roslens",
+        advice="Please report it with the package: this is a bug in roslens",
         entity=str(EntityId(EntityKind.PACKAGE, view.package.id)),
         package=view.package.id,
         detail="".join(traceback.format_exception(error)),

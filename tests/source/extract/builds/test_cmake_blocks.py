@@ -91,8 +91,8 @@ def test_a_branch_that_fails_is_not_what_happens():
 @pytest.mark.parametrize(
     ("script", "reason"),
     [
-        (b"foreach(x RANGE 100000)\nmessage(x)\nendforeach()", "too many rounds"),
-        (b"while(TRUE)\nset(x 1)\nendwhile()", "too many rounds"),
+        (b"foreach(x RANGE 100000)\nmessage(x)\nendforeach()", "too many iterations"),
+        (b"while(TRUE)\nset(x 1)\nendwhile()", "too many iterations"),
         (b"function(f)\nf()\nendfunction()\nif(1)\nf()\nendif()", "deep"),
         (b"macro(f)\nf(${ARGV} a)\nendmacro()\nif(1)\nf(b)\nendif()", "deep"),
         (b"if(1)\n" * 10_000, "nested"),

@@ -77,7 +77,7 @@ def test_included_files():
     )
     assert found.variables.get("A") == found.absolute("pkg/cmake")
     assert found.variables.get("M") == "1"
-    assert reasons(found) == ["the file that it includes is not in the workspace"]
+    assert reasons(found) == ["the included file is not in the workspace"]
 
 
 def test_packages_of_the_workspace_give_functions():

@@ -34,7 +34,7 @@ def run(text, evaluated=None):
 
 def test_what_others_may_have_set_is_unknown():
     found = run('find_package(Foo)\nset(A "${Foo_LIBS} ${FOO_X} ${CMAKE_BUILD_TYPE} ${bar_FOUND}")\nset(B "${plain}")')
-    assert shown(found.variables.get("A")).count("surroundings") == 4
+    assert shown(found.variables.get("A")).count("build environment") == 4
     assert found.variables.get("B") == ""
 
 

@@ -81,10 +81,10 @@ def test_blocks():
     [
         (b'set(a "b)\nx()\n', "an argument does not end", ["x"]),
         (b"set(a\n", "a command does not end", []),
-        (b"!!! x\ny()", '"!!! x" is no command', ["y"]),
+        (b"!!! x\ny()", '"!!! x" is not a command', ["y"]),
         (b"#[[ never\nz()", "a bracket comment does not end", ["z"]),
         (b"set([[ never)\nz()", "an argument does not end", ["z"]),
-        (b"endif()\nz()", '"endif" has no beginning', ["z"]),
+        (b"endif()\nz()", '"endif" has no opening command', ["z"]),
         (b"if(A)\nz()", '"if" has no "endif"', ["if"]),
         (b"if(A)\nforeach(b)\nendif()\nz()", '"foreach" has no "endforeach"', ["if", "z"]),
     ],

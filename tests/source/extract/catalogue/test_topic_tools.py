@@ -49,8 +49,8 @@ def test_what_passes_one_topic_on_publishes_when_a_message_has_come(tool, words,
     ends = told(node("topic_tools", tool, "ros1", *words))
     assert set(ends) == {"sub /in", f"pub {target}"}
     assert as_written(ends["sub /in"].conditions) == ()
-    assert as_written(ends[f"pub {target}"].conditions) == ("a message of /in has come",)
-    assert {one.proof.how for one in ends.values()} == {"known of this tool; releases differ"}
+    assert as_written(ends[f"pub {target}"].conditions) == ("a message on /in has been received",)
+    assert {one.proof.how for one in ends.values()} == {"known for this tool; differs between releases"}
 
 
 def test_a_mux_has_services_and_tells_what_is_selected():
@@ -60,14 +60,14 @@ def test_a_mux_has_services_and_tells_what_is_selected():
         "sub /a", "sub /b", "pub /out", "pub /mux/selected std_msgs/String", "serve /out_select topic_tools/MuxSelect",
     }  # fmt: skip
     assert ends["pub /mux/selected std_msgs/String"].latched
-    assert as_written(ends["pub /out"].conditions) == ("a message of the topic that is selected has come",)
+    assert as_written(ends["pub /out"].conditions) == ("a message on the selected topic has been received",)
 
 
 def test_a_demux_publishes_what_is_selected():
     ends = told(node("topic_tools", "demux", "ros1", "/in", "/a", "/b"))
     assert {"sub /in", "pub /a", "pub /b", "serve /demux/add topic_tools/DemuxAdd"} < set(ends)
-    assert as_written(ends["pub /a"].conditions) == ("a message of /in has come",)
-    assert as_written(ends["pub /b"].conditions) == ("a message of /in has come", "it is selected")
+    assert as_written(ends["pub /a"].conditions) == ("a message on /in has been received",)
+    assert as_written(ends["pub /b"].conditions) == ("a message on /in has been received", "it is selected")
 
 
 @pytest.mark.parametrize("tool", ["transform", "relay_field"])
@@ -106,7 +106,7 @@ def test_rostopic_publishes_and_subscribes(words, expected, latched):
 def test_tools_of_ros2_wait_for_somebody_who_publishes(tool):
     ends = told(node("topic_tools", tool, "ros2", input_topic="in"))
     assert set(ends) == {"sub /in", f"pub /in_{tool}"}
-    assert {as_written(one.conditions) for one in ends.values()} == {("somebody publishes in",)}
+    assert {as_written(one.conditions) for one in ends.values()} == {("in is published",)}
     assert "pub /out" in told(node("topic_tools", tool, "ros2", input_topic="/in", output_topic="/out"))
     assert set(told(node("topic_tools", tool, "ros2"))) == {"sub *", f"pub *_{tool}"}
 

@@ -316,7 +316,7 @@ def test_a_python_entry_point_is_found_by_module_and_function():
 def test_what_no_package_installs_is_still_a_node_and_unresolved():
     configuration = configured(talker(), Launched(Text.of("pkg"), Text.of("talkr"), START, Text.of("t")))
     assert only(configuration).name == "/t"
-    assert "makes talkr" in configuration.unresolved[0].reason
+    assert "creates talkr" in configuration.unresolved[0].reason
 
 
 def test_conditions_of_start_and_code_are_kept_apart():

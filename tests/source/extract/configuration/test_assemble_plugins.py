@@ -14,6 +14,7 @@ START, HERE, LOAD = Evidence("pkg/a.launch", 3), Evidence("pkg/src/a.cpp", 5), E
 TARGETS = (Target(TargetKind.EXECUTABLE, "pkg", "prog", (HERE.path,), HERE),)
 LIST = Hole(EachOf(OfParameter("plugins")), "plugins", among="[a]")
 EACH = Text((Hole(OfParameter("{each of parameter plugins}.plugin"), "*.plugin", named=(Text((LIST, ".plugin")),)),))
+UNKNOWN = "its endpoints are unknown"
 
 
 class Units:
@@ -119,7 +120,7 @@ def test_it_ends_although_each_turn_asks_anew():
     found = configured(units)
     assert len(units.asked) == MOST_TURNS + 1
     assert [one.reason for one in found.unresolved] == [
-        f"a plug-in of core::Base is loaded, and which one depends on parameter p{MOST_TURNS}: what it makes is unknown"
+        f"a plug-in of core::Base is loaded, and which one depends on parameter p{MOST_TURNS}: {UNKNOWN}"
     ]
 
 
@@ -132,7 +133,7 @@ def test_it_ends_although_each_turn_asks_anew():
 )
 def test_what_cannot_be_loaded_is_said(kind, reason):
     found = configured(Units(lambda chosen: facts(kind)))
-    whole = f"a plug-in of core::Base is loaded, {reason}: what it makes is unknown"
+    whole = f"a plug-in of core::Base is loaded, {reason}: its endpoints are unknown"
     assert [(one.reason, one.node) for one in found.unresolved] == [(whole, "/host")]
 
 

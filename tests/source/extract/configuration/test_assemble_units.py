@@ -53,12 +53,12 @@ def test_conditions_of_the_build_are_kept():
 
 
 def test_what_is_not_found_has_a_reason():
-    assert "no build of package pkg makes b" in meant([], [], "b").reason
+    assert "no build of package pkg creates b" in meant([], [], "b").reason
     assert "not in the workspace" in meant([], [], "b", package="other").reason
     assert "registers no ns::Part" in meant([], [], plugin="ns::Part", kind="component").reason
     assert "the executable is unknown" in meant([], [], unknown("argument x")).reason
     assert "the package is unknown" in meant([], [], "b", package=unknown("argument x")).reason
-    assert "makes no node" in meant([target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",))], [], "a").reason
+    assert "no node was found" in meant([target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",))], [], "a").reason
 
 
 def test_a_program_is_evaluated_with_the_words_of_its_command_line():

@@ -147,7 +147,7 @@ def test_a_class_of_a_library(told):
     assert loose(answer) == [("library", "Eye", [("/seen", "likely"), ("/*/light", "possible")])]
     started = next(one for one in answer if not one.get("unstarted"))
     assert [end["endpoint"]["name"] for end in started["nodes"][0]["endpoints"]] == ["/chatter"]
-    assert "made by libraries, plug-ins and scripts that no known program starts: ros1, 2 endpoints" in text
+    assert "created by libraries, plug-ins and scripts that no known program starts: ros1, 2 endpoints" in text
     assert "  library Eye  p/src/eye.cpp:3" in text
 
 

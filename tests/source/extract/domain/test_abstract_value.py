@@ -8,7 +8,7 @@ def test_values_as_text():
         "why",
         "the value of x.y",
         "a T",
-        "a value that is no text",
+        "a value that is not a string",
     ]
 
 

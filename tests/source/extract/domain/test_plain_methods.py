@@ -31,7 +31,7 @@ def test_what_they_give(of, name, arguments, result):
 
 
 def test_what_is_not_known_says_so():
-    assert plain_method(Text.of("a"), "swap", [0]) == Unknown("swap of a text")
+    assert plain_method(Text.of("a"), "swap", [0]) == Unknown("swap of a string")
     assert plain_method([], "find", []) == Unknown("find of a list")
     assert plain_method({}, "merge", []) == Unknown("merge()")
     assert plain_method(Unknown("why"), "anything", []) == Unknown("why")

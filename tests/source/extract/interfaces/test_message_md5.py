@@ -67,7 +67,7 @@ def test_what_is_not_known_says_why():
     assert of("a/msg/Self") == Checksum(unknown="a/msg/Self contains itself")
     lost = "'b/msg/Missing', the type of field 'm' of a/msg/Lost, is not known"
     assert of("a/msg/Lost") == of("a/msg/Above") == Checksum(unknown=lost)
-    broken = Checksum(unknown="the file of a/msg/Broken was not understood as a whole")
+    broken = Checksum(unknown="the file of a/msg/Broken could not be parsed completely")
     assert of("a/msg/Broken") == of("a/msg/OverBroken") == broken
     other = read_interface(b"", "M.msg", "a", 2)[0]
     assert md5_of(other, ALL.get).unknown == "a/msg/M is an interface of ROS 2"

@@ -28,7 +28,7 @@ def test_overloads_by_the_number_of_arguments(node_of):
 def test_a_text_that_something_unknown_may_set_is_not_empty(node_of):
     body = "std::string topic;\nfill(topic);\npub_ = create_publisher<std_msgs::msg::String>(topic, 1);"
     (one,) = node_of(body).endpoints
-    assert str(one.name) == "{a text that fill() may set}"
+    assert str(one.name) == "{a string that fill() may set}"
 
 
 def test_templates_are_handed_on(node_of):

@@ -25,5 +25,5 @@ def test_too_many_steps_are_told():
     (found,) = facts_of(text)
     assert turned_s(begin) < 6
     assert [reason for _, reason in found.unresolved] == [
-        "evaluation took too many steps; what was found until then is here"
+        "evaluation exceeded its limit of steps; partial results are kept"
     ]

@@ -136,8 +136,8 @@ def test_loops_functions_and_events():
     ("files", "reason"),
     [
         ({"a_py": python("while True:\n        pass")}, "too many steps"),
-        ({"a_py": python("return forever()", "def forever():\n    return forever()\n")}, "not known what it starts"),
-        ({"a_py": python("return LaunchDescription(read_config())")}, "not known what it starts"),
+        ({"a_py": python("return forever()", "def forever():\n    return forever()\n")}, "unknown what it starts"),
+        ({"a_py": python("return LaunchDescription(read_config())")}, "unknown what it starts"),
         (
             {"a_py": python("return LaunchDescription([IncludeLaunchDescription('a.py')])")},
             "includes itself: a.py > a.py",
@@ -147,13 +147,13 @@ def test_loops_functions_and_events():
         ({"a_py": "def generate_launch_description(:"}, "expected Python"),
         ({"a_py": python("return LaunchDescription([DeclareLaunchArgument('x')])")}, "required, but not given"),
         ({"a_py": python("return LaunchDescription([OpaqueFunction(function=os.fork)])")}, "not in this file"),
-        ({"a_py": "import os\nos.abort()\n" + python("return LaunchDescription([5])")}, "it is no action"),
+        ({"a_py": "import os\nos.abort()\n" + python("return LaunchDescription([5])")}, "it is not an action"),
         ({"a_xml": "<launch><group/></launch2>"}, "expected"),
         ({"a_xml": "<robot/>"}, "expected <launch>"),
-        ({"a_xml": "<launch><machine name='x'/></launch>"}, "no element that is known here"),
+        ({"a_xml": "<launch><machine name='x'/></launch>"}, "an unsupported element"),
         ({"a_xml": "<launch><include file='$(find-pkg-share gone)/x.py'/></launch>"}, "package gone, which is not"),
         ({"a_xml": "<launch><include file='$(var gone)'/></launch>"}, "launch configuration gone, which is not set"),
-        ({"a_xml": "<launch><node pkg='a' exec='b' if='maybe'/></launch>"}, "'maybe' is no condition"),
+        ({"a_xml": "<launch><node pkg='a' exec='b' if='maybe'/></launch>"}, "'maybe' is not a condition"),
         ({"a_xml": "<launch><node pkg='a' exec='b'><param from='p.yaml'/></node></launch>"}, "no such file"),
         (
             {"a_xml": "<launch><node pkg='a' exec='b'><param from='p.yaml'/></node></launch>", "p_yaml": "rate: 5"},

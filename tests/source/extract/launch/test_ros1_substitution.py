@@ -60,5 +60,5 @@ def test_what_roslaunch_refuses(text):
 def test_conditions():
     assert [truth(Text.of(one)) for one in ("true", "1", "False", "0")] == [True, True, False, False]
     assert truth(unknown("x")) is None
-    with pytest.raises(SubstitutionError, match="no condition"):
+    with pytest.raises(SubstitutionError, match="not a condition"):
         truth(Text.of("yes"))

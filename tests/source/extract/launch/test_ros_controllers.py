@@ -92,14 +92,14 @@ def test_a_spawner_may_be_given_files_and_a_namespace():
         assert made(launched(gazebo, spawner(*words), settings=settings)) == [("subscription", "/robot/base/command")]
 
 
-NOBODY_KNOWS = "what it publishes and subscribes is unknown"
+UNKNOWN = "its endpoints are unknown"
 
 
 @pytest.mark.parametrize(
     ("nodes", "settings", "why"),
     [
-        ((GAZEBO, spawner("base")), (), f"no file of parameters says its type; {NOBODY_KNOWS}"),
-        ((GAZEBO, spawner("base")), (set_to("/base/type", "own/C"),), f"nothing is known of own/C; {NOBODY_KNOWS}"),
+        ((GAZEBO, spawner("base")), (), f"no parameter file states its type; {UNKNOWN}"),
+        ((GAZEBO, spawner("base")), (set_to("/base/type", "own/C"),), f"own/C is not a known controller; {UNKNOWN}"),
         ((spawner("base"),), (VELOCITY,), "which node has the manager of this controller is unknown"),
     ],
 )  # fmt: skip

@@ -59,7 +59,7 @@ def test_substitutions(written, result):
 
 
 def test_what_is_unknown_says_why():
-    assert resolve(parse("$(nothing a)"), SCOPE).holes[0].reason == "substitution $(nothing a), which is not known here"
+    assert resolve(parse("$(nothing a)"), SCOPE).holes[0].reason == "unsupported substitution $(nothing a)"
     assert "never closed" in resolve(parse("$(var a"), SCOPE).holes[0].reason
     assert "too deep" in str(resolve(parse("$(not " * 50 + "true" + ")" * 50), SCOPE))
     assert "package gone" in resolve(parse("$(find-pkg-share gone)"), SCOPE).holes[0].reason

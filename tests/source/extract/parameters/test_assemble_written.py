@@ -75,7 +75,7 @@ def test_a_server_holds_its_default_in_the_range_too():
 
 def test_what_is_set_is_kept_beside_what_a_server_makes_of_it():
     found = after_writes(SET, [serve(Text.of("7"), between="3..9")])
-    assert (found.value, found.set_value, found.written_by.how) == ("3", "1", "`1` is below the least")
+    assert (found.value, found.set_value, found.written_by.how) == ("3", "1", "`1` is below the minimum")
 
 
 def test_a_server_leaves_what_fits():
@@ -84,7 +84,7 @@ def test_a_server_leaves_what_fits():
 
 def test_a_server_takes_what_was_written_before_it():
     assert result(NOT_SET, write(Text.of("12")), serve(Text.of("7"), between="0..9")) == (
-        "9", "likely", "`12` is above the most",
+        "9", "likely", "`12` is above the maximum",
     )  # fmt: skip
 
 

@@ -41,10 +41,10 @@ def test_what_ros2_refuses_is_an_error_with_its_place():
 @pytest.mark.parametrize(
     ("value", "what"),
     [
-        ("x: [0.5, 1]", "a list of values of several types: [0.5, 1]"),
-        ("x: ['1', 2]", "a list of values of several types"),
-        ("x: [true, a]", "a list of values of several types"),
-        ("", "no table of parameters"),
+        ("x: [0.5, 1]", "a list of values of different types: [0.5, 1]"),
+        ("x: ['1', 2]", "a list of values of different types"),
+        ("x: [true, a]", "a list of values of different types"),
+        ("", "not a table of parameters"),
     ],
 )
 def test_what_rcl_refuses_is_an_error(value, what):

@@ -26,7 +26,7 @@ def test_types_of_a_launch_file(text, kind, type_):
 
 @pytest.mark.parametrize(("text", "kind"), [("x", "int"), ("2.5", "int"), ("yes", "bool"), ("1", "float")])
 def test_what_roslaunch_refuses(text, kind):
-    with pytest.raises(ValueError, match=r"is no type|is not of the type"):
+    with pytest.raises(ValueError, match=r"is not a type|is not of the type"):
         type_of_value(text, kind)
 
 

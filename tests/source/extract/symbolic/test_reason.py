@@ -39,7 +39,7 @@ REASONS = [
     (OfEnvironment("ROBOT"), "environment ROBOT"),
     (RandomEnd(), "random end"),
     (NotSet("topic_"), "topic_, which is not set"),
-    (OfMany("one of many texts, by x"), "one of many texts, by x"),
+    (OfMany("one of many strings, by x"), "one of many strings, by x"),
 ]
 
 
@@ -63,8 +63,8 @@ def test_the_node_that_decides_is_found_in_what_is_made_of_its_parameter():
 
 
 def test_what_is_made_of_one_of_many_texts_is_one():
-    many = OfMany("one of many texts, by x")
+    many = OfMany("one of many strings, by x")
     assert is_of_many(EachOf(many))
     assert not is_of_many(EachOf("x"))
-    assert said("a part of ", Text((Hole(many),))) == OfMany("a part of {one of many texts, by x}")
+    assert said("a part of ", Text((Hole(many),))) == OfMany("a part of {one of many strings, by x}")
     assert said("a part of ", Text((Hole("x"),)), most=8) == "a part o"

@@ -56,7 +56,7 @@ def test_what_doubles_again_and_again_ends():
     text, open_ = Text.of("x"), Text.of("x", Hole("y"))
     for _ in range(100):
         text, open_ = Text.of(text, text), Text.of(open_, open_)
-    assert [str(one)[:28] for one in (text, open_)] == ["{a text that is too long to "] * 2
+    assert [str(one)[:30] for one in (text, open_)] == ["{a string that is too long to "] * 2
 
 
 def test_what_a_text_begins_and_ends_with():

@@ -73,7 +73,7 @@ def test_a_list_that_a_parameter_is_has_no_sign_behind_it(main_of):
         ("l = ['a', 'b']\nl.sort(key=f)\nt = l[0]", "{an item of a list that sort() changed}"),
         ("d = {'k': 'v'}\nd.update({'k': 'u'})\nt = d['k']", "u"),
         ("d = {'k': 'v'}\nd.update(k='u')\nt = d['k']", "u"),
-        ("d = {'k': 'v'}\nd.update(f())\nt = d['k']", "{an item of a table that update() changed}"),
+        ("d = {'k': 'v'}\nd.update(f())\nt = d['k']", "{an item of a dictionary that update() changed}"),
         ("d = {'k': 'v'}\nd.pop('k')\nt = d.get('k', 'none')", "none"),
         ("d = {'k': 'v'}\ndel d['k']\nt = d.get('k', 'none')", "none"),
         ("d = {}\nt = d.setdefault('k', 'v')", "v"),

@@ -41,4 +41,4 @@ def test_values_within_values(main_of):
 
 def test_an_item_without_a_known_name_is_left_out(main_of):
     body = 'XmlRpc::XmlRpcValue all; all[0] = 5; all[name()] = 6; nh.setParam("deep", all);'
-    assert writes(main_of(body)) == [("deep", "", "{a value of many parts}", ())]
+    assert writes(main_of(body)) == [("deep", "", "{a structured value}", ())]

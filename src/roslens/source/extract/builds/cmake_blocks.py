@@ -144,11 +144,11 @@ def _unknown_rounds(run: Evaluation, block: Block, names: list[str]) -> None:
     """Run a loop once as one that may not be run: what it sets is no longer known."""
     opened, body = block.branches[0]
     shown = " ".join(names)
-    run.fail(f"foreach({shown})", run.evidence(opened), "a loop of too many rounds, or over what is unknown")
+    run.fail(f"foreach({shown})", run.evidence(opened), "a loop with too many iterations, or over unknown items")
     before = [run.variables.scope.get(name)[1] for name in names]
     for name in names:
         run.variables.set(name, hole(f"{name} of foreach()"))
-    unsure = f"the rounds of foreach({shown})"
+    unsure = f"the iterations of foreach({shown})"
     try:
         changes = run.perhaps(body, [unsure])
         run.variables.scope.merge([changes or {}, {}], None, run.variables.either(unsure))
@@ -204,7 +204,7 @@ def _rounds(run: Evaluation, block: Block) -> None:
         found = answer(opened.arguments, run)
         if found.value is None:
             changes = run.perhaps(body, [" ".join(argument.written for argument in opened.arguments)])
-            run.variables.scope.merge([changes or {}, {}], None, run.variables.either("the rounds of a loop"))
+            run.variables.scope.merge([changes or {}, {}], None, run.variables.either("the iterations of a loop"))
             return
         if not found.value:
             return
@@ -215,7 +215,7 @@ def _rounds(run: Evaluation, block: Block) -> None:
                 return
             if signal.what != "continue":
                 raise
-    run.fail("while()", run.evidence(opened), "a loop of too many rounds, or over what is unknown")
+    run.fail("while()", run.evidence(opened), "a loop with too many iterations, or over unknown items")
 
 
 def _define(run: Evaluation, block: Block) -> None:

@@ -254,7 +254,7 @@ def _include(run: Evaluation, call: Call) -> None:
     if path and content is not None:
         run.run_file(path, parse_cmake(content), shown_in=dirname(name) if name.startswith(SOURCE) else "")
     elif "OPTIONAL" not in call.arguments:
-        run.fail(name.replace(f"{SOURCE}/", ""), call.evidence, "the file that it includes is not in the workspace")
+        run.fail(name.replace(f"{SOURCE}/", ""), call.evidence, "the included file is not in the workspace")
 
 
 def _add_subdirectory(run: Evaluation, call: Call) -> None:
@@ -295,7 +295,7 @@ def _language(run: Evaluation, call: Call) -> None:
         return
     form, *rest = call.arguments
     if form not in ("CALL", "EVAL") or is_unknown("".join(rest[:1] if form == "CALL" else rest)):
-        run.fail(f"cmake_language({form})", call.evidence, "what it runs, or when, is unknown")
+        run.fail(f"cmake_language({form})", call.evidence, "its command, or when it runs, is unknown")
         if form not in ("CALL", "EVAL", "DEFER"):
             run.variables.set(rest[-1], hole(f"cmake_language({form})"))
         return
@@ -337,7 +337,7 @@ def _asked(position: int) -> Handler:
 
     def handler(run: Evaluation, call: Call) -> None:
         if len(call.arguments) > position:
-            run.variables.set(call.arguments[position], hole(f"what {call.command.name}() gives"))
+            run.variables.set(call.arguments[position], hole(f"the result of {call.command.name}()"))
 
     return handler
 

@@ -177,7 +177,7 @@ class Evaluation:
             self.fail(path, Evidence(path, 1), f"a file includes itself more than {MOST_SELF_INCLUDES} times")
             return
         for fault in script.faults:
-            self.fail(fault.what, Evidence(path, fault.line, fault.column), "not the language of CMake")
+            self.fail(fault.what, Evidence(path, fault.line, fault.column), "not valid CMake")
         before = (
             self.path,
             self.variables.bound,

@@ -119,7 +119,7 @@ class _Reader:
             match = _NAME.match(self.text, self._at)
             if match is None:
                 written = self.text[self._at : self._at + 30].split("\n", 1)[0]
-                self._fault(self._at, f'"{written}" is no command')
+                self._fault(self._at, f'"{written}" is not a command')
                 continue
             start, self._at = self._at, match.end()
             arguments = self._arguments(start)
@@ -287,7 +287,7 @@ class _Blocks:
                 self._miss_end()
             self._close()
         elif name in _ENDS or name in _PARTS:
-            self._faults.append(Fault(command.line, command.column, f'"{name}" has no beginning'))
+            self._faults.append(Fault(command.line, command.column, f'"{name}" has no opening command'))
         else:
             self._stack[-1].body.append(command)
 

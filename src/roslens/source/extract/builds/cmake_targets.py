@@ -63,7 +63,7 @@ class Collected:
         made = Made(name, executable, call.evidence, tuple(dict.fromkeys(run.conditions)))
         others = self.made.get(name, [])
         if len(others) >= _MOST_OF_A_NAME or any(other.conditions == made.conditions for other in others):
-            run.fail(f"{call.command.name}({name})", call.evidence, "a target of that name is made already")
+            run.fail(f"{call.command.name}({name})", call.evidence, "a target of that name exists already")
             return None
         self.made.setdefault(name, []).append(made)
         run.targets.add(name)

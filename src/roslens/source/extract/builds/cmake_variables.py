@@ -46,7 +46,7 @@ class Variables:
             return value
         if name in self.cache:
             return self.cache[name]
-        return hole(f"{name} of the build's surroundings") if self.is_foreign(name) and not known else None
+        return hole(f"{name} of the build environment") if self.is_foreign(name) and not known else None
 
     def kept(self, name: str) -> str | None:
         """Return the value that the files read have given to a variable; None where they have not set it."""
@@ -69,7 +69,7 @@ class Variables:
             return self._referenced(template[0])
         value = "".join(part if isinstance(part, str) else self._referenced(part) for part in template)
         self._limits.spend(len(value))
-        return value if len(value) <= MOST_LENGTH else hole("a text that is too long")
+        return value if len(value) <= MOST_LENGTH else hole("a string that is too long")
 
     def _referenced(self, reference: Reference) -> str:
         name = self.value(reference.name)

@@ -50,9 +50,7 @@ def read_plugins(content: bytes, path: str) -> tuple[tuple[PluginClass, ...], tu
     """
     document = _document(content)
     classes: list[PluginClass] = []
-    failed = [
-        Unresolved(fault.what, _place(document, fault.offset, path), "XML that is broken") for fault in document.faults
-    ]
+    failed = [Unresolved(fault.what, _place(document, fault.offset, path), "invalid XML") for fault in document.faults]
     root = document.root
     libraries = [] if root is None else [root] if root.tag == "library" else _below(root, "library")
     for library in libraries:

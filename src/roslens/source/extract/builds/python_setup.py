@@ -89,7 +89,7 @@ class _Script:
         given = program.setups[-1]
         keywords, self._at = given.keywords, given.place
         if "**" in keywords:
-            self._fail(keywords["**"], "what it gives to setup() is unknown")
+            self._fail(keywords["**"], "its arguments of setup() are unknown")
         programs = [
             one
             for group, value in self._pairs(keywords.get("entry_points"))
@@ -123,7 +123,7 @@ class _Script:
             case Unknown():
                 self._fail(value, str(value.reason))
             case _:
-                self._fail(value, "it is no text")
+                self._fail(value, "it is not a string")
         return []
 
     def _pairs(self, value: Value) -> Iterator[tuple[str, Value]]:
@@ -135,7 +135,7 @@ class _Script:
                     for text in self._text(key):
                         yield text, unguarded(one)
             case _:
-                self._fail(value, str(reason_of(value, "it is no dictionary")))
+                self._fail(value, str(reason_of(value, "it is not a dictionary")))
 
     def _programs(self, value: Value) -> Iterator[EntryPoint]:
         for one in items_of(value):
@@ -151,7 +151,7 @@ class _Script:
                     files = [text for one in items_of(given) for text in self._text(one)]
                     yield normpath(folder), tuple(normpath(one) for one in files)
             case _:
-                self._fail(value, "it is no pair of a folder and files")
+                self._fail(value, "it is not a pair of a folder and files")
 
 
 def _program(line: str, evidence: Evidence) -> EntryPoint | None:
@@ -207,7 +207,7 @@ def read_pyproject(content: bytes, path: str) -> Setup:
     try:
         project = tomli.loads(text).get("project", {})
     except (tomli.TOMLDecodeError, RecursionError) as error:
-        return Setup(unresolved=(Unresolved("pyproject.toml", Evidence(path, 1), f"it is no TOML: {error}"),))
+        return Setup(unresolved=(Unresolved("pyproject.toml", Evidence(path, 1), f"it is not valid TOML: {error}"),))
     programs: list[EntryPoint] = []
     for name, entry in _scripts(project):
         where = re.search(rf"(?m)^\s*[\"']?{re.escape(name)}[\"']?\s*=", text)

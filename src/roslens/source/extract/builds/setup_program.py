@@ -101,7 +101,7 @@ class _Expressions(Expressions):
     def _key(self, expression: Expression, value: Value) -> Key:
         if isinstance(value, Text | bool | int | float):
             return value
-        key = unknown(value.reason if isinstance(value, Unknown) else "it is no text")
+        key = unknown(value.reason if isinstance(value, Unknown) else "it is not a string")
         self._remember(key, expression)
         return key
 
@@ -147,7 +147,7 @@ class _Calls(Calls):
         """A table of what is given by name."""
         first = arguments[0] if arguments else {}
         if not isinstance(first, dict) or "**" in keywords:
-            return Unknown("a table that is not known")
+            return Unknown("an unknown dictionary")
         return {**first, **{Text.of(name): value for name, value in keywords.items()}}
 
     def files(self, expression: Call, arguments: list[Value], _keywords: Names) -> Value:
@@ -205,7 +205,7 @@ class SetupProgram:
         except BudgetExceededError:
             self.gave_up = (1, "it takes too many steps")
         except _ODD as error:
-            self.gave_up = (1, f"it cannot be followed: {type(error).__name__}")
+            self.gave_up = (1, f"it cannot be evaluated: {type(error).__name__}")
 
     def place_of(self, value: Value | Key, otherwise: Written) -> Written:
         """Return where a value stands as far as that is known."""

@@ -122,9 +122,9 @@ class _Reading:
         try:
             run_folder(run, self._folder, path, script)
         except ExhaustedError as error:
-            run.fail("CMakeLists.txt", Evidence(path, 1), f"evaluation was given up: {error}")
+            run.fail("CMakeLists.txt", Evidence(path, 1), f"evaluation failed: {error}")
         except (ReturnedError, RecursionError) as error:
-            run.fail("CMakeLists.txt", Evidence(path, 1), f"evaluation was given up: {type(error).__name__}")
+            run.fail("CMakeLists.txt", Evidence(path, 1), f"evaluation failed: {type(error).__name__}")
 
     def _read_setup(self) -> list[tuple[str, str]]:
         setup = read_setup(self._folder, self._files, self._listing)
@@ -179,7 +179,9 @@ class _Reading:
             sources, installed, library = (path,) if path else (), True, one.library
             if path is None:
                 self._unresolved.append(
-                    Unresolved(one.library or one.name, evidence, "the library of a plug-in is not made by the package")
+                    Unresolved(
+                        one.library or one.name, evidence, "the library of a plug-in is not built by the package"
+                    )
                 )
         return Target(kind, self._package, one.name, sources, evidence, one.type, library, installed, item.conditions)
 

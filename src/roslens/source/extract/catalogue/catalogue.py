@@ -30,7 +30,7 @@ RECONFIGURES = (
     ("serves", "set_parameters dynamic_reconfigure/Reconfigure"),
 )
 """What a server of dynamic_reconfigure makes in its namespace, by key and line."""
-_HOW = "known of this node; releases differ"
+_HOW = "known for this node; differs between releases"
 
 
 class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

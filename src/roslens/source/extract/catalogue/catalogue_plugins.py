@@ -78,7 +78,9 @@ def plugged_by_parameters(package: str, node: str, values: Values) -> Iterator[E
             found = _classes().get(kind)
             if found is None:
                 continue
-            how = f"plug-in {kind} makes it, which parameter {loaded.partition('=')[0]} names; releases differ"
+            how = (
+                f"plug-in {kind} creates it, as named by parameter {loaded.partition('=')[0]}; differs between releases"
+            )
             evidence = Evidence(found.source, 0, 0, how, Sure.LIKELY)
             below = space.replace("{last}", kind.replace("::", "/").rpartition("/")[2]).replace("{name}", name)
             for key, end in found.lines():

@@ -64,7 +64,7 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
     return EndpointFact(
         role,
         text_of(name, words),
-        unknown("its type is that of what it is given") if kind == "*" else Text.of(kind),
+        unknown("its type is that of its input") if kind == "*" else Text.of(kind),
         evidence,
         qos=qos,
         qos_unknown="" if qos is None or qos.reliability else "it is not stated",

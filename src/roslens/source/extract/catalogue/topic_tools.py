@@ -20,9 +20,9 @@ from roslens.source.extract.symbolic.text_lists import listed
 _ROS1, _ROS2 = "ros/ros_comm: tools/topic_tools", "ros-tooling/topic_tools: topic_tools"
 _ROSTOPIC = "ros/ros_comm: tools/rostopic"
 _CLI = "ros2/ros2cli: {}"
-_HOW = "known of this tool; releases differ"
-_ANY = unknown("its type is that of what it is given")
-_COMES = "a message of {} has come"
+_HOW = "known for this tool; differs between releases"
+_ANY = unknown("its type is that of its input")
+_COMES = "a message on {} has been received"
 _COMMANDS = ("select", "add", "list", "delete")
 _WITH_VALUE = frozenset(
     {"-r", "--rate", "-f", "--file", "-i", "--import", "-p", "--print", "-t", "--times", "-w", "-n", "--node-name",
@@ -62,7 +62,7 @@ def _end(
     type_ = Text.of(kind) if isinstance(kind, str) else kind
     topic = role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     qos = Qos() if topic and not source.startswith("ros/") else None
-    why = "it is that of what it is given" if qos is not None else ""
+    why = "it is that of its input" if qos is not None else ""
     evidence = Evidence(source, 0, 0, _HOW, Sure.LIKELY)
     return EndpointFact(
         role, name, type_, evidence, conditions=tuple(map(Written, conditions)), qos=qos, qos_unknown=why,
@@ -94,7 +94,7 @@ def _mux(words: Words) -> Iterator[EndpointFact]:
     target = _word(words, 0)
     for one in words[1:] or [_word(words, 1)]:
         yield _end(Role.SUBSCRIPTION, one, _ANY, _ROS1, queue=10)
-    yield _end(Role.PUBLISHER, target, _ANY, _ROS1, _COMES.format("the topic that is selected"), queue=10)
+    yield _end(Role.PUBLISHER, target, _ANY, _ROS1, _COMES.format("the selected topic"), queue=10)
     yield _end(Role.SERVICE_SERVER, Text.of(target, "_select"), "topic_tools/MuxSelect", _ROS1)
     yield from _commands("mux", "Mux")
 
@@ -120,9 +120,9 @@ def _converted(source: str) -> Callable[[Words], Iterator[EndpointFact]]:
         given, target, kind = (_word(plain, place) for place in range(3))
         topic = given.known
         # What stands behind the topic may be a field of its messages: it ends where a topic does that is there.
-        asked = "the topic that is asked, or a field of it"
-        reason = f"{topic}, or the topic of which it is a field" if topic else asked
-        starts = "its input is there when it starts"
+        asked = "the requested topic, or a field of it"
+        reason = f"{topic}, or the topic that has it as a field" if topic else asked
+        starts = "its input exists when it starts"
         named = kind if source != _ROS2 else _of_ros2(kind)
         yield _end(Role.SUBSCRIPTION, unknown(reason), _ANY, source, starts)
         yield _end(Role.PUBLISHER, target, named, source, starts, latched="--latch" in [one.known for one in words])
@@ -196,7 +196,7 @@ def _by_parameters(tool: str, values: Values) -> Iterator[EndpointFact]:
 
 
 def _waiting(source: Text, target: Text) -> Iterator[EndpointFact]:
-    condition = f"somebody publishes {source}"
+    condition = f"{source} is published"
     yield _end(Role.SUBSCRIPTION, source, _ANY, _ROS2, condition)
     yield _end(Role.PUBLISHER, target, _ANY, _ROS2, condition)
 

@@ -156,7 +156,7 @@ class _Whole:
             launched = as_node(launched) or launched
         if launched.kind == "process":
             words = " ".join(str(word) for word in (launched.executable, *launched.arguments) if word.parts)
-            reason = "a program is started that is no node: what it makes is unknown"
+            reason = "a program is started that is not a known node: its endpoints are unknown"
             self._miss(words or "a process", launched, reason, opens=True)
             return
         line = command_line(launched.arguments, generation, launched.evidence)
@@ -209,7 +209,7 @@ class _Whole:
         node, missing = assembled(given, facts, meant)
         self.nodes.append(msgspec.structs.replace(node, defined=None))
         self.unresolved += [one for one in missing if one.reason]
-        reason = f"{meant.reason}; what it publishes and subscribes is unknown"
+        reason = f"{meant.reason}; its endpoints are unknown"
         self._miss(_shown(given.launched), given.launched, reason)
 
     def _of_controllers(self, given: Given, facts: NodeFacts) -> list[EndpointFact]:
@@ -278,7 +278,7 @@ class _Whole:
         for file in line.files:
             content = None if file.known is None or self.files is None else self.files.content(joined("", file.known))
             if content is None:
-                self._miss(str(file), launched, "there is no such file of parameters in the workspace")
+                self._miss(str(file), launched, "there is no such parameter file in the workspace")
                 continue
             try:
                 settings += ros2_parameters(content, joined("", file.known or ""))
@@ -293,7 +293,7 @@ class _Whole:
 def _nothing(launched: Launched, generation: str) -> NodeFacts:
     """Return facts of a node of which nothing is known; in ROS 2 its code names it where its launch file does not."""
     guessed = generation == "ros2" and launched.kind == "node" and not launched.name.parts
-    doubt = "named like its executable, as the name that its code gives it is unknown" if guessed else ""
+    doubt = "named after its executable, as its name in the code is unknown" if guessed else ""
     evidence = launched.evidence
     return NodeFacts("", evidence.path, evidence.line, generation, name=launched.executable, doubt=doubt)
 

@@ -101,7 +101,7 @@ def _default(fact: EndpointFact, policy: str) -> Text:
     """Return the default of a parameter: what the code gives; durations in nanoseconds."""
     qos = fact.qos or Qos()
     if fact.qos_unknown or fact.qos is None:
-        return unknown(f"the {policy.replace('_', ' ')} that the code gives")
+        return unknown(f"the {policy.replace('_', ' ')} in the code")
     if policy in _DURATIONS:
         return Text.of(str(round(getattr(qos, _DURATIONS[policy]) / _NANO)))
     if policy == "avoid_ros_namespace_conventions":

@@ -96,7 +96,7 @@ def _doubted(before: Sequence[NodeFacts], after: Sequence[NodeFacts]) -> Iterato
         if not usual:
             yield node
             continue
-        how = "made by plug-ins that defaults of parameters name"
+        how = "created by plug-ins that parameter defaults name"
         yield msgspec.structs.replace(
             node,
             endpoints=tuple(
@@ -131,8 +131,8 @@ def _miss(plugin: PluginFact) -> tuple[Evidence, str]:
     what = f"a plug-in of {plugin.base}" if plugin.base else "a plug-in"
     name = plugin.type.usual
     if name:
-        reason = f"{what} is loaded, {name}, which is not in the workspace: what it makes is unknown"
+        reason = f"{what} is loaded, {name}, which is not in the workspace: its endpoints are unknown"
     else:
         why = "; ".join(dict.fromkeys(str(hole.reason) for hole in plugin.type.holes)) or "an empty name"
-        reason = f"{what} is loaded, and which one depends on {why}: what it makes is unknown"
+        reason = f"{what} is loaded, and which one depends on {why}: its endpoints are unknown"
     return plugin.evidence, reason

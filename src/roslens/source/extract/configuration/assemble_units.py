@@ -138,7 +138,7 @@ def meant_by(
         return Meant(reason=f"package {package} is not in the workspace")
     target = _best(units.targets(package), name, _PROGRAMS)
     if target is None:
-        return Meant(reason=f"no build of package {package} makes {name}{_elsewhere(units, package, name)}")
+        return Meant(reason=f"no build of package {package} creates {name}{_elsewhere(units, package, name)}")
     return facts_of_target(target, units, words, chosen)
 
 
@@ -167,7 +167,7 @@ def facts_of_target(
         what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
     conditions = tuple(map(Written, target.conditions))
     if not found:
-        return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=conditions)
+        return Meant(reason=f"{target.name}: no node was found in {what}", conditions=conditions)
     return Meant(tuple(found), conditions=conditions)
 
 

@@ -24,7 +24,7 @@ from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.call_sites import places_of
 from roslens.source.settings import NodeHint
 
-TITLE = "made by libraries, plug-ins and scripts that no known program starts"
+TITLE = "created by libraries, plug-ins and scripts that no known program starts"
 _LOADED = frozenset({TargetKind.PLUGIN, TargetKind.COMPONENT, TargetKind.NODELET})
 _ORDER = {"program": 0, "script": 0, "plugin": 1, "library": 2}
 _ALONE = ("function", "part")

@@ -266,4 +266,4 @@ def as_text(value: Value) -> Text:
             return unknown(f"the value of {value.name}")
         case Obj():
             return unknown(f"a {value.type}")
-    return unknown("a value that is no text")
+    return unknown("a value that is not a string")

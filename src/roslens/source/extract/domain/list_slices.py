@@ -34,4 +34,4 @@ def part_of(value: Value, written: str) -> Value:
             return unknown(said("a part of ", value), parameter=next((hole.parameter for hole in value.holes), ""))
         case Unknown():
             return value
-    return Unknown(f"a part of what is not known [{written}]")
+    return Unknown(f"a slice of an unknown value [{written}]")

@@ -40,4 +40,4 @@ def with_sign(of: Text, place: Value, sign: Value) -> Text:
     if known is not None and type(place) is int and 0 <= place < len(known) and put is not None and len(put) == 1:
         return Text.of(known[:place], put, known[place + 1 :])
     parameter = next((hole.parameter for hole in of.holes), "")
-    return unknown(said(of, ", of which an item was changed", most=200), parameter=parameter)
+    return unknown(said(of, ", with a changed item", most=200), parameter=parameter)

@@ -69,7 +69,7 @@ def _of_text(of: Text, name: str, arguments: list[Value]) -> Value:
             return _joined(of, items)
     if name in _OF_PYTHON:
         return _of_python(of, name, arguments)
-    return Unknown(f"{name} of a text")
+    return Unknown(f"{name} of a string")
 
 
 def _of_python(of: Text, name: str, arguments: list[Value]) -> Value:
@@ -84,7 +84,7 @@ def _of_python(of: Text, name: str, arguments: list[Value]) -> Value:
     try:
         found = getattr(of.known, name)(*given)
     except (TypeError, ValueError):
-        return Unknown(f"{name} of a text")
+        return Unknown(f"{name} of a string")
     match found:
         case list() | tuple():
             return [Text.of(one) for one in found[:_MOST_ITEMS]]
@@ -128,7 +128,7 @@ def _part_of(of: Text, name: str, arguments: list[Value]) -> Value:
     if name == "substr":
         return _cut(of, arguments)
     if text is None or len(arguments) > 1:
-        return Unknown(f"{name} of a text")
+        return Unknown(f"{name} of a string")
     if of.known is None:
         return _part_of_open(of, name, text)
     if name in ("startswith", "starts_with", "endswith", "ends_with"):
@@ -184,7 +184,7 @@ def _of_dict(of: Table, name: str, arguments: list[Value]) -> Value:
     if name == "items":
         return [in_place_of(value, [key, unguarded(value)]) for key, value in of.items()]
     if name in ("get", "at") and arguments and hashable(arguments[0]) not in of and not _are_known(arguments[0], of):
-        return Unknown("an item of a table")
+        return Unknown("an item of a dictionary")
     if name in ("get", "at") and arguments:
         return of.get(hashable(arguments[0]), arguments[1] if len(arguments) > 1 else Unknown("an item"))
     if name in ("keys", "values"):
@@ -224,7 +224,7 @@ def _as_formatted(value: Value) -> Text:
 def _joined(separator: Text, values: list[Value]) -> Text:
     parts: list[Text] = []
     if not is_counted(values):
-        return unknown("a text of a list")
+        return unknown("a string made from a list")
     for place, one in enumerate(values):
         parts += [separator, as_text(one)] if place else [as_text(one)]
     return Text.of(*parts)

@@ -169,7 +169,7 @@ def profile_of(policies: list[Value]) -> QosValue:
 
 
 def history_of(history: Value, depth: Value) -> QosValue:
-    """Return the usual quality of service with a history, and how many messages it keeps."""
+    """Return the usual quality of service with a history, and the number of messages that it keeps."""
     return changed(changed(DEFAULT_QUALITY, "history", history), "depth", depth)
 
 

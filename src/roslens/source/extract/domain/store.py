@@ -127,7 +127,7 @@ class Store:
     def _join_items(self, held: Any, other: Any, condition: Condition, test: Test, *, lost: bool) -> None:
         if other == held:
             return
-        reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
+        reason = Unknown(f"an item of a list or dictionary that is changed if {condition}"[:200])
         match held:
             case dict():
                 _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))

@@ -67,7 +67,7 @@ class _Reader:
             self._decoded = _is_utf_8(content)
             return list(enumerate(text.split("\n"), 1))
         if not _is_utf_8(content):
-            self._fail(1, 1, "bytes that are no UTF-8", "a file in UTF-8")
+            self._fail(1, 1, "bytes that are not UTF-8", "a file in UTF-8")
         return list(enumerate(text.replace("\t", " ").splitlines(), 1))
 
     def parts_of(self, lines: _Lines, kind: str) -> Iterator[_Lines]:
@@ -147,7 +147,7 @@ class _Reader:
             # genmsg takes what stands behind the first space for the name: an indented line gives another checksum.
             name, _, written = line[line.find(" ") + 1 :].partition("=")
             if not self._decoded and "\\x" in line:
-                raise MisreadError("bytes that are no UTF-8 in a text", "a file in UTF-8")
+                raise MisreadError("bytes that are not UTF-8 in a text", "a file in UTF-8")
         else:
             name, *values = (piece.strip() for piece in " ".join(words[1:]).split("="))
             if len(values) != 1:

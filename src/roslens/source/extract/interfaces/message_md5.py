@@ -54,7 +54,7 @@ class _Sums:
         if name in self._known:
             return self._known[name]
         if not interface.complete:
-            return Checksum(unknown=f"the file of {name} was not understood as a whole")
+            return Checksum(unknown=f"the file of {name} could not be parsed completely")
         if interface.generation != 1:
             return Checksum(unknown=f"{name} is an interface of ROS {interface.generation}")
         if name in self._open:

@@ -53,7 +53,7 @@ def type_hashes(interface: Interface, lookup: Lookup) -> dict[str, Checksum]:
     """Return the hashes of ``interface`` and of all that it consists of, by full name."""
     descriptions = _described(interface)
     if not interface.complete:
-        reason = f"the file of {interface.full_name} was not understood as a whole"
+        reason = f"the file of {interface.full_name} could not be parsed completely"
         return {name: Checksum(unknown=reason) for name in descriptions}
     if interface.generation != 2:
         reason = f"{interface.full_name} is an interface of ROS {interface.generation}"
@@ -115,7 +115,7 @@ class _Known:
             package, _, short = name.partition("/msg/")
             return unknown_field_type(owner, InterfaceField(field, FieldType(short, package))).unknown
         if not interface.complete:
-            return f"the file of {name} was not understood as a whole"
+            return f"the file of {name} could not be parsed completely"
         if interface.generation != 2 or interface.kind != "msg":
             return f"{name} is no message of ROS 2"
         self._descriptions.update(_described(interface))

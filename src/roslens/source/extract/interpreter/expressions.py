@@ -306,7 +306,7 @@ class Expressions:
                     case dict():
                         found.update(inner)
                     case _:
-                        found[unknown("a key that is not known")] = inner
+                        found[unknown("an unknown key")] = inner
             else:
                 found[hashable(self.value(key))] = self.value(value)
         return found

@@ -98,7 +98,7 @@ def _initialised_with(ctx: Context, name: str, declared: str, value: Value) -> V
         return ctx.objects.of_type(kind, list(items), {}, tuple(type_arguments(inside)))
     match items:
         case [int() | float(), *_] if inside.endswith("string"):
-            return Unknown(f"{name}, which is so many texts")
+            return Unknown(f"{name}, one of many strings")
     return value
 
 

@@ -53,4 +53,4 @@ def may_set(ctx: Context, expression: Call, arguments: list[Value], name: str) -
     for written, value in zip(expression.arguments, arguments, strict=False):
         match value:
             case Text(parts=()) if type(written) in _PLACES and ctx.dialect.calls_set_arguments:
-                ctx.assign(written, unknown(f"a text that {name}() may set"))
+                ctx.assign(written, unknown(f"a string that {name}() may set"))

@@ -151,7 +151,7 @@ def _of_plugin(
     values = {child.tag: child.text for child in element.children if child.text.parts}
     values.setdefault("robotNamespace", spawned.space)
     conditions = (*spawned.conditions, *element.conditions)
-    how = f"plug-in {plugin.library} of Gazebo makes it; releases differ"
+    how = f"plug-in {plugin.library} of Gazebo creates it; differs between releases"
     evidence = Evidence(element.evidence.path, element.evidence.line, element.evidence.column, how, Sure.LIKELY)
     for camera in _cameras(path) if plugin.per_camera else ("",):
         spaces = [values.get(name, Text()) for name in plugin.spaces]

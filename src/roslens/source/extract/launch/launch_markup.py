@@ -121,7 +121,7 @@ def _actions(entities: list[Entity] | tuple[Entity, ...]) -> list[Action]:
 def _action(entity: Entity) -> Action:
     make = _MAKERS.get(entity.kind.replace("-", "_"))
     if make is None:
-        note = "no element that is known here"
+        note = "an unsupported element"
         return Action("unknown", entity.evidence, {"text": f"<{entity.kind}>"}, note=note)
     return make(entity)
 

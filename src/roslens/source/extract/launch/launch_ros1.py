@@ -176,7 +176,7 @@ class _File:
             method = _TAGS.get(child.tag)
             if method is None:
                 if child.tag not in _IGNORED:
-                    self._miss(child, f"<{child.tag}>", "no element of roslaunch")
+                    self._miss(child, f"<{child.tag}>", "not an element of roslaunch")
                 continue
             try:
                 space = msgspec.structs.replace(space, private=method(self, child, inner, remaps))
@@ -313,7 +313,7 @@ class _File:
                 self._whole.settings += everywhere
                 files += [one for one in found if one not in everywhere]
             elif child.tag != "env":
-                self._miss(child, f"<{child.tag}>", "no element of a node")
+                self._miss(child, f"<{child.tag}>", "not an element of a node")
         return inner_remaps, [*files, *space.private, *own]
 
     def _decided(self, element: Element, attribute: str, written: str) -> tuple[bool | None, bool | None]:
@@ -362,7 +362,7 @@ class _File:
         target = only_if(space.own, substitute(needed(element, "to"), self._scope), None)
         for one in (source, target):
             if one.known is not None and not _LEGAL.fullmatch(one.known):
-                raise SubstitutionError(f"{one.known!r} is no name of ROS; expected letters, digits, `_` and `/`")
+                raise SubstitutionError(f"{one.known!r} is not a valid ROS name; expected letters, digits, `_` and `/`")
         return Remap(tidy(source), tidy(target), self._place(element))
 
     def _set(self, found: list[Setting], space: _Space) -> tuple[Setting, ...]:

@@ -43,7 +43,7 @@ def is_process(launched: Launched) -> bool:
 
 
 def has_bond(launched: Launched) -> bool:
-    """Return whether what loads a nodelet has a bond with its manager; False where that is unknown."""
+    """Return whether the loader of a nodelet has a bond with its manager; False where that is unknown."""
     if not is_process(launched) or not launched.container.parts:
         return False
     after = _for_itself(launched.arguments)[3:4]
@@ -75,7 +75,7 @@ def with_bonds(nodes: Iterable[ConfiguredNode], bonds: Iterable[Bond]) -> list[C
 def _bound(node: ConfiguredNode, ends: Mapping[str, Conditions]) -> ConfiguredNode:
     if not ends or node.kind not in ("nodelet", "container"):
         return node
-    proof = Proof(how="what loads a nodelet has a bond with its manager", origin=Origin.IMPLICIT)
+    proof = Proof(how="the loader of a nodelet has a bond with its manager", origin=Origin.IMPLICIT)
     made = [
         ConfiguredEndpoint(
             Endpoint(node.name, role, name, _BOND),

@@ -103,7 +103,7 @@ def of_rosparam(element: Element, reading: Reading) -> list[Setting]:
     given = element.attributes
     command = substitute(given.get("command", ""), reading.scope).known or "load"
     if command not in _COMMANDS:
-        raise SubstitutionError(f"{command!r} is no command of rosparam; expected load, dump or delete")
+        raise SubstitutionError(f"{command!r} is not a command of rosparam; expected load, dump or delete")
     if command == "delete" and "file" in given:
         raise SubstitutionError('<rosparam command="delete"> has a file; expected the name of a parameter alone')
     if command != "load":

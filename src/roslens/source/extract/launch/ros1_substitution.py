@@ -75,7 +75,7 @@ def truth(text: Text) -> bool | None:
         return True
     if value in ("false", "0"):
         return False
-    raise SubstitutionError(f"{known!r} is no condition; expected `true`, `1`, `false` or `0`")
+    raise SubstitutionError(f"{known!r} is not a condition; expected `true`, `1`, `false` or `0`")
 
 
 def needed(element: Element, attribute: str) -> str:
@@ -100,11 +100,13 @@ def _closing(text: str, at: int) -> int:
 
 def _command(inside: str, scope: Scope) -> Text:
     if "$" in inside or "(" in inside:
-        raise SubstitutionError(f"$({inside[:80]}) has another one inside, which roslaunch refuses")
+        raise SubstitutionError(f"$({inside[:80]}) has another one inside, which roslaunch rejects")
     command, _, rest = inside.partition(" ")
     rest = rest.strip()
     if command not in _COMMANDS:
-        raise SubstitutionError(f"{command!r} is no substitution; expected one of {', '.join(sorted(_COMMANDS))}, eval")
+        raise SubstitutionError(
+            f"{command!r} is not a substitution; expected one of {', '.join(sorted(_COMMANDS))}, eval"
+        )
     if command == "dirname":
         return Text.of(scope.folder)
     if not rest:
@@ -162,7 +164,7 @@ _NAMED: dict[str, Callable[[str, Scope], Text]] = {
 
 def _evaluated(expression: str, scope: Scope) -> Text:
     if "__" in expression:
-        raise SubstitutionError(f"$(eval {expression}) has double underscores, which roslaunch refuses")
+        raise SubstitutionError(f"$(eval {expression}) has double underscores, which roslaunch rejects")
 
     def known(text: Text) -> str:
         if text.known is None:

@@ -11,7 +11,7 @@ _SPACE = " \t\r\n"
 def words_of(text: Text) -> tuple[Text, ...]:
     """Return the words of a text, as :func:`shlex.split` has them; what is unknown is part of a word.
 
-    A quotation that never ends, which roslaunch refuses, ends with the text.
+    A quotation that never ends, which roslaunch rejects, ends with the text.
     """
     reading = _Words()
     for sign in _signs(text):

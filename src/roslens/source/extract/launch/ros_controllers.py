@@ -152,7 +152,7 @@ def _of_file(name: str, space: Text, spawner: Launched, files: Files) -> Iterato
         yield _Spawned(name, space, why=f"{error.what}; expected {error.expected}")
         return
     if content is None:
-        yield _Spawned(name, space, why="there is no such file of parameters in the workspace")
+        yield _Spawned(name, space, why="there is no such parameter file in the workspace")
     held = [msgspec.structs.replace(one, name=absolute(spawner.namespace, one.name)) for one in found]
     for key in dict.fromkeys(one.name.pattern.partition("/")[0] for one in found):
         yield _Spawned(key, space, tuple(held))
@@ -169,11 +169,11 @@ def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting])
     own = absolute(spawned.space, Text.of(spawned.name))
     kind = settings.get(f"{own.pattern}/type")
     if kind is None or kind.value.known is None:
-        return [], "no file of parameters says its type; what it publishes and subscribes is unknown"
+        return [], "no parameter file states its type; its endpoints are unknown"
     controller = controllers().get(kind.value.known)
     if controller is None:
-        return [], f"nothing is known of {kind.value.known}; what it publishes and subscribes is unknown"
-    how = f"controller {kind.value.known} makes it; releases differ"
+        return [], f"{kind.value.known} is not a known controller; its endpoints are unknown"
+    how = f"controller {kind.value.known} creates it; differs between releases"
     evidence = Evidence(kind.evidence.path, kind.evidence.line, kind.evidence.column, how, Sure.LIKELY)
     found = []
     for key, line in controller.lines():

@@ -79,7 +79,7 @@ def _go_on(found: list[list[Value]], piece: str) -> None:
 def _pieces(written: str, depth: int) -> list[Value]:
     """Return the texts and substitutions that a text is made of."""
     if depth > _MOST_DEPTH:
-        return [unknown_value("substitutions that are too deep")]
+        return [unknown_value("too deeply nested substitutions")]
     parts: list[Value] = []
     at = 0
     while (begin := _begin(written, at)) >= 0:
@@ -139,7 +139,7 @@ def _one(inside: str, depth: int) -> Value:
     if command == "find-exec":
         return unknown_value(f"path of a program: {inside}")
     if kind is None:
-        return unknown_value(f"substitution $({inside}), which is not known here")
+        return unknown_value(f"unsupported substitution $({inside})")
     if not arguments and kind not in ("folder", "file"):
         return unknown_value(f"substitution $({inside}), which names nothing")
     return Deferred(kind, tuple(arguments))

@@ -63,7 +63,7 @@ def resolve(value: Value, scope: Scope, depth: int = 0) -> Text:
         case Text():
             return value
     if depth > _MOST_DEPTH:
-        return unknown("substitutions that are too deep")
+        return unknown("too deeply nested substitutions")
     method = _KINDS.get(value.kind)
     if method is None:
         return unknown(str(value.parts[0]) if value.parts else value.kind)
@@ -84,7 +84,7 @@ def truth(text: Text) -> bool | None:
         return True
     if value in ("false", "0", "no", "off", ""):
         return False
-    raise ValueError(f"{known!r} is no condition; expected `true` or `false`")
+    raise ValueError(f"{known!r} is not a condition; expected `true` or `false`")
 
 
 def _said(parts: list[Text], decide: Callable[[list[bool]], bool]) -> Text:

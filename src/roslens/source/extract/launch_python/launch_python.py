@@ -90,9 +90,9 @@ class _Conversion:
             yield from self._under(_parts(found.condition), found.value, around)
         elif isinstance(found, Unknown | Named):
             what = found.reason if isinstance(found, Unknown) else f"the name {found.name}"
-            yield Action("unknown", around, {"text": str(what)}, note="it is not known what it starts")
+            yield Action("unknown", around, {"text": str(what)}, note="it is unknown what it starts")
         elif found is not None:
-            yield Action("unknown", around, {"text": shown(found)[:60]}, note="it is no action")
+            yield Action("unknown", around, {"text": shown(found)[:60]}, note="it is not an action")
 
     def _under(self, conditions: Conditions, found: Any, around: Evidence) -> Iterator[Action]:
         """Yield the actions of what is there under conditions, as far as these do not hold around it anyway."""
@@ -114,7 +114,7 @@ class _Conversion:
             return
         maker = _MAKERS.get(made.name)
         if maker is None:
-            yield Action("unknown", made.evidence, {"text": made.name}, note="no action that is known here")
+            yield Action("unknown", made.evidence, {"text": made.name}, note="an unsupported action")
             return
         action = maker(self, made)
         condition = made.named.get("condition")

@@ -99,7 +99,9 @@ def call_method(of: Any, name: str, positional: list[Any], named: dict[str, Any]
             return _formatted(of, positional, named)
         case str() if name in _METHODS and all(isinstance(one, str | int) for one in positional):
             found = getattr(of, name)(*positional)
-            return found if not isinstance(found, str) or len(found) <= _LONGEST else Unknown("a text that is too long")
+            return (
+                found if not isinstance(found, str) or len(found) <= _LONGEST else Unknown("a string that is too long")
+            )
         case str() | Deferred() | Text() if name in ("as_posix", "resolve", "absolute", "expanduser"):
             return of
         case str() | Deferred() | Text() if name == "joinpath":

@@ -124,7 +124,7 @@ def taken_by_server(
     if not wanted or not kind:
         return value, ""
     if kind != wanted and not {kind, wanted} <= _NUMBERS:
-        return (value, "") if python else (default, f"`{value}` is no {wanted}, so the default is taken")
+        return (value, "") if python else (default, f"`{value}` is no {wanted}, so the default is used")
     if wanted not in _NUMBERS:
         return value, ""
     try:
@@ -143,9 +143,9 @@ def _limited(value: str, number: float, range_: str) -> tuple[str, str] | None:
     """Return the end of a range that a number is beyond, and that in words; None where it is within."""
     least, _, most = range_.partition("..")
     if least and number < float(least):
-        return least, f"`{value}` is below the least"
+        return least, f"`{value}` is below the minimum"
     if most and number > float(most):
-        return most, f"`{value}` is above the most"
+        return most, f"`{value}` is above the maximum"
     return None
 
 

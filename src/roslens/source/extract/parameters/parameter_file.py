@@ -64,7 +64,7 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
 
     Raises:
         DocumentError: it is no YAML that can be read, a table that is not ``node: {ros__parameters: …}``, or has a list
-            of values of several types.
+            of values of different types.
     """
     # rcl sets one after the other, so that the last of two of one name holds.
     tree = read_tree(content, path, last_counts=True)
@@ -79,7 +79,9 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
                     # What is empty sets nothing.
                     continue
             if not names or is_mixed(node):
-                raise _refused(node, tree, "a list of values of several types" if names else "no table of parameters")
+                raise _refused(
+                    node, tree, "a list of values of different types" if names else "not a table of parameters"
+                )
             setting = _setting(names, ".", node, tree, 0, pattern)
             found.append(msgspec.structs.replace(setting, type=type_in_file(node)))
     return found
@@ -95,7 +97,7 @@ def _refused(node: Node, tree: Tree, what: str) -> DocumentError:
         f"{what}: {written(node)}" if written(node) else what,
         where=tree.location(node.place),
         expected=expected,
-        advice="ROS 2 refuses the whole file, and the node does not start",
+        advice="ROS 2 rejects the whole file, and the node does not start",
     )
 
 
@@ -108,7 +110,7 @@ def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[
                 "a value outside of ros__parameters",
                 where=tree.location(node.place),
                 expected="node: {ros__parameters: {name: value}}",
-                advice="ROS 2 refuses the whole file; indent the parameters below ros__parameters",
+                advice="ROS 2 rejects the whole file; indent the parameters below ros__parameters",
             )
     for key, inner in nodes.items():
         if key == _ROS2:

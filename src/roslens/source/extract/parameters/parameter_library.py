@@ -88,7 +88,7 @@ def declarations_of(content: bytes, path: str) -> tuple[str, tuple[Declaration, 
         "not one outermost key",
         where=tree.location(Place(1, 0)),
         expected="one key, the namespace of the parameters",
-        advice="generate_parameter_library refuses the file; put all parameters below one key",
+        advice="generate_parameter_library rejects the file; put all parameters below one key",
     )
 
 

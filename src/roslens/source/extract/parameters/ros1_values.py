@@ -39,7 +39,7 @@ def type_of_value(text: str, kind: str) -> str:
     """
     if kind != AUTO:
         if kind not in _KINDS:
-            raise ValueError(f"{kind!r} is no type; expected int, double, str, bool, yaml or auto")
+            raise ValueError(f"{kind!r} is not a type; expected int, double, str, bool, yaml or auto")
         if not _fits(text.strip(), _KINDS[kind]):
             raise ValueError(f"{text!r} is not of the type {kind}")
         return _KINDS[kind]

@@ -129,7 +129,7 @@ def _type(node: Node, of_text: Callable[[str], str]) -> str:
 
 
 def is_mixed(node: Node) -> bool:
-    """Whether a list has values of several types, so that rcl refuses the file; what is substituted may be any."""
+    """Whether a list has values of different types, so that rcl refuses the file; what is substituted may be any."""
     match node:
         case Items(nodes=nodes):
             texts = [one for one in nodes if isinstance(one, Scalar)]

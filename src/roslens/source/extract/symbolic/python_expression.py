@@ -85,7 +85,7 @@ def evaluate(
             tree = ast.parse(expression.strip(), mode="eval")
         return _Evaluation({**_CONSTANTS, **(names or {})}, functions or {}).of(tree.body, 0)
     except (SyntaxError, RecursionError, MemoryError) as error:
-        raise UnknownError(f"{expression!r} is no expression of Python ({type(error).__name__})") from None
+        raise UnknownError(f"{expression!r} is not a Python expression ({type(error).__name__})") from None
     except UnknownError:
         raise
     except (ArithmeticError, TypeError, ValueError, LookupError, AttributeError) as error:
@@ -133,7 +133,7 @@ class _Evaluation:
             raise _not_evaluated(node)
         match node.op:
             case ast.Mult() if max(_size(left) * _times(right), _size(right) * _times(left)) > MOST_LENGTH:
-                raise UnknownError("it makes a text that is too long")
+                raise UnknownError("it creates a string that is too long")
             case ast.Mod() if isinstance(left, str) and _WIDE.search(left):
                 raise UnknownError(f"the format {left!r} is not evaluated")
         return _bounded(function(left, right))
@@ -246,7 +246,7 @@ def _method(receiver: Plain, name: str, arguments: list[Plain]) -> object:
     if not isinstance(receiver, str) or name not in _METHODS:
         raise UnknownError(f"{receiver!r}.{name} is not evaluated here")
     if name in ("replace", "join") and len(receiver) * max([_size(one) for one in arguments], default=0) > MOST_LENGTH:
-        raise UnknownError("it makes a text that is too long")
+        raise UnknownError("it creates a string that is too long")
     return getattr(receiver, name)(*arguments)
 
 
@@ -263,9 +263,9 @@ def _bounded(value: object) -> Plain:
         value = tuple(value)
     match value:
         case str() | tuple() if len(value) > MOST_LENGTH:
-            raise UnknownError("it makes a text that is too long")
+            raise UnknownError("it creates a string that is too long")
         case int() if abs(value) > _MOST_NUMBER:
-            raise UnknownError("it makes a number that is too large")
+            raise UnknownError("it creates a number that is too large")
     if value is None or isinstance(value, (str, int, float, tuple, dict)):
         return value
     raise UnknownError(f"a {type(value).__name__} is not evaluated")

@@ -155,7 +155,7 @@ Reason = (
 
 
 def is_of_many(reason: Reason) -> bool:
-    """Return whether something is one of many texts, or a part of one."""
+    """Return whether something is one of many strings, or a part of one."""
     match reason:
         case EachOf(of=of) | ItemOf(of=of) | PartOf(of=of) | OfHandle(of=of):
             return is_of_many(of)

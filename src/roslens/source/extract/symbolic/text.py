@@ -11,7 +11,7 @@ from roslens.source.extract.symbolic.reason import OfMany, Reason, is_of_many
 MOST_LENGTH = 100_000
 MOST_PARTS = 1_000
 """What is put together of more parts, or longer ones, is no name: a loop that doubles a text ends here."""
-_TOO_LONG = "a text that is too long to follow"
+_TOO_LONG = "a string that is too long to follow"
 
 
 class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole", gc=False):
@@ -297,7 +297,7 @@ def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:
 
 
 def said(*parts: str | Text, most: int = 1000) -> Reason:
-    """Return words of texts as a reason; of what is one of many texts it says so.
+    """Return words of texts as a reason; of what is one of many strings it says so.
 
     Args:
         parts: that are written one after the other.

@@ -13,7 +13,7 @@ from roslens.source.extract.symbolic.text import Condition, Hole, Text
 
 MOST_WAYS = 16
 """Ways through the conditions of one text that are kept apart."""
-MANY = "one of many texts"
+MANY = "one of many strings"
 _MOST_SHOWN = 4
 _MOST_LENGTH = 60
 

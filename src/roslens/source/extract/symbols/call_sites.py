@@ -17,10 +17,10 @@ from roslens.source.extract.ir.program_text import expression_text
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import SymbolTable
 
-NEVER_FOLLOWED = "this call looks as if it made an endpoint, but nothing that was followed comes to it"
-NOT_KNOWN = "this call looks as if it made an endpoint, but following the code around it came to none"
+NEVER_FOLLOWED = "this call seems to create an endpoint, but no evaluated code reaches it"
+NOT_KNOWN = "this call seems to create an endpoint, but evaluating the code around it yielded none"
 _TIMERS = frozenset({"create_wall_timer"})
-NAMED_ALIKE = "this calls a function of the workspace that is named as what makes an endpoint, and makes none"
+NAMED_ALIKE = "this calls a function of the workspace that is named like one that creates endpoints, and creates none"
 _LONGEST = 160
 
 

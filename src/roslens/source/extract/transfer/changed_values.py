@@ -221,7 +221,7 @@ def _table(
         return (of[hashable(first)],)
     ctx.state.store.items(of, less=True)
     changed = None if is_open(ctx) else _table_for_sure(of, name, arguments)
-    return changed or (_forget(of, f"an item of a table that {name}() changed"),)
+    return changed or (_forget(of, f"an item of a dictionary that {name}() changed"),)
 
 
 def _table_for_sure(of: Table, name: str, arguments: list[Value]) -> tuple[Value] | None:

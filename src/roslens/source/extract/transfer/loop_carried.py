@@ -58,7 +58,7 @@ def forget_set_by_methods(ctx: Context, statement: Loop) -> None:
         if not text and type(before) is not int and type(before) is not float:
             continue
         if _order(ctx, thing.defined, (*statement.body, *statement.update), name, _MOST_DEPTH):
-            reason = f"{name}, which a turn of a loop sets"
+            reason = f"{name}, which an iteration of a loop sets"
             fields[name] = unknown(reason) if text else Unknown(reason)
 
 

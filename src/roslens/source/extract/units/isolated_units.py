@@ -141,7 +141,7 @@ def attempt(unit: Unit, path: str, line: int, failures: list[Failure]) -> list[N
                 tool="graph",
                 what=f"{type(error).__name__}: {error}",
                 expected="code whose nodes and endpoints can be evaluated",
-                advice="Please report it with the file: this is a fault of roslens",
+                advice="Please report it with the file: this is a bug in roslens",
                 location=Location(path, line),
                 entity=str(EntityId(EntityKind.FILE, path)),
                 partial=True,

@@ -347,13 +347,13 @@ def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
     except (BudgetExceededError, RecursionError):
         node = ctx.emitter.node
         place = Evidence(node.path, node.line)
-        node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+        node.unresolved.append((place, "evaluation exceeded its limit of steps; partial results are kept"))
         for one in (node, *ctx.emitter.others):
             _doubt_conditions(one)
     except _ODD as error:
         site = ctx.state.site
-        reason = f"what is written at {site.path}:{site.line} is evaluated to nonsense ({error})"
-        ctx.emitter.node.unresolved.append((site, f"{reason}; what was found until then is here"))
+        reason = f"internal error while evaluating {site.path}:{site.line} ({error})"
+        ctx.emitter.node.unresolved.append((site, f"{reason}; partial results are kept"))
     return [one.facts() for one in (ctx.emitter.node, *ctx.emitter.others)]
 
 
@@ -363,7 +363,7 @@ def _doubt_conditions(node: NodeBuilder) -> None:
     for facts in (node.endpoints, node.parameters):
         for place, fact in enumerate(facts):
             if fact.conditions and fact.evidence.sure is Sure.CERTAIN:
-                evidence = msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how="one of the ways to it")
+                evidence = msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how="one of several paths to it")
                 facts[place] = msgspec.structs.replace(fact, evidence=evidence)
 
 

@@ -15,7 +15,7 @@ from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Target
 from roslens.source.extract.workspace.workspace_parts import WorkspaceParts
 from roslens.source.keys import key_of
 
-NEVER_CALLED = "this function makes endpoints, but nothing that was followed calls it"
+NEVER_CALLED = "this function creates endpoints, but no evaluated code calls it"
 
 
 class WorkspaceNodes(msgspec.Struct, frozen=True, array_like=True):
@@ -109,7 +109,7 @@ def _evaluated(parts: WorkspaceParts, entries: Iterable[Target], version: str) -
     index = parts.index(version)
     units = units_of(index, entries)
     missed = (
-        Unresolved(reason, Evidence(path, line), "this part of the file was not understood")
+        Unresolved(reason, Evidence(path, line), "this part of the file could not be parsed")
         for path, line, reason in not_understood(index.programs)
     )
     placed = (

@@ -339,7 +339,7 @@ def _broken_build(package: Package, error: Exception) -> Failure:
         tool="graph",
         what=f"{type(error).__name__}: {error}",
         expected="a build whose targets can be read",
-        advice="Please report it with the package: this is a fault of roslens",
+        advice="Please report it with the package: this is a bug in roslens",
         entity=str(EntityId(EntityKind.PACKAGE, package.id)),
         package=package.id,
         partial=True,

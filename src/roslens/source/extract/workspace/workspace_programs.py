@@ -166,7 +166,7 @@ def _broken(file: SourceFile, error: BaseException) -> Failure:
         tool="graph" if readable else "read",
         what=f"{type(error).__name__}: {error}",
         expected="a file whose nodes and endpoints can be read" if readable else "a file that can be read",
-        advice="Please report it with the file: this is a fault of roslens" if readable else "Check its permissions",
+        advice="Please report it with the file: this is a bug in roslens" if readable else "Check its permissions",
         location=Location(file.path),
         entity=str(EntityId(EntityKind.FILE, file.path)),
         partial=True,

@@ -7,7 +7,7 @@ import pytest
         ('char t[20]; sprintf(t, "camera%d", 3);', "camera3"),
         ('char t[20]; snprintf(t, sizeof(t), "%s/%d", "a", 1);', "a/1"),
         ('char t[20]; std::strcpy(t, "a"); strcat(t, "b");', "ab"),
-        ('char t[20]; strncpy(t, "abc", 2);', "{what strncpy() writes}"),
+        ('char t[20]; strncpy(t, "abc", 2);', "{the output of strncpy()}"),
         ('std::string t = "In"; boost::algorithm::to_lower(t);', "in"),
         ('std::string t = "in"; boost::replace_all(t, "i", "o");', "on"),
         ('std::string t = "in"; boost::replace_last(t, "i", "o");', "{in, which boost.replace_last() changed}"),

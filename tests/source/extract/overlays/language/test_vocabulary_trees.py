@@ -28,5 +28,5 @@ def test_what_the_nodes_of_a_tree_make_is_said_to_be_unknown(node_of):
     members = "BT::BehaviorTreeFactory factory_;"
     body = 'auto tree = factory_.createTreeFromFile(declare_parameter("tree", std::string("a.xml")));'
     ((evidence, reason),) = node_of(body, members).unresolved
-    assert reason == "a behaviour tree is made of {parameter tree}: what its nodes make is unknown"
+    assert reason == "a behaviour tree is created from {parameter tree}: the endpoints of its nodes are unknown"
     assert evidence.path == "pkg/a.cpp"

@@ -47,7 +47,7 @@ rospy.set_param("none", {})
         ("gains/p", "double", "1.5", "certain"),
         ("gains/deep/i", "int", "2", "certain"),
         ("names", "string_array", "[a, b]", "certain"),
-        ("none", "", "{a value of many parts}", "certain"),
+        ("none", "", "{a structured value}", "certain"),
     ]
 
 

@@ -42,7 +42,7 @@ def test_what_is_known_of_a_camera_is_beside_its_images(node_of):
         ("publisher", "left/image", "Image"),
         ("publisher", "left/camera_info", "CameraInfo"),
         ("publisher", "left/{parameter image}", "Image"),
-        ("publisher", "{the topic beside that of the image}", "CameraInfo"),
+        ("publisher", "{the topic next to that of the image}", "CameraInfo"),
     ]
 
 

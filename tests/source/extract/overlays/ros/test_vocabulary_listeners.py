@@ -126,7 +126,7 @@ def test_what_no_build_makes_is_unknown(declared):
     )
     assert (facts.parameters, [why for _, why in facts.unresolved]) == (
         (),
-        ["the parameters of ParamListener are unknown: no build of the workspace makes ParamListener"],
+        ["the parameters of ParamListener are unknown: no build of the workspace generates ParamListener"],
     )
     facts = declared("listener_ = std::make_shared<ParamListener>(shared_from_this());", ("p", "pkg", b"["))
     assert "pkg/p.yaml" in facts.unresolved[0][1]

@@ -75,7 +75,7 @@ def test_what_is_not_known_is_said(node_of):
     body = "rclcpp::PublisherOptions o; o.qos_overriding_options = rclcpp::QosOverridingOptions(kinds_of_mine());\n"
     (one,) = node_of(body + 'pub_ = create_publisher<std_msgs::msg::String>("a", 3, o);').endpoints
     assert one.overrides is not None
-    assert "not known" in one.overrides.unknown
+    assert "it is unknown" in one.overrides.unknown
 
 
 def test_under_a_condition(node_of):

@@ -69,7 +69,7 @@ def test_several_at_once(node_of):
 
 def test_what_is_declared_at_once_and_not_followed_has_a_name_that_may_be_any(node_of, units):
     (one,) = node_of('std::map<std::string, double> m; m["a"] = 1.0; declare_parameters("ns", m);').parameters
-    assert (str(one.name), one.name.pattern) == ("ns.{a parameter of a list that is not followed}", "ns.*")
+    assert (str(one.name), one.name.pattern) == ("ns.{a parameter of a list that is not evaluated}", "ns.*")
     (facts,) = units(a_py=PYTHON % "self.declare_parameters('', [('a', 1), made()] )")
     assert [one.name.pattern for one in facts.parameters] == ["a", "*"]
 

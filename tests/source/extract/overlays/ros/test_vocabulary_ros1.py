@@ -173,7 +173,7 @@ public:
         ("out", "std_msgs/String"),
         ("in", "std_msgs/String"),
     ]
-    assert as_written(facts.endpoints[1].conditions)[0] == "somebody subscribes"
+    assert as_written(facts.endpoints[1].conditions)[0] == "a subscriber connects"
 
 
 @pytest.mark.parametrize("given", ["boost::bind(&B::x, this, _1)", "std::bind(&B::x, this)", "[this](const M & m) {}"])

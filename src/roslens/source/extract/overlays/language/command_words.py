@@ -136,7 +136,7 @@ def option_value(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     words, option = called.given(Words, 0), called.argument(2)
     place = None if words is None else _place(words, option)
     if place is None or words is None or (place >= 0 and not words.has(place + 1)):
-        return Unknown(f"what {option} is")
+        return Unknown(f"the value of {option}")
     found: Value = words[place + 1] if place >= 0 else None
     return found
 

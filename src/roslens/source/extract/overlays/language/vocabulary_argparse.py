@@ -147,7 +147,7 @@ def parsed(ctx: Context, thing: Obj, called: CallSite) -> Value:
             known = None
     values = {**given, **known} if known is not None else _unknown_all(options, given)
     space = Obj(_SPACE, None, values)
-    return [space, Unknown("words that the parser does not know")] if rest else space
+    return [space, Unknown("arguments that the parser does not know")] if rest else space
 
 
 def _known(options: Sequence[Option], words: Sequence[Value], *, rest: bool) -> Names | None:

@@ -104,7 +104,7 @@ def printed(ctx: Context, _thing: Value, called: CallSite) -> Value:
     first = 2 if "snprintf" in called.name else 1
     pattern = called.given(Text, first)
     if called.written:
-        found = unknown(f"what {called.name}() writes")
+        found = unknown(f"the output of {called.name}()")
         if pattern is not None and not called.name.startswith("v"):
             found = formatted(pattern, called.arguments[first + 1 :])
         _put(ctx, called.written[0], found)
@@ -117,14 +117,14 @@ def copied_into(ctx: Context, _thing: Value, called: CallSite) -> Value:
     if len(called.written) > 1:
         adds, some = "cat" in called.name, "strn" in called.name
         pieces = [as_text(one) for one in called.arguments[: 2 if adds else 0]] or [as_text(called.argument(1))]
-        _put(ctx, called.written[0], unknown(f"what {called.name}() writes") if some else Text.of(*pieces))
+        _put(ctx, called.written[0], unknown(f"the output of {called.name}()") if some else Text.of(*pieces))
     return None
 
 
 def _put(ctx: Context, written: Expression, value: Text) -> None:
     match written:
         case Operation(operator="&", operands=(Item(of=of), *_)) | Item(of=of):
-            _put_whole(ctx, of, unknown("a text that is written to in part"))
+            _put_whole(ctx, of, unknown("a string that is partly overwritten"))
         case Operation(operator="&", operands=(of, *_)):
             _put_whole(ctx, of, value)
         case _:

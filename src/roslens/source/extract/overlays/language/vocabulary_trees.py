@@ -63,7 +63,7 @@ def tree(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"
-    note = (called.evidence, f"a behaviour tree is made of {name}: what its nodes make is unknown")
+    note = (called.evidence, f"a behaviour tree is created from {name}: the endpoints of its nodes are unknown")
     if note not in ctx.emitter.node.unresolved:
         ctx.emitter.node.unresolved.append(note)
         ctx.summaries.touch()

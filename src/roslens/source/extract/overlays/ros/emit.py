@@ -191,7 +191,7 @@ def type_text(ctx: Context, kind: Value, generation: str, role: Role) -> Text:
         case _:
             written = ""
     if not written:
-        return unknown(reason_of(kind, "its type is not written"))
+        return unknown(reason_of(kind, "its type is not stated"))
     written = _adapted(ctx, written)
     name = _as_interface(written, generation)
     if not name:
@@ -361,7 +361,7 @@ def value_text(value: Value) -> Text:
         case list():
             items = [value_text(one) for one in value]
             if any(one.known is None for one in items):
-                return unknown("a list of which a part is unknown")
+                return unknown("a list with unknown items")
             return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
     return as_text(value)
 

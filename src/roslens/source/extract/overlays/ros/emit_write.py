@@ -43,7 +43,7 @@ def write_parameter(
         return
     match value:
         case None | dict() | Obj():
-            text = unknown("a value of many parts")
+            text = unknown("a structured value")
         case _:
             text = value_text(value)
     writer = called.evidence

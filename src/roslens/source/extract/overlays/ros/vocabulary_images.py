@@ -136,4 +136,4 @@ def _camera(image: Value) -> Value:
         case Text(tail=last) if last and ("/" in last or len(image.parts) == 1):
             folder, slash, _ = last.rpartition("/")
             return Text.of(*image.before, f"{folder}{slash}camera_info")
-    return Unknown("the topic beside that of the image")
+    return Unknown("the topic next to that of the image")

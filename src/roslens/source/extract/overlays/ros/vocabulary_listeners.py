@@ -35,7 +35,7 @@ def listener(ctx: Context, _thing: Value, called: CallSite) -> Value:
         return made
     found = _library(ctx, called)
     if found is None or found.unread:
-        why = found.unread if found is not None else f"no build of the workspace makes {called.name}"
+        why = found.unread if found is not None else f"no build of the workspace generates {called.name}"
         node = node_of(ctx, called.argument(0))
         node.unresolved.append((called.evidence, f"the parameters of {called.name} are unknown: {why}"))
         return made

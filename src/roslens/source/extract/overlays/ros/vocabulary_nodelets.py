@@ -26,7 +26,7 @@ _STRINGS = ("std::string", "std::string")
 def remappings(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A map of remappings, empty as long as nobody puts names in it."""
     given = called.argument(0)
-    return Unknown("remappings that somebody gives") if given is not None else Remappings()
+    return Unknown("remappings passed by the caller") if given is not None else Remappings()
 
 
 @outer("std.map", quiet=True)

@@ -151,7 +151,7 @@ def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSi
         case bool(of_process):
             building.global_arguments = of_process
         case _:
-            _doubt(building, called, "whether those of the process hold for it is unknown")
+            _doubt(building, called, "it is unknown whether those of the process apply to it")
     building.declares_set = given.fields.get("-declares") is True
     values = given.fields.get("-overrides", [])
     for one in (*table_of(values).items(), *items_of(values)):
@@ -170,7 +170,7 @@ def doubt_options(building: NodeBuilder, called: CallSite) -> None:
 
 def _doubt(building: NodeBuilder, called: CallSite, reason: str) -> None:
     building.doubt = building.doubt or reason
-    building.unresolved.append((called.evidence, f"{reason}: its name and those of its topics may be others"))
+    building.unresolved.append((called.evidence, f"{reason}: its name and those of its topics may differ"))
 
 
 @outer("std.replace")

@@ -61,7 +61,7 @@ def _overrides(ctx: Context, called: CallSite, kinds: Value, rest: list[Value]) 
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
     number = "" if given is None else as_text(given).known
     names = list(_USUAL) if kinds is None else _names(kinds)
-    unknown = "" if names is not None and number is not None else f"which it may set is not known ({called.name})"
+    unknown = "" if names is not None and number is not None else f"it is unknown which ones it may set ({called.name})"
     return Overrides(tuple(names or ()), number or "", unknown, tuple(dict.fromkeys(ctx.state.conditions)))
 
 
@@ -86,5 +86,5 @@ def overrides_of(called: CallSite) -> Overrides | None:
         case list() if names is not None:
             return Overrides(tuple(names), "")
         case list() | Unknown() | Text():
-            return Overrides((), "", "which policies it may set is not known")
+            return Overrides((), "", "it is unknown which policies it may set")
     return None

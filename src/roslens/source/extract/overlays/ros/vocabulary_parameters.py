@@ -101,7 +101,7 @@ def _template(called: CallSite) -> str:
 def declare_all(ctx: Context, thing: Value, called: CallSite) -> Value:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
-    items: list[Value] = [[unknown("a parameter of a list that is not followed")]]
+    items: list[Value] = [[unknown("a parameter of a list that is not evaluated")]]
     match given:
         case dict():
             items = list(given.items())
@@ -112,7 +112,7 @@ def declare_all(ctx: Context, thing: Value, called: CallSite) -> Value:
             case [first, *rest]:
                 name = as_text(first)
             case _:
-                name, rest = unknown("a parameter that is not followed"), []
+                name, rest = unknown("a parameter that is not evaluated"), []
         if as_text(prefix).parts:
             name = Text.of(as_text(prefix), ".", name)
         default = rest[0] if rest else None

@@ -113,7 +113,7 @@ def profile(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @outer("rclcpp.QoSInitialization")
 def initialisation(_ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A history and how many messages it keeps."""
+    """A history and the number of messages that it keeps."""
     return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
@@ -126,7 +126,9 @@ def keep(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     elif called.name.endswith("All"):
         value = QosValue(Qos(history="keep_all", depth=0))
     else:
-        value = (quality_of(first) if first is not None else None) or QosValue(Qos(), "how many messages are kept")
+        value = (quality_of(first) if first is not None else None) or QosValue(
+            Qos(), "the number of messages that are kept"
+        )
     return Obj(INITIALISATION, None, {"qos": keeping(DEFAULT_QUALITY, value)})
 
 
@@ -140,7 +142,7 @@ def preset(_ctx: Context, thing: Value, called: CallSite) -> Value:
         case Obj() as history if history.type == INITIALISATION:
             value = keeping(value, _held(history))
         case _:
-            value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
+            value = QosValue(msgspec.structs.replace(value.qos, depth=0), "the number of messages that it keeps")
     return _made_on(thing, value)
 
 

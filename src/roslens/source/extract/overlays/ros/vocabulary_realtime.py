@@ -60,7 +60,7 @@ def publish(ctx: Context, thing: Made, called: CallSite) -> Value:
 def publish_of_later(ctx: Context, thing: Obj, called: CallSite) -> Value:
     """What is in the message is published, by what ``init`` made."""
     made = thing.held(_MADE, Made)
-    return Unknown("nothing is made yet") if made is None else _published(ctx, made, called)
+    return Unknown("an object that is not yet created") if made is None else _published(ctx, made, called)
 
 
 def _published(ctx: Context, made: Made, called: CallSite) -> Value:

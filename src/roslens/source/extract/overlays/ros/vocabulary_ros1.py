@@ -151,7 +151,7 @@ def subscribe(ctx: Context, thing: Value, called: CallSite) -> Value:
             return Unknown("result of subscribe()")
     callback = _callback(ctx, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(callback)
-    kind: Value = written or Unknown("the type its callback takes")
+    kind: Value = written or Unknown("the parameter type of its callback")
     return endpoint(
         ctx, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=queue_of(called.argument(1)),
         callback=callback,
@@ -193,7 +193,7 @@ def advertise_service(ctx: Context, thing: Value, called: CallSite) -> Value:
         return _by_options(ctx, thing, called, Role.SERVICE_SERVER, options)
     callback = _callback(ctx, called, 1, takes=2)
     written = called.templates[0] if called.templates else type_of_callback(callback)
-    kind: Value = written or Unknown("the type its callback takes")
+    kind: Value = written or Unknown("the parameter type of its callback")
     return endpoint(ctx, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
 
 

@@ -37,7 +37,7 @@ def handle_of(ctx: Context, called: CallSite) -> Value:
 def follow_visitors(ctx: Context, called: CallSite, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
-        ctx.callbacks.give(one, Written("somebody subscribes"))
+        ctx.callbacks.give(one, Written("a subscriber connects"))
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")

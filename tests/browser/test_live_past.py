@@ -64,6 +64,21 @@ def test_at_in_the_address_shows_that_moment_everywhere(follow: Open) -> None:
     expect(page).not_to_have_url(re.compile("at="))
 
 
+def test_the_graph_stands_still_while_moments_pass(follow: Open) -> None:
+    where = """() => [document.querySelector("#scene").getAttribute("transform"),
+        ...[...document.querySelectorAll("#items .item")].map((one) => one.getAttribute("transform"))]"""
+    page = follow()
+    expect(page.locator("#slider")).to_be_visible()
+    now = page.evaluate(where)
+    for time in ("20", "12", "40"):
+        page.locator("#slider").evaluate(SLIDE, time)
+        expect(page.locator("#when")).to_have_text(f"12:00:{time}.0")
+        assert page.evaluate(where) == now
+    page.keyboard.press("n")
+    expect(page.locator("#pulse-word")).to_have_text("live")
+    assert page.evaluate(where) == now
+
+
 def test_the_node_that_died_is_named_before_its_busy_host(follow: Open) -> None:
     page = follow(f"/?at={KILLED}")
     names = page.locator(".cause > .alert .name")

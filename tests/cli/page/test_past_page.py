@@ -68,6 +68,66 @@ def test_every_moment_is_shown_as_it_was():
         assert reported(again) == reported(then), time
 
 
+def places_of(found):
+    return {one.entity: (one.x, one.y) for one in found.picture.items}
+
+
+def seen_then(robot, times):
+    return [snapshot(robot.page.past.snapshot(time)) for time in times]
+
+
+def test_what_is_drawn_stands_at_one_place_in_all_moments():
+    """Most nodes start late, and one of them ends before the others start: each moment is drawn where all have room."""
+    robot = ScriptedRobot()
+    everything = set(robot.nodes)
+    robot.gone = everything - {"/lidar", "/ui"}
+    robot.run(400)
+    early = robot.now
+    robot.gone = everything - {"/lidar", "/slam", "/camera"}
+    robot.run(5)
+    between = robot.now
+    robot.gone = {"/ui"}
+    robot.run(5)
+    now = places_of(snapshot(robot.page.newest()))
+    times = [early, between, robot.now, between, early]
+    moments = [places_of(one) for one in seen_then(robot, times)]
+    for then in moments:
+        assert {entity: now[entity] for entity in then if entity in now} == {
+            entity: place for entity, place in then.items() if entity in now
+        }
+    assert moments[0] == moments[4]
+    assert moments[1] == moments[3]
+
+
+def test_places_hold_where_topics_are_lines_now_and_hosts_were_fewer_then():
+    robot = large_robot(200)
+    everything = set(robot.nodes)
+    few = sorted(everything)[:6]
+    robot.gone = everything - set(few)
+    robot.run(400)
+    early = robot.now
+    robot.gone = set()
+    robot.run(3)
+    now = snapshot(robot.page.newest())
+    (then,) = seen_then(robot, [early])
+    assert then.picture.as_lines
+    places = places_of(now)
+    drawn = {entity: place for entity, place in places_of(then).items() if entity.startswith("node:")}
+    assert len(drawn) >= len(few)
+    assert drawn == {entity: places[entity] for entity in drawn}
+
+
+def test_pictures_of_other_moments_have_versions_of_their_own():
+    robot = ScriptedRobot()
+    robot.run(5)
+    early = robot.now
+    robot.gone.add("/camera")
+    robot.run(400)
+    (then,) = seen_then(robot, [early])
+    now = snapshot(robot.page.newest())
+    assert then.picture.version != now.picture.version or then.picture == now.picture
+
+
 def test_values_are_those_of_then():
     robot = ScriptedRobot()
     robot.rates["/scan"] = 9

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Callable, Mapping
 from threading import Lock
@@ -13,7 +12,7 @@ import msgspec
 from roslens.cli.page.page_document import bounded, document, event_line, reported_of, verdict_line
 from roslens.cli.page.row_list import shown_name, shown_text
 from roslens.cli.page.watch_detail import detail_of, limits_of
-from roslens.cli.page.watch_graph import GraphPicture
+from roslens.cli.page.watch_graph import GraphPicture, PastPicture
 from roslens.cli.page.watch_screen import value_text
 from roslens.dashboard.live.past import Changed, Compared, Mark, Plots, Series, Timeline
 from roslens.dashboard.live.snapshot import UNJUDGED, Row, Snapshot
@@ -61,9 +60,8 @@ class PastPage:
         self._recall = recall
         self._title = title
         self._clock = clock
-        self._picture = picture
         self._live, self._recorded = live, recorded
-        self._drawn: GraphPicture | None = None
+        self._drawn = PastPicture(shown_name, picture)
         self._lock = Lock()
 
     def snapshot(self, at: float) -> bytes:
@@ -153,8 +151,6 @@ class PastPage:
         lines = [event_line(one, self._clock) for one in events if reported_of(one)]
         lines += [verdict_line(one, self._clock) for one in verdicts]
         with self._lock:
-            if self._drawn is None:
-                self._drawn = copy.deepcopy(self._picture())
             found = document(
                 view,
                 moment.verdicts,

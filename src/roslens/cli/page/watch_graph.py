@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from roslens.cli.page.drawn_lines import DrawnLines
 from roslens.cli.page.half_lines import Ends, HalfLine, encodable, half_lines, joined_by, worse
@@ -10,8 +11,9 @@ from roslens.cli.page.whole_lines import whole_lines
 from roslens.dashboard.computation.noise import DEFAULT, kinds_of_noise
 from roslens.dashboard.computation.picture import MANY, Grounds
 from roslens.dashboard.live.snapshot import UNJUDGED, Item, Link, Picture, Row
-from roslens.dashboard.plan.ground import Part
+from roslens.dashboard.plan.ground import Ground, Part
 from roslens.dashboard.plan.mark import label_of, lane_of, namespace_of, part_of
+from roslens.dashboard.plan.plan import Plan
 from roslens.dashboard.plan.sheet import NOWHERE, Sheet
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph
@@ -20,6 +22,8 @@ from roslens.model.verdict import State, Verdict
 PLUMBING = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 """Topics that join every node to every other and say nothing of the system."""
 MOST_DRAWN = 1500
+_PAST = 500_000_000
+"""Pictures of other moments have versions from here on, so that no page takes one for a picture of the present."""
 
 
 def no_grounds(nodes: Collection[str]) -> Grounds | None:  # noqa: ARG001 - the shape of what knows the source
@@ -27,10 +31,20 @@ def no_grounds(nodes: Collection[str]) -> Grounds | None:  # noqa: ARG001 - the 
     return None
 
 
+class Base(NamedTuple):
+    """On which pictures of other moments are drawn: a ground, and whether lines stand for topics there."""
+
+    ground: Ground
+    as_lines: bool
+
+
 class GraphPicture:
     """Draws one graph after the other; what stays in it stays in its place.
 
     Where the source of what runs is known, everything stands where the page of that source has it.
+
+    Attributes:
+        base: for pictures of other moments; None before the first picture.
     """
 
     def __init__(
@@ -49,6 +63,7 @@ class GraphPicture:
         self._drawn: DrawnLines | None = None
         self._hosts = False
         self._nodes: Collection[str] = ()
+        self.base: Base | None = None
 
     def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
         """Return the picture of what the graph and the tree know; nodes are shown as they are judged themselves."""
@@ -69,7 +84,7 @@ class GraphPicture:
         hosts = _hosts(rows)
         self._hosts, self._nodes = bool(hosts), nodes
         grounds = None if hosts else self._grounds(nodes)
-        as_lines = grounds.many if grounds else len(nodes) + len(topics) > MANY
+        as_lines = self._as_lines(grounds, len(nodes) + len(topics))
         if len(nodes) + (0 if as_lines else len(topics)) > MOST_DRAWN:
             nodes, topics, left_out = _only_bad(nodes, topics, halves, states)
         lines: dict[Ends, tuple[HalfLine, list[str]]]
@@ -85,8 +100,8 @@ class GraphPicture:
         lines |= {ends: (line, []) for ends, line in halves.items() if {*ends} <= place_of.keys()}
         ends = sorted(pair for pair in lines if {*pair} <= place_of.keys())
         parts = _parts(drawn, ends, hosts, self._short)
-        ground = (grounds.lines if as_lines else grounds.marks) if grounds else NOWHERE
-        plan = self._sheet.of(parts, ends, ground)
+        plan = self._plan(parts, ends, (grounds.lines if as_lines else grounds.marks) if grounds else NOWHERE)
+        self.base = Base(self._sheet.ground, as_lines)
         items = tuple(
             self._item(entity, part, place, states)
             for entity, part, place in zip(drawn, parts, plan.places, strict=True)
@@ -96,17 +111,55 @@ class GraphPicture:
             for (start, end), path, word in zip(ends, plan.paths, plan.words, strict=True)
         )
         picture = Picture(
-            self._sheet.version, plan.width, plan.height, items, links, left_out, boxes=plan.boxes, as_lines=as_lines
+            self._version, plan.width, plan.height, items, links, left_out, boxes=plan.boxes, as_lines=as_lines
         )
         reported = [(pair, lines[pair][1]) for pair in ends]
         self._drawn = DrawnLines(graph, rows, judged, grounds, picture, halves, reported)
         return picture
+
+    def _as_lines(self, grounds: Grounds | None, count: int) -> bool:
+        """Return whether lines between nodes stand for the topics of so many nodes and topics."""
+        return grounds.many if grounds else count > MANY
+
+    def _plan(self, parts: Sequence[Part], ends: Sequence[Ends], given: Ground) -> Plan:
+        return self._sheet.of(parts, ends, given)
+
+    @property
+    def _version(self) -> int:
+        return self._sheet.version
 
     def _item(self, entity: str, part: Part, place: tuple[float, float], states: Mapping[str, str]) -> Item:
         kind, _, name = entity.partition(":")
         lane = "/" + "/".join(one for one in part.lane.split("/") if one and not one.startswith("@"))
         state, short = states.get(entity, UNJUDGED), self._short(name)
         return Item(entity, short, kind, *place, state, label_of(short, lane), part.width, part.height)
+
+
+class PastPicture(GraphPicture):
+    """Draws other moments where the present has everything; what only they have keeps the place that it gets."""
+
+    def __init__(self, short: Callable[[str], str], present: Callable[[], GraphPicture]) -> None:
+        """Draw on what ``present`` gives; ``short`` makes a name that can be shown of one that came from outside."""
+        super().__init__(short)
+        self._present = present
+        self._under: Base | None = None
+
+    def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
+        """Return the picture of a moment."""
+        base = self._present().base
+        if base is not self._under:
+            self._under, self._drawn = base, None
+        return super().of(graph, rows, verdicts)
+
+    def _as_lines(self, grounds: Grounds | None, count: int) -> bool:
+        return self._under.as_lines if self._under else super()._as_lines(grounds, count)
+
+    def _plan(self, parts: Sequence[Part], ends: Sequence[Ends], given: Ground) -> Plan:
+        return self._sheet.upon(parts, ends, self._under.ground if self._under else given)
+
+    @property
+    def _version(self) -> int:
+        return _PAST + self._sheet.version
 
 
 def _parts(

@@ -19,6 +19,8 @@ const NAMED = 40;
 const MARGIN = 100;
 /** A picture of which no name could be read begins with the part of it that is worst, at this zoom. */
 const LEGIBLE = 0.9;
+/** So much room it has beside what is shown first, for the signs of states. */
+const ASIDE = 14;
 const GRAVE = ["absent", "high", "low", "unknown"];
 
 export class Picture {
@@ -66,11 +68,28 @@ export class Picture {
     const rank = ([key, { is }]) => [GRAVE.includes(is) ? GRAVE.length - GRAVE.indexOf(is) : 0, joined.get(key) || 0];
     const first = [...this.items].reduce((a, b) => { const [x, y] = [rank(a), rank(b)]; return y[0] > x[0] || (y[0] === x[0] && y[1] > x[1]) ? b : a; });
     const room = this.camera.size();
-    const [x, y] = this.placeOf(this.foremost) || this.placeOf(first[0]);
+    const { k, x, y } = this.around(this.placeOf(this.foremost) ? this.foremost : first[0], room);
     const within = (at, size, long) => (size < long ? size / 2 : Math.max(long / 2, Math.min(size - long / 2, at)));
-    this.camera.showAt(LEGIBLE, within(x, this.size.width, room.width / LEGIBLE), within(y, this.size.height, room.height / LEGIBLE));
+    this.camera.showAt(k, within(x, this.size.width, room.width / k), within(y, this.size.height, room.height / k));
     // From now on it moves as the reader moves it.
     this.left = true;
+  }
+
+  /** Zoom and middle that show an entity with all it is joined to, else with what it hears from, else alone. */
+  around(entity, room) {
+    const lines = [...this.lines.values()];
+    const heard = lines.filter(({ end }) => end === entity).map(({ start }) => start);
+    const told = lines.filter(({ start }) => start === entity).map(({ end }) => end);
+    let found;
+    for (const others of [[...heard, ...told], heard, []]) {
+      const boxes = this.boxes.filter((one) => one.entity === entity || others.includes(one.entity));
+      const [left, right] = [Math.min(...boxes.map(({ x, w }) => x - w / 2)), Math.max(...boxes.map(({ x, w }) => x + w / 2))];
+      const [top, bottom] = [Math.min(...boxes.map(({ y, h }) => y - h / 2)), Math.max(...boxes.map(({ y, h }) => y + h / 2))];
+      const k = Math.min(LEGIBLE, (room.width - 2 * ASIDE) / (right - left), (room.height - 2 * ASIDE) / (bottom - top));
+      found = { k: Math.max(k, READABLE), x: (left + right) / 2, y: (top + bottom) / 2 };
+      if (k >= READABLE) break;
+    }
+    return found;
   }
 
   zoomed() {

@@ -60,6 +60,10 @@ def go(page: Page, whole: WholeSite, path: str) -> None:
         expect(page.locator("#plots canvas").first).to_be_visible()
 
 
+NAVIGATION = """() => [...document.querySelectorAll("header.top nav a")].map(
+    (one) => [new URL(one.href).pathname, one.firstChild.textContent.trim()])"""
+
+
 def _breaks(page: Page, rules: str) -> dict[str, list[str]]:
     found = page.evaluate(f"() => axe.run(document, {{ resultTypes: ['violations'], runOnly: {rules} }})")
     return {one["id"]: [node["html"][:160] for node in one["nodes"][:3]] for one in found["violations"]}
@@ -68,17 +72,18 @@ def _breaks(page: Page, rules: str) -> dict[str, list[str]]:
 def test_each_screen_breaks_no_rule_of_axe_links_its_names_and_is_walked_by_the_tab_key(
     whole: WholeSite, visit: Open, axe: str
 ) -> None:
-    """One load of each screen for three questions, as to load a screen takes longer than to ask it."""
+    """One load of each screen for four questions, as to load a screen takes longer than to ask it."""
     page = visit(signed_in("/"))
     known = known_names(page, whole.url)
     assert {"/scan", "node:/lidar", "nav2_util", "cpp.explicit_constructor", "/left/camera"} <= known
-    broken, unlinked, stuck = {}, {}, {}
+    broken, unlinked, stuck, leading = {}, {}, {}, {}
     for path in (*SCREENS, *FURTHER):
         go(page, whole, path)
         if found := page.evaluate(UNLINKED, sorted(known)):
             unlinked[path] = sorted(set(found))
         if path in FURTHER:
             continue
+        leading[path] = page.evaluate(NAVIGATION)
         page.evaluate(axe)
         for scheme, rules in RULES.items():
             page.emulate_media(color_scheme=scheme)
@@ -87,6 +92,8 @@ def test_each_screen_breaks_no_rule_of_axe_links_its_names_and_is_walked_by_the_
         page.emulate_media(color_scheme="light")
         if wrong := _wrong_on_the_walk(page):
             stuck[path] = wrong
+    assert {"/live/", "/live/references", "/questions"} < {where for where, _ in leading["/"]}
+    assert {path: links for path, links in leading.items() if links != leading["/"]} == {}, "one navigation"
     assert broken == {}
     assert unlinked == {}, "what has a place of its own leads there from wherever it is named"
     assert stuck == {}, "each step reaches something else that can be seen and that shows its focus"

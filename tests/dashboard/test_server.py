@@ -52,7 +52,7 @@ def test_what_runs_is_a_page_beside_the_others(site: Site) -> None:
     robot = ScriptedRobot()
     robot.run(3)
     client = Client(create_app(site, snapshot=robot.page.newest))
-    assert '<a href="/live/" data-nav="live">Live</a>' in client.get("/").text
+    assert '<a href="/live/">Live</a>' in client.get("/").text
     to = client.get("/live")
     assert (to.status_code, to.headers["location"]) == (307, "/live/")
     page = client.get("/live/")

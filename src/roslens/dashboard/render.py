@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from types import CodeType
 
@@ -86,14 +86,16 @@ _COMPILED = _Compiled()
 class Renderer:
     """Renders the views of one site for one medium: served, folder or file."""
 
-    def __init__(self, site: Site, medium: str, live: str = "", further: Sequence[tuple[str, str]] = ()) -> None:
+    def __init__(
+        self, site: Site, medium: str, further: Sequence[tuple[str, str]] = (), waiting: Callable[[], int] = int
+    ) -> None:
         """Load the templates.
 
         Args:
             site: what is shown.
             medium: served, folder or file.
-            live: address of the page of what runs, where there is one.
             further: address and word of pages beside these.
+            waiting: returns how many questions wait for an answer.
         """
         self._environment = environment(
             medium,
@@ -102,8 +104,9 @@ class Renderer:
             in_navigation=shown_in_navigation,
             parents=PARENTS,
             help_keys=KEYS,
-            live=live,
+            live=next((href for href, word in further if word == "Live"), ""),
             further=further,
+            waiting=waiting,
         )
 
     def navigation(self, site: Site, links: Links) -> tuple[tuple[str, str], ...]:

@@ -76,7 +76,10 @@ def create_app(
         access: who may view and who may act; by default everybody may view and nobody act.
     """
     further = further or Further()
-    renderer = Renderer(site, "served", _LIVE if snapshot is not None else "", further.links)
+    of_live = ((_LIVE, "Live"),) if snapshot is not None else ()
+    of_board = ((f"{_LIVE}references", "References"),) if snapshot is not None and board is not None else ()
+    own = (*of_live, *of_board, *further.links)
+    renderer = Renderer(site, "served", own, further.waiting)
     links = ServedLinks()
 
     # Views read a connection that belongs to one thread, and answer in milliseconds: so no worker threads.
@@ -147,7 +150,6 @@ def create_app(
         middleware=[Middleware(Guard, names=names, access=access)],
         exception_handlers={StoreError: failed},
     )
-    own = (((_LIVE, "Live"),) if snapshot is not None else ()) + further.links
     app.state.navigation = lambda: (*renderer.navigation(site, links), *own)
     return app
 

@@ -101,13 +101,20 @@ def test_each_screen_breaks_no_rule_of_axe_links_its_names_and_is_walked_by_the_
 
 def test_no_screen_scrolls_sideways_at_420_pixels(whole: WholeSite, visit: Open) -> None:
     page = visit(signed_in("/"), viewport={"width": 420, "height": 800})
-    wide = {}
+    wide, cut = {}, {}
     for path in SCREENS:
         go(page, whole, path)
         width = page.evaluate("document.documentElement.scrollWidth")
         if width > 420:
             wide[path] = width
+        if beyond := page.evaluate(BEYOND):
+            cut[path] = beyond
     assert wide == {}
+    assert cut == {}, "whole sentences are read without scrolling"
+
+
+BEYOND = """() => [...document.querySelectorAll("td.prose, .alert .says, .detail td, .stacked td")].filter(
+    (one) => one.getClientRects().length && one.getBoundingClientRect().right > innerWidth).map((one) => one.textContent)"""
 
 
 def _wrong_on_the_walk(page: Page) -> list[str]:

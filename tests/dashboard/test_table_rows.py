@@ -58,3 +58,17 @@ def test_a_name_does_not_break_after_the_slash_that_it_begins_with() -> None:
     assert ">/scan<" in rows(Column("c", "C", "name"), Cell("/scan"))
     assert ">/amcl/<wbr>pose<" in rows(Column("c", "C", "name"), Cell("/amcl/pose", ref=PageRef("rules")))
     assert "of /odom<" in rows(Column("c", "C", "name"), Cell("publisher /a of /odom"))
+
+
+def test_cells_beside_whole_sentences_carry_the_heads_of_their_columns() -> None:
+    columns = (
+        Column("a", "Severity", "mark"),
+        Column("b", "What"),
+        Column("c", HOSTILE, "code"),
+        Column("d", "Why", "prose"),
+    )
+    cells = (Cell("note"), Cell("x"), Cell("y"), Cell("z"))
+    found = str(rows_html(Table("t", "T", columns, (cells,)), lambda _: ""))
+    assert found.count("data-label") == 1
+    assert "<img" not in found
+    assert "data-label" not in str(rows_html(Table("t", "T", columns[:3], (cells[:3],)), lambda _: ""))

@@ -10,7 +10,7 @@ from roslens.model.finding import Finding
 
 _COLUMNS = (
     Column("severity", "Severity", "mark"),
-    Column("message", "What was found"),
+    Column("message", "What was found", "prose"),
     Column("about", "About", "name"),
     Column("place", "Where", "code"),
     Column("rule", "Rule", "code"),

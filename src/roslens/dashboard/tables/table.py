@@ -77,6 +77,11 @@ class Table(msgspec.Struct, frozen=True):
             raise ValueError(f"a row of the table {self.name!r} has {len(wrong)} cells for {len(self.columns)} columns")
 
     @property
+    def stacked(self) -> bool:
+        """Whether a narrow screen has the cells of a row below each other: where there are whole sentences in it."""
+        return any(column.kind == "prose" for column in self.columns)
+
+    @property
     def cut(self) -> bool:
         """Whether rows are left out."""
         return self.total > len(self.rows)

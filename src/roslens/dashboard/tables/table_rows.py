@@ -16,7 +16,10 @@ def rows_html(table: Table, link: Link) -> Markup:
     """Return the ``tr`` elements of a table; every text of a cell is escaped."""
     digits = table.digits()
     most = [table.most(place) if column.bar else 0.0 for place, column in enumerate(table.columns)]
-    ends = [_ends(place, column) for place, column in enumerate(table.columns)]
+    labels = [_label(place, column) if table.stacked else "" for place, column in enumerate(table.columns)]
+    ends = [
+        _ends(place, column, label) for (place, column), label in zip(enumerate(table.columns), labels, strict=True)
+    ]
     parts: list[str] = []
     for number, row in enumerate(table.rows):
         parts.append(f'<tr data-id="{escape(table.identities[number])}">' if table.identities else "<tr>")
@@ -33,11 +36,17 @@ def rows_html(table: Table, link: Link) -> Markup:
     return Markup("".join(parts))  # noqa: S704 - every text was escaped above
 
 
-def _ends(place: int, column: Column) -> tuple[str, str]:
+def _ends(place: int, column: Column, label: str) -> tuple[str, str]:
     """Return what a cell of a column begins and ends with; the first names what its row is about."""
     if place == 0 and column.kind != "mark":
-        return f'<th scope="row"{_classes(column)}', "</th>"
-    return f"<td{_classes(column)}", "</td>"
+        return f'<th scope="row"{_classes(column)}{label}', "</th>"
+    return f"<td{_classes(column)}{label}", "</td>"
+
+
+def _label(place: int, column: Column) -> str:
+    """Return the head of a column as an attribute of its cells, for where they have no head above them."""
+    plain = place < 2 or column.kind in {"mark", "prose"}
+    return "" if plain else f' data-label="{escape(column.title)}"'
 
 
 def _classes(column: Column) -> str:

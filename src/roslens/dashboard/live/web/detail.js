@@ -80,7 +80,7 @@ function judgement(one) {
 }
 
 function table(label, headings, rows) {
-  return make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": label }, make("table", { "aria-label": label },
+  return make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": label }, make("table", { "aria-label": label, class: "stacked" },
     make("thead", {}, make("tr", {}, ...headings.map((text) => make("th", { scope: "col", text })))),
-    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((one) => make("td", {}, typeof one === "string" ? make("bdi", { text: one }) : one)))))));
+    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((one, place) => make("td", place ? { "data-label": headings[place] } : {}, ...(one === "" ? [] : [typeof one === "string" ? make("bdi", { text: one }) : one]))))))));
 }

@@ -114,7 +114,8 @@ def test_no_screen_scrolls_sideways_at_420_pixels(whole: WholeSite, visit: Open)
 
 
 BEYOND = """() => [...document.querySelectorAll("td.prose, .alert .says, .detail td, .stacked td")].filter(
-    (one) => one.getClientRects().length && one.getBoundingClientRect().right > innerWidth).map((one) => one.textContent)"""
+    (one) => one.getClientRects().length && one.getBoundingClientRect().right > innerWidth
+).map((one) => one.textContent)"""
 
 
 def _wrong_on_the_walk(page: Page) -> list[str]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 
+import msgspec
 import pytest
 
 from roslens.dashboard.site import Site
+from roslens.dashboard.tables import finding_list
 from roslens.dashboard.tables.finding_list import FindingList, filter_of, list_findings, role_of, select
 from roslens.dashboard.view import Limits, Query, Request
 from roslens.model.finding import Finding, Severity
@@ -76,6 +79,31 @@ def test_groups_by_rule_come_most_severe_first_and_say_how_many_there_are(site: 
         assert group.total == sum(one.rule == group.key for one in everything(site))
         assert {shown.finding.rule for shown in group.findings} == {group.key}
         assert (group.more is not None) == (len(group.findings) < group.total)
+
+
+def test_findings_of_a_rule_with_several_severities_are_groups_that_are_counted_apart(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rule = "ros.calls.max"
+    turned = [
+        msgspec.structs.replace(one, severity=Severity.NOTE if one.path.endswith("1.cpp") else Severity.ERROR)
+        for one in everything(site)
+        if one.rule == rule
+    ]
+    monkeypatch.setattr(finding_list, "select", lambda *_: iter(turned))
+    asked = Query({"text": "e"}.items())
+    found = list_findings(site, filter_of(asked), Request(query=asked, limits=Limits()))
+    counts = Counter((one.severity.value, one.gated) for one in turned)
+    assert [(group.key, group.severity, group.total, group.own) for group in found.groups] == [
+        (rule, word, counts[word, True] + counts[word, False], counts[word, True]) for word in ("error", "note")
+    ]
+
+
+def test_a_group_leads_to_as_many_as_it_counts(site: Site, listed: Listed) -> None:
+    for group in listed(Limits(per_group=1)).groups:
+        query = dict(group.more.query) if group.more else {"rule": group.key, "severity": group.severity}
+        found = listed(**query)
+        assert (found.total, found.own) == (group.total, group.own)
 
 
 def test_groups_by_file_hold_what_is_in_the_file(site: Site, listed: Listed) -> None:

@@ -74,11 +74,22 @@ class ShownFinding(msgspec.Struct, frozen=True):
 
 
 class FindingGroup(msgspec.Struct, frozen=True):
-    """Findings of one rule or one file; ``total`` is how many there are, ``more`` shows all of them."""
+    """Findings of one rule and severity, of one file, or of one function.
+
+    Attributes:
+        key: of what they are.
+        total: how many there are.
+        own: how many of them count for gates.
+        findings: those that are shown.
+        severity: of all of them; empty where they have several.
+        more: shows all of them.
+    """
 
     key: str
     total: int
+    own: int
     findings: tuple[ShownFinding, ...]
+    severity: str = ""
     more: PageRef | None = None
 
 
@@ -220,7 +231,8 @@ def _by_rule(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         )
         shown = _shown(site, found, request)
         room -= len(shown)
-        groups.append(FindingGroup(total.rule, total.count, shown, _more(request, wanted, total, len(shown))))
+        more = _more(request, wanted, total, len(shown))
+        groups.append(FindingGroup(total.rule, total.count, total.gated, shown, total.severity.value, more))
         if room <= 0:
             break
     step = len(groups) if start + len(groups) < len(totals) else 0
@@ -231,7 +243,9 @@ def _by_rule(site: Site, wanted: FindingFilter, request: Request, start: int) ->
 def _more(request: Request, wanted: FindingFilter, total: RuleTotal, shown: int) -> PageRef | None:
     if shown >= total.count:
         return None
-    query = request.query.replaced(rule=total.rule, package=wanted.package or "", start="")
+    # A rule may have findings of several severities: each is a group of its own.
+    severity = total.severity.value
+    query = request.query.replaced(rule=total.rule, package=wanted.package or "", severity=severity, start="")
     return PageRef("findings", query=query)
 
 
@@ -248,14 +262,19 @@ def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         finding for key in keys for finding in sorted(by_rule[key], key=lambda one: (not one.gated, -one.excess))
     ]
     page = ordered[start : start + request.limits.findings]
-    counts = {key[1]: len(found) for key, found in by_rule.items()}
-    groups = _grouped(_shown(site, page, request), counts, by_file=False)
+    shown: dict[tuple[int, str], list[ShownFinding]] = {}
+    for one in _shown(site, page, request):
+        shown.setdefault((-one.finding.severity.rank, one.finding.rule), []).append(one)
+    groups = tuple(
+        FindingGroup(key[1], len(by_rule[key]), gated[key], tuple(found), found[0].finding.severity.value)
+        for key, found in shown.items()
+    )
     step = len(page) if start + len(page) < total else 0
     return FindingList(wanted, groups, total, len(by_rule), own, start, step)
 
 
 def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
-    counts: dict[str, int] = {}
+    counts: dict[str, list[int]] = {}
     page: list[Finding] = []
     total = own = 0
     for finding in select(site, wanted):
@@ -263,8 +282,13 @@ def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         if start <= total < start + request.limits.findings:
             page.append(finding)
         total += 1
-        counts[finding.path] = counts.get(finding.path, 0) + 1
-    groups = _grouped(_shown(site, page, request), counts, by_file=True)
+        count = counts.setdefault(finding.path, [0, 0])
+        count[0] += 1
+        count[1] += finding.gated
+    shown: dict[str, list[ShownFinding]] = {}
+    for one in _shown(site, page, request):
+        shown.setdefault(one.finding.path, []).append(one)
+    groups = tuple(FindingGroup(path, *counts[path], tuple(found)) for path, found in shown.items())
     step = len(page) if start + len(page) < total else 0
     return FindingList(wanted, groups, total, len(counts), own, start, step)
 
@@ -285,7 +309,7 @@ def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int
         ordered = sorted(members[key], key=lambda one: (not one.gated, -one.severity.rank, -one.excess))
         shown = _shown(site, ordered[:room], request)
         room -= len(shown)
-        groups.append(FindingGroup(key, len(ordered), shown))
+        groups.append(FindingGroup(key, len(ordered), sum(one.gated for one in ordered), shown))
     step = len(groups) if start + len(groups) < len(keys) else 0
     return FindingList(wanted, tuple(groups), total, len(keys), own, start, step)
 
@@ -294,13 +318,6 @@ def _weight(key: str, found: Sequence[Finding]) -> tuple[int, int, float, str]:
     gated = [one for one in found if one.gated]
     worst = max((one.severity.rank for one in gated), default=-1)
     return -worst, -len({one.rule for one in gated}), -max((one.excess for one in gated), default=0.0), key
-
-
-def _grouped(found: Sequence[ShownFinding], counts: dict[str, int], *, by_file: bool) -> tuple[FindingGroup, ...]:
-    groups: dict[str, list[ShownFinding]] = {}
-    for shown in found:
-        groups.setdefault(shown.finding.path if by_file else shown.finding.rule, []).append(shown)
-    return tuple(FindingGroup(key, counts[key], tuple(members)) for key, members in groups.items())
 
 
 def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[ShownFinding, ...]:

@@ -199,6 +199,9 @@ def test_countermeasures_with_a_log_of_the_condition_that_was_true(whole: WholeS
         journal.add("decided", 102.0, decision="rover.lidar/2.1", entity="node:/lidar", because=because)
     page = visit(signed_in("/plan"))
     expect(page.locator(".measure").first).to_contain_text("When node /lidar is gone or stopped")
+    named = page.locator(".measure a", has_text="/lidar")
+    assert {one.get_attribute("href") for one in named.all()} == {"/live/?select=node%3A/lidar"}
+    expect(named).to_have_count(2)
     page.locator(".measure a", has_text="decisions").first.click()
     entry = page.locator("#entries tr", has_text="rover.lidar/2.1").first
     expect(entry).to_contain_text("because /lidar is gone")

@@ -372,6 +372,12 @@ def test_the_page_of_references_says_what_is_about_nothing():
     assert asking.get("/accepted.yaml").headers["content-disposition"].startswith("attachment")
 
 
+def test_what_a_constraint_is_about_leads_to_what_runs():
+    page = board_client(ScriptedRobot()).get("/references").text
+    assert 'topic <a class="entity" href="./?select=topic%3A/scan">/scan</a>' in page
+    assert "<bdi>node /*</bdi>" in page
+
+
 def test_hostile_names_stay_text_on_the_page_of_references():
     robot = hostile_robot()
     robot.run(40)

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 
-from roslens.dashboard.live.causes import BETWEEN, MARGIN, MOST_BOXES, WIDE, Step, cause_picture
+from roslens.dashboard.live.causes import BETWEEN, HIGH, MARGIN, MOST_BOXES, WIDE, Step, cause_picture
+
+LETTERS, LETTER = 25, 6.2
+"""As many as the evidence on a line has at most, and how wide one is."""
 
 
 def step(effect, cause, evidence="is gone"):
@@ -31,6 +36,21 @@ def test_first_causes_stand_at_the_left_and_what_is_shared_is_drawn_once():
     ]  # fmt: skip
     places = [(one.x, one.y) for one in picture.boxes]
     assert len(set(places)) == len(places)
+
+
+def test_no_curve_goes_through_words():
+    """A line changes its height beside its cause, and is straight where the words about it stand."""
+    ways = [[step(f"topic:/{number}", "node:/n")] for number in range(5)]
+    picture = cause_picture([*ways, [step("node:/n", "host:h")]], {})
+    assert len(picture.lines) == 6
+    for one in picture.lines:
+        *_, bent, level, end = map(float, re.findall(r"-?[\d.]+", one.path))
+        effect = picture.boxes[one.effect]
+        assert one.path.endswith(f"H{effect.x:g}")
+        assert end == effect.x
+        assert level == effect.y + HIGH / 2
+        assert bent <= one.x - LETTERS * LETTER / 2
+        assert one.x + LETTERS * LETTER / 2 <= effect.x
 
 
 def test_nothing_explained_is_no_graph():

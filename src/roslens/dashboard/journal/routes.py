@@ -21,6 +21,7 @@ from roslens.dashboard.access.person import person_of
 from roslens.dashboard.journal.journal_view import PAGE, JournalView
 from roslens.dashboard.journal.plan import Countermeasure, plan_of
 from roslens.dashboard.journal.questions import Questions
+from roslens.dashboard.live.named_entities import linked
 from roslens.dashboard.render import TEMPLATES
 from roslens.model.acting.reaction import Reaction
 
@@ -70,6 +71,7 @@ class _Pages:
             lstrip_blocks=True, undefined=StrictUndefined,
         )  # fmt: skip
         self._environment.globals["lasting"] = _lasting
+        self._environment.filters["linked"] = linked
 
     def routes(self) -> list[BaseRoute]:
         found: list[BaseRoute] = [

@@ -24,6 +24,7 @@ from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.board_routes import BoardRoutes
 from roslens.dashboard.live.changes import held
 from roslens.dashboard.live.further import Further
+from roslens.dashboard.live.named_entities import linked
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign, json_or_nothing, refused, unreadable
 from roslens.dashboard.live.sight import Sight
@@ -259,6 +260,7 @@ class _Templates:
             lstrip_blocks=True,
             undefined=StrictUndefined,
         )
+        environment.filters["linked"] = linked
         environment.globals.update(
             version=roslens.__version__,
             navigation=self.navigation,

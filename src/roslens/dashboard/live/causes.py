@@ -11,8 +11,10 @@ import msgspec
 
 WIDE, HIGH = 200.0, 34.0
 """Of a box, in pixels."""
-BETWEEN, APART = 180.0, 26.0
+BETWEEN, APART = 190.0, 26.0
 """Between columns, where what shows a link is written, and between boxes of a column."""
+_BEND = 34.0
+"""So much of that room, beside the cause, is where lines change their height; words stand in the rest."""
 MARGIN = 8.0
 MOST_BOXES = 40
 """More would be no small graph; what does not fit is said."""
@@ -152,10 +154,11 @@ def _line(numbers: Mapping[str, int], boxes: Sequence[CauseBox], step: Step) -> 
     cause, effect = boxes[numbers[step.cause]], boxes[numbers[step.effect]]
     left, right = cause.x + WIDE, effect.x
     top, bottom = cause.y + HIGH / 2, effect.y + HIGH / 2
-    bend = (right - left) / 2
-    path = f"M{left:g} {top:g}C{left + bend:g} {top:g} {right - bend:g} {bottom:g} {right:g} {bottom:g}"
+    bent = right - BETWEEN + _BEND
+    middle = (left + bent) / 2
+    path = f"M{left:g} {top:g}C{middle:g} {top:g} {middle:g} {bottom:g} {bent:g} {bottom:g}H{right:g}"
     # Words stand at the effect, whose lines come from one cause as a rule.
     return CauseLine(
         cause=numbers[step.cause], effect=numbers[step.effect], relation=step.relation, evidence=step.evidence,
-        path=path, x=right - BETWEEN / 2, y=bottom - 5,
+        path=path, x=right - (BETWEEN - _BEND) / 2, y=bottom - 5,
     )  # fmt: skip

@@ -36,7 +36,7 @@ function line(one) {
 function words(one) {
   return draw("g", { class: "why" }, draw("title", { text: one.evidence }),
     draw("text", { x: one.x, y: one.y, text: `← ${one.relation}` }),
-    draw("text", { class: "shows", x: one.x, y: one.y + 18, text: cut(one.evidence, 29) }));
+    draw("text", { class: "shows", x: one.x, y: one.y + 18, text: cut(one.evidence, 25) }));
 }
 
 function box(one) {

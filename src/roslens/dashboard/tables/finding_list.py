@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
@@ -274,7 +275,8 @@ def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) ->
 
 
 def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
-    counts: dict[str, list[int]] = {}
+    counts: Counter[str] = Counter()
+    gated: Counter[str] = Counter()
     page: list[Finding] = []
     total = own = 0
     for finding in select(site, wanted):
@@ -282,13 +284,12 @@ def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         if start <= total < start + request.limits.findings:
             page.append(finding)
         total += 1
-        count = counts.setdefault(finding.path, [0, 0])
-        count[0] += 1
-        count[1] += finding.gated
+        counts[finding.path] += 1
+        gated[finding.path] += finding.gated
     shown: dict[str, list[ShownFinding]] = {}
     for one in _shown(site, page, request):
         shown.setdefault(one.finding.path, []).append(one)
-    groups = tuple(FindingGroup(path, *counts[path], tuple(found)) for path, found in shown.items())
+    groups = tuple(FindingGroup(path, counts[path], gated[path], tuple(found)) for path, found in shown.items())
     step = len(page) if start + len(page) < total else 0
     return FindingList(wanted, groups, total, len(counts), own, start, step)
 

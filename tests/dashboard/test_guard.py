@@ -2,6 +2,7 @@
 
 import asyncio
 import socket
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from dashboard.conftest import Client
@@ -80,5 +81,7 @@ def test_what_is_no_request_goes_through():
     async def app(scope, receive, send):
         came.append((scope, receive, send))
 
-    asyncio.run(Guard(app)({"type": "lifespan"}, "receive", "send"))
+    # In a thread of its own, since tests in a browser have a loop in this one.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(lambda: asyncio.run(Guard(app)({"type": "lifespan"}, "receive", "send"))).result()
     assert came == [({"type": "lifespan"}, "receive", "send")]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import httpx
@@ -48,7 +49,9 @@ class Server:
             async with httpx.AsyncClient(transport=httpx.ASGITransport(self.app), base_url=HERE) as client:
                 return await client.request(method, path, **given)
 
-        return asyncio.run(asked())
+        # In a thread of its own, since tests in a browser have a loop in this one.
+        with ThreadPoolExecutor(1) as thread:
+            return thread.submit(lambda: asyncio.run(asked())).result()
 
     def session(self, token: str) -> str:
         cookie = self.ask("GET", f"/?token={token}").headers["set-cookie"]

@@ -74,6 +74,16 @@ def test_pages_are_accessible_and_fit(visitor: Visitor, path: str, width: int) -
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") == 0
 
 
+def test_what_is_new_is_read_without_scrolling_on_a_narrow_screen(visitor: Visitor) -> None:
+    page = visitor.open("/difference?before=1.0.0&after=1.3.0", viewport={"width": 420, "height": 800})
+    found = page.locator("#new .prose")
+    expect(found.first).to_be_visible()
+    for box in (one.bounding_box() for one in found.all()):
+        assert box is not None
+        assert box["x"] + box["width"] <= 420
+    expect(page.locator("#values").get_by_role("link", name="Lines of code")).to_be_visible()
+
+
 @pytest.mark.parametrize("path", ["/history", "/history/loc", "/hotspots"])
 def test_the_scale_stays_in_sight_where_a_plot_scrolls(visitor: Visitor, path: str) -> None:
     page = visitor.open(path, viewport={"width": 420, "height": 800})

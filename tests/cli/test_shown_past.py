@@ -122,6 +122,7 @@ def test_hotspots_have_dots_and_a_table(site):
     (row,) = rows(document, "files")
     assert row["hotspot"] == row["churn"] * row["complexity"]
     assert len(rows(document, "repositories")) == 1
+    assert f"<code>{site.name}</code>" in html, "a repository that is the workspace has its name, and no dot"
 
 
 def test_without_a_past(root):

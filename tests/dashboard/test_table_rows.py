@@ -60,6 +60,16 @@ def test_a_name_does_not_break_after_the_slash_that_it_begins_with() -> None:
     assert "of /odom<" in rows(Column("c", "C", "name"), Cell("publisher /a of /odom"))
 
 
+def test_cells_of_rows_with_several_places_carry_the_heads_of_their_columns_too() -> None:
+    columns = (
+        Column("p", "Period", "number", unit="s"),
+        Column("c", "Callback", "code"),
+        Column("a", "Made at", "code"),
+    )
+    found = str(rows_html(Table("t", "T", columns, ((Cell(0.1), Cell("x"), Cell("y")),)), lambda _: ""))
+    assert [f'data-label="{label}"' in found for label in ("Period (s)", "Callback", "Made at")] == [True] * 3
+
+
 def test_cells_beside_whole_sentences_carry_the_heads_of_their_columns() -> None:
     columns = (
         Column("a", "Severity", "mark"),

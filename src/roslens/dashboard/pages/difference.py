@@ -49,7 +49,7 @@ def build(site: Site, request: Request) -> View | None:
             _findings(site, past, "new", "New", found.findings.new, limit, last=after),
             _findings(site, past, "resolved", "Resolved", found.findings.gone, limit, last=-1),
             _moved(found, limit),
-            _values(found),
+            _values(past, found),
         ),
         shown={
             "found": found,
@@ -82,7 +82,7 @@ def _findings(
     )
     columns = (
         Column("severity", "Severity", "mark"),
-        Column("message", "Finding"),
+        Column("message", "Finding", "prose"),
         Column("place", "Place", "code"),
         Column("rule", "Rule", optional=True),
     )
@@ -96,14 +96,16 @@ def _moved(found: RunDifference, limit: int | None) -> Table:
     )
     columns = (
         Column("severity", "Severity", "mark"),
-        Column("message", "Finding"),
+        Column("message", "Finding", "prose"),
         Column("from", "Was in", "code"),
         Column("to", "Is in", "code"),
     )
     return Table("moved", "Moved to another file", columns, rows, total=len(found.findings.moved), empty="None.")
 
 
-def _values(found: RunDifference) -> Table:
+def _values(past: Past, found: RunDifference) -> Table:
+    trends = {key: past.known(key) for key in SHOWN}
+    titles = {key: trend.title for key, trend in trends.items() if trend is not None}
     rows = []
     for one in found.values:
         before, after = _text(one.before), _text(one.after)
@@ -112,7 +114,12 @@ def _values(found: RunDifference) -> Table:
             rows.append(
                 (
                     Cell(one.package, ref=PageRef("package", one.package)),
-                    Cell(one.quantity, ref=PageRef("trend", one.quantity)),
+                    Cell(
+                        one.quantity,
+                        text=titles.get(one.quantity, one.quantity),
+                        hint=one.quantity,
+                        ref=PageRef("trend", one.quantity),
+                    ),
                     Cell(one.before, text=before),
                     Cell(one.after, text=after),
                     Cell(change, text="" if change is None else f"{'+' if change > 0 else ''}{_text(change)}"),

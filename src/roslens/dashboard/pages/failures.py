@@ -49,7 +49,7 @@ def failures_table(site: Site, failures: list[Failure]) -> Table:
     """Return one row per failure: what, where, what was expected, what to do."""
     columns = (
         Column("tool", "Step or tool"),
-        Column("what", "What was found"),
+        Column("what", "What was found", "prose"),
         Column("where", "Where", "code"),
         Column("expected", "Expected"),
         Column("advice", "What to do"),

@@ -30,7 +30,7 @@ def build(site: Site, request: Request) -> View | None:
         tables=(
             sort_rows(_files(site, files, request), request.query.get("sort_files")),
             _coupled(site, process, request),
-            _repositories(process),
+            _repositories(site, process),
         ),
         shown={"scatter": scatter_of(dots), "cut": max(0, len(files) - MOST_DOTS), "process": process},
     )
@@ -68,7 +68,7 @@ def _files(site: Site, files: list[tuple[str, dict[str, float]]], request: Reque
         Column("ownership", "Ownership", "number", decimals=2, optional=True),
         Column("time_since_last_commit", "Unchanged", "number", unit="d", optional=True),
     )
-    empty = "Of no file are both changes and complexity known; Not analysed says what is missing."
+    empty = "Changes and complexity are not both known of any file; see Not analysed for what is missing."
     return Table("files", "Files, the hottest first", columns, rows, total=len(files), empty=empty)
 
 
@@ -107,13 +107,18 @@ def _coupled(site: Site, process: tuple[RepositoryProcess, ...], request: Reques
     )
 
 
-def _repositories(process: tuple[RepositoryProcess, ...]) -> Table:
+def _repositories(site: Site, process: tuple[RepositoryProcess, ...]) -> Table:
     keys = (
         "revisions", "contributors", "bus_factor", "age", "releases", "revisions_since_release", "open_issues",
         "closed_issues",
     )  # fmt: skip
     titles = ("Commits", "People", "Bus factor", "Age", "Releases", "Since release", "Open issues", "Closed issues")
-    rows = tuple((Cell(one.path), *(Cell(one.values.get(key)) for key in keys), Cell(one.skewed)) for one in process)
+    # A workspace that is a repository itself lies at no path below it.
+    names = {".": site.name}
+    rows = tuple(
+        (Cell(one.path, text=names.get(one.path, "")), *(Cell(one.values.get(key)) for key in keys), Cell(one.skewed))
+        for one in process
+    )
     columns = (
         Column("repository", "Repository", "code"),
         *(

@@ -78,8 +78,9 @@ class Table(msgspec.Struct, frozen=True):
 
     @property
     def stacked(self) -> bool:
-        """Whether a narrow screen has the cells of a row below each other: where there are whole sentences in it."""
-        return any(column.kind == "prose" for column in self.columns)
+        """Whether a narrow screen has the cells of a row below each other: whole sentences, or more than one place."""
+        kinds = [column.kind for column in self.columns]
+        return "prose" in kinds or kinds.count("code") > 1
 
     @property
     def cut(self) -> bool:

@@ -16,7 +16,11 @@ def rows_html(table: Table, link: Link) -> Markup:
     """Return the ``tr`` elements of a table; every text of a cell is escaped."""
     digits = table.digits()
     most = [table.most(place) if column.bar else 0.0 for place, column in enumerate(table.columns)]
-    labels = [_label(place, column) if table.stacked else "" for place, column in enumerate(table.columns)]
+    named = 2 if table.columns and table.columns[0].kind == "mark" else 1
+    labels = [
+        _label(column) if table.stacked and (place >= named or column.kind == "number") else ""
+        for place, column in enumerate(table.columns)
+    ]
     ends = [
         _ends(place, column, label) for (place, column), label in zip(enumerate(table.columns), labels, strict=True)
     ]
@@ -43,10 +47,10 @@ def _ends(place: int, column: Column, label: str) -> tuple[str, str]:
     return f"<td{_classes(column)}{label}", "</td>"
 
 
-def _label(place: int, column: Column) -> str:
+def _label(column: Column) -> str:
     """Return the head of a column as an attribute of its cells, for where they have no head above them."""
-    plain = place < 2 or column.kind in {"mark", "prose"}
-    return "" if plain else f' data-label="{escape(column.title)}"'
+    title = f"{column.title} ({column.unit})" if column.unit else column.title
+    return "" if column.kind in {"mark", "prose"} else f' data-label="{escape(title)}"'
 
 
 def _classes(column: Column) -> str:

@@ -145,6 +145,16 @@ def test_only_what_counts_is_counted():
     assert re.search(r"^  only_tests +· +· +· ", shown, re.MULTILINE)
 
 
+def test_copies_of_other_projects_are_named():
+    copied = msgspec.structs.replace(package(1, "usb_cam"), copy_of="ros-drivers/usb_cam 0.3.6")
+    shown = to_text(HEADER, [copied, package(2, "robot")], [], RULES, width=200)
+    assert "1 package is a copy of another project, and counts as vendored code: usb_cam. To count as own" in shown
+    assert 'own = ["src/usb_cam/**"] below [workspace] in roslens.toml' in shown
+    many = [msgspec.structs.replace(copied, id=f"p{number}", name=f"p{number}") for number in range(7)]
+    assert "7 packages are copies of other projects" in to_text(HEADER, many, [], RULES, width=200)
+    assert "p4 and 2 more. " in to_text(HEADER, many, [], RULES, width=200)
+
+
 def test_what_is_cut_is_said():
     shown = text()
     assert "15 of 18 packages, worst first; no finding in the others. All: roslens report\n" in shown

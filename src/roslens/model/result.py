@@ -70,7 +70,8 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
 
     ``values`` are the package's own and folded quantities by key. ``languages`` maps a language to
     its number of files. ``limits`` counts, by rule, the limits of quality models that are reasons of a finding
-    which stands for several, where it counts for gates. ``includes`` are those of the result.
+    which stands for several, where it counts for gates. ``includes`` are those of the result. ``copy_of`` is that of
+    the package.
     """
 
     id: str
@@ -92,6 +93,7 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
     roles: dict[str, int] = {}
     limits: dict[str, int] = {}
     includes: tuple[TellingInclude, ...] = ()
+    copy_of: str = ""
 
 
 class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -135,6 +135,7 @@ class Package(msgspec.Struct, frozen=True, omit_defaults=True):
     place of its name. ``build_type`` is catkin, ament_cmake, ament_python, cmake or what the
     manifest says. ``id`` is the entity name: ``name``, or ``name@path`` where the name is doubled.
     Files that belong to no package live in a package whose ``id`` is ``(outside packages)``.
+    ``copy_of`` is the project that the package was copied from, with its version; empty where it is at home.
     """
 
     id: str
@@ -155,6 +156,7 @@ class Package(msgspec.Struct, frozen=True, omit_defaults=True):
     urls: tuple[Url, ...] = ()
     exports: tuple[Export, ...] = ()
     repository: str = ""
+    copy_of: str = ""
 
 
 OUTSIDE_PACKAGES = "(outside packages)"

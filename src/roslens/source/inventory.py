@@ -91,7 +91,9 @@ def _with_vendored(
     ``packages`` are the folders of all packages.
     """
     paths = [entry.path for entry in found.files]
-    if found.package.id == OUTSIDE_PACKAGES:
+    if found.package.copy_of:
+        folders: tuple[str, ...] = (f"{found.package.path}/",)
+    elif found.package.id == OUTSIDE_PACKAGES:
         folders = named_folders(paths, packages)
     else:
         folders = vendored_folders(found.package.path, paths, found.package.name)

@@ -49,6 +49,7 @@ def summarise(result: PackageResult) -> PackageSummary:
         roles=dict(sorted(Counter(file.role.value for file in result.files).items())),
         limits=dict(sorted(_limits(result.findings).items())),
         includes=result.includes,
+        copy_of=package.copy_of,
     )
 
 

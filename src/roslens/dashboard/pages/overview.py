@@ -36,6 +36,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
     own = sum(severities.values())
     broken = {package.id for package in site.packages if any(count.gated for count in package.rules)}
     packages = number_of_packages(site.by_id)
+    copies = [package for package in site.packages if package.copy_of]
     counts = {
         "packages": packages,
         "files": sum(package.files for package in site.packages),
@@ -56,6 +57,8 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
             "counts": counts,
             "gate": msgspec.to_builtins(site.gate) if site.gate else None,
             "since_run": _since_run(site),
+            "copies": [{"id": one.id, "of": one.copy_of} for one in copies[:FIRST]],
+            "copied": len(copies),
             "first": [
                 {
                     "severity": one.severity.value,

@@ -24,6 +24,7 @@ PACKAGES = 15
 RULES = 10
 FAILURES = 6
 PLACES = 3
+COPIES = 5
 RULE_WIDTH = 36
 LEAST_WIDTH = 60
 ALL = "All: roslens report"
@@ -78,6 +79,7 @@ def to_text(
             *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
             *_fixable(terminal, packages, wanted),
             *hushed,
+            *_copies(terminal, packages),
             *(line for text in since for line in _quiet(terminal, text)),
         ],
         list(_failures(terminal, failures)),
@@ -154,6 +156,24 @@ def _findings(
         yield from _quiet(
             terminal, f"{plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
         )
+
+
+def _copies(terminal: Terminal, packages: Iterable[PackageSummary]) -> Iterator[str]:
+    """Yield which packages are copies of others' projects, and how to count them all the same."""
+    copies = [package for package in packages if package.copy_of]
+    if not copies:
+        return
+    names = ", ".join(package.name for package in copies[:COPIES])
+    more = f" and {len(copies) - COPIES:,} more" if len(copies) > COPIES else ""
+    kind = "copy of another project, and counts" if len(copies) == 1 else "copies of other projects, and count"
+    verb = "is a" if len(copies) == 1 else "are"
+    yield from _quiet(
+        terminal,
+        terminal.clean(
+            f"{plural(len(copies), 'package')} {verb} {kind} as vendored code: {names}{more}. To count as own code: "
+            f'own = ["{copies[0].path}/**"] below [workspace] in roslens.toml'
+        ),
+    )
 
 
 def _amounts(groups: Iterable[RuleGroup]) -> str:

@@ -1,15 +1,16 @@
 """The packages below given paths and the files of each, from one walk over the folders.
 
-Nothing but manifests is opened.
+Nothing is opened but manifests, change logs and the configuration of the repository.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence, Set
 from operator import attrgetter
 from pathlib import Path
-from posixpath import dirname
+from posixpath import basename, dirname
 
 import msgspec
 
@@ -18,6 +19,7 @@ from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Package
 from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.copied_packages import CHANGE_LOG, Candidate, copied_packages
 from roslens.source.workspace.globs import compiled
 from roslens.source.workspace.languages import language_by_name
 from roslens.source.workspace.manifest import MANIFEST_NAME, MAXIMUM_SIZE, nameless_package, read_manifest
@@ -75,7 +77,7 @@ def find_workspace(
     seen.repositories.update(_repositories_above(root, starts))
     failures = list(seen.failures)
     packages = [_package(folder, root, settings, seen.repositories, read, failures) for folder in seen.packages[1:]]
-    packages = _distinct(packages, failures)
+    packages = _with_copies(_distinct(packages, failures), root, seen.repositories)
     if outside := _outside(seen.packages[0]):
         packages.append(outside)
     packages.sort(key=lambda found: (found.package.path, found.package.id))
@@ -195,6 +197,53 @@ def _distinct(packages: list[FoundPackage], failures: list[Failure]) -> list[Fou
         else found
         for found in packages
     ]
+
+
+_MOST = 1 << 20
+_REMOTE = re.compile(rb"^\s*url\s*=.*?([\w.-]+?)(?:\.git)?/?\s*$", re.MULTILINE)
+
+
+def _with_copies(packages: list[FoundPackage], root: str, repositories: Set[str]) -> list[FoundPackage]:
+    """Return the packages, those named that were copied from elsewhere into the repository that the root is in."""
+    top = next((folder for folder in (Path(root), *Path(root).parents) if os.path.lexists(folder / ".git")), None)
+    if top is None:
+        return packages
+    checkouts = tuple(f"{folder}/" for folder in repositories if folder)
+    copied = copied_packages(
+        [
+            Candidate(found.package, _log_of(found, root), own_checkout=f"{found.package.path}/".startswith(checkouts))
+            for found in packages
+        ],
+        {basename(root).lower(), *_names_of(top)},
+    )
+    return [
+        msgspec.structs.replace(found, package=msgspec.structs.replace(found.package, copy_of=copied[found.package.id]))
+        if found.package.id in copied
+        else found
+        for found in packages
+    ]
+
+
+def _log_of(found: FoundPackage, root: str) -> Callable[[], bytes] | None:
+    """Return what reads a package's change log; None where it has none."""
+    wanted = f"{found.package.path}/{CHANGE_LOG}" if found.package.path != "." else CHANGE_LOG
+    if all(file.path != wanted for file in found.files):
+        return None
+    return lambda: _content(f"{root}/{wanted}")
+
+
+def _names_of(checkout: Path) -> Set[str]:
+    """Return the names of the repository that is checked out in a folder, in lower case: its, and its remotes'."""
+    remotes = _REMOTE.findall(_content(f"{checkout}/.git/config"))
+    return {checkout.name.lower(), *(name.decode("utf-8", "replace").lower() for name in remotes)}
+
+
+def _content(path: str) -> bytes:
+    """Return what a file holds; nothing where it is too large, or cannot be read."""
+    try:
+        return read_bounded(path, _MOST)
+    except OSError:
+        return b""
 
 
 _SOURCE = frozenset(

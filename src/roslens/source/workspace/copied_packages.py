@@ -1,0 +1,168 @@
+"""Packages of others' projects that were committed into a repository beside its own packages.
+
+The manifest and the change log keep where a package is from. A package came from elsewhere where it was released by
+itself (a ``CHANGELOG.rst`` of bloom with the date of a release) or where its manifest names a repository that is named
+as the package or as a folder around it. It is at home all the same
+
+* at the root of the workspace, in a repository of that name, or in a checkout of its own;
+* where half of all packages or more have its version, or name its repository;
+* where its people, or others of their organisation, maintain a package that did not come from elsewhere, and so are
+  all packages of its version.
+
+Where nothing is left that is at home, everything is: such a workspace was put together from projects.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence, Set
+from functools import lru_cache
+
+import msgspec
+
+from roslens.model.source import Package, Person
+
+CHANGE_LOG = "CHANGELOG.rst"
+"""Where bloom expects what changed in a release, beside the manifest."""
+
+_TITLE = re.compile(rb"^Changelog for package ([\w-]+)", re.MULTILINE)
+_RELEASE = re.compile(rb"^\d+\.\d+\.\d+ \(\d{4}-\d\d-\d\d\)", re.MULTILINE)
+_REPOSITORY = re.compile(r"(?:github\.com|gitlab\.com|bitbucket\.org)[/:]([\w.-]+/[\w.-]+)", re.IGNORECASE)
+_ANYBODY = re.compile(
+    r"(?:g(?:oogle)?mail|outlook|hotmail|live|yahoo|icloud|me|mail|gmx|web|proton(?:mail)?|qq|163|126|naver|yandex)\."
+    r"[\w.]+|(?:users\.noreply\.)?github\.com|todo\.todo|(?:example|test)\.\w+|todo|localhost",
+    re.IGNORECASE,
+)
+"""Hosts of addresses that say nothing of an organisation."""
+_HALF = 0.5
+
+
+class Candidate(msgspec.Struct, frozen=True):
+    """A package of a workspace, and what can be known of where it is from.
+
+    Attributes:
+        package: as its manifest declares it.
+        read_log: returns its change log; None where it has none.
+        own_checkout: whether its folder, or one around it below the root, is a checkout by itself.
+    """
+
+    package: Package
+    read_log: Callable[[], bytes] | None
+    own_checkout: bool = False
+
+
+def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping[str, str]:
+    """Return the packages that are copies, by id, with what each is a copy of.
+
+    Args:
+        candidates: all packages of the workspace.
+        homes: names that the repository of the workspace itself has, in lower case.
+    """
+    named = {one.package.id: repositories_named(one.package) for one in candidates}
+    released = {one.package.id for one in candidates if one.read_log is not None and _is_released(one)}
+    elsewhere = [one for one in candidates if _is_from_elsewhere(one, released, named, homes)]
+    if not elsewhere:
+        return {}
+    versions, repositories = _usual(candidates, released, named)
+    away = [
+        one
+        for one in elsewhere
+        if repositories.isdisjoint(named[one.package.id])
+        and not (one.package.id in released and one.package.version in versions)
+    ]
+    ids = {one.package.id for one in away}
+    at_home = [one for one in candidates if one.package.id not in ids]
+    people = {key for one in at_home for key in _people(one.package)}
+    kept = [one for one in away if not people.isdisjoint(_people(one.package))]
+    kept_versions = {one.package.version for one in kept if one.package.id in released}
+    ids -= {one.package.id for one in kept}
+    ids -= {one.package.id for one in away if one.package.id in released and one.package.version in kept_versions}
+    if not at_home:
+        return {}
+    return {one.package.id: _origin(one.package, named) for one in away if one.package.id in ids}
+
+
+@lru_cache(maxsize=4096)
+def _repositories_in(urls: tuple[str, ...]) -> tuple[str, ...]:
+    found = (match.lower().removesuffix(".git") for url in urls for match in _REPOSITORY.findall(url))
+    return tuple(dict.fromkeys(found))
+
+
+def repositories_named(package: Package) -> tuple[str, ...]:
+    """Return the repositories that the URLs of a manifest name, as ``owner/name`` in lower case."""
+    return _repositories_in(tuple(url.url for url in package.urls))
+
+
+def _is_released(one: Candidate) -> bool:
+    """Return whether the change log has the package's name in its title and the date of a release."""
+    if one.read_log is None:
+        return False
+    text = one.read_log()
+    title = _TITLE.search(text)
+    return title is not None and title[1].decode("ascii", "replace") == one.package.name and bool(_RELEASE.search(text))
+
+
+def _is_from_elsewhere(
+    one: Candidate, released: Set[str], named: Mapping[str, tuple[str, ...]], homes: Set[str]
+) -> bool:
+    package = one.package
+    if package.path in ("", ".") or one.own_checkout:
+        return False
+    names = _names(named[package.id])
+    if not names.isdisjoint(homes):
+        return False
+    return package.id in released or _is_in_its_folder(package, names)
+
+
+def _names(repositories: Sequence[str]) -> Set[str]:
+    return {repository.partition("/")[2] for repository in repositories}
+
+
+def _is_in_its_folder(package: Package, names: Set[str]) -> bool:
+    """Return whether a repository that the manifest names is named as the package, or as a folder around it."""
+    return not names.isdisjoint((package.name.lower(), *package.path.lower().split("/")))
+
+
+def _usual(
+    candidates: Sequence[Candidate], released: Set[str], named: Mapping[str, tuple[str, ...]]
+) -> tuple[Set[str], Set[str]]:
+    """Return the versions in which at least half of all packages were released, and the repositories so many name.
+
+    A repository that lies in a folder of its name is not usual, and no version of its packages is: packages of others
+    may be the most.
+    """
+    most = _HALF * len(candidates)
+    versions = Counter(one.package.version for one in candidates if one.package.id in released)
+    repositories = Counter(name for one in candidates for name in named[one.package.id])
+    inside = [one for one in candidates if _is_around(one.package, named[one.package.id])]
+    return (
+        {version for version, count in versions.items() if count >= most} - {one.package.version for one in inside},
+        {name for name, count in repositories.items() if count >= most}
+        - {name for one in inside for name in named[one.package.id]},
+    )
+
+
+def _is_around(package: Package, repositories: Sequence[str]) -> bool:
+    """Return whether a repository that the manifest names is named as a folder around the package's."""
+    return not _names(repositories).isdisjoint(package.path.lower().split("/")[:-1])
+
+
+@lru_cache(maxsize=4096)
+def _keys(person: Person) -> tuple[str, ...]:
+    email = person.email.strip().lower()
+    host = email.rpartition("@")[2]
+    organisation = f"@{host}" if host and not _ANYBODY.fullmatch(host) else ""
+    address = email if organisation or (host and not host.startswith(("todo", "example", "test"))) else ""
+    name = person.name.strip().lower()
+    return tuple(key for key in (address, organisation, name if " " in name else "") if key)
+
+
+def _people(package: Package) -> tuple[str, ...]:
+    """Return what tells the people of a package: addresses, hosts of their organisations, full names."""
+    return tuple(key for person in (*package.maintainers, *package.authors) for key in _keys(person))
+
+
+def _origin(package: Package, named: Mapping[str, tuple[str, ...]]) -> str:
+    """Return what a copied package is a copy of: the repository that it names, or its name; with its version."""
+    return " ".join(part for part in (next(iter(named[package.id]), package.name), package.version) if part)

@@ -1,0 +1,164 @@
+"""Packages that were copied into a repository: which they are, and which only look so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+from roslens.model.source import Role
+from roslens.source.inventory import take_inventory
+from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.find import find_workspace
+
+Tree = Callable[[Mapping[str, str | bytes]], Path]
+
+
+def manifest(
+    name: str, version: str = "0.0.0", who: str = "Ada|ada@uni.edu", url: str = "", kind: str = "repository"
+) -> str:
+    person, _, email = who.partition("|")
+    link = f'<url type="{kind}">{url}</url>' if url else ""
+    return (
+        f"<package><name>{name}</name><version>{version}</version><description>What {name} does.</description>"
+        f'<maintainer email="{email}">{person}</maintainer><license>MIT</license>{link}</package>'
+    )
+
+
+def log(name: str, version: str = "0.3.6", day: str = "2020-02-03") -> str:
+    title = f"Changelog for package {name}"
+    return f"{'^' * len(title)}\n{title}\n{'^' * len(title)}\n\n{version} ({day})\n------------------\n* fix\n"
+
+
+CAMERA = "https://github.com/ros-drivers/usb_cam"
+STRANGER = "Ben Bot|ben@drivers.org"
+OWN = {
+    ".git/HEAD": "",
+    "src/robot/package.xml": manifest("robot", who="Ada L|ada@gmail.com"),
+    "src/robot/src/a.cpp": "int a;",
+    "src/base/package.xml": manifest("base"),
+}
+
+
+def copied(root: Path) -> dict[str, str]:
+    found = find_workspace([root], WorkspaceSettings()).packages
+    return {one.package.name: one.package.copy_of for one in found if one.package.copy_of}
+
+
+def test_a_released_package_of_strangers_is_a_copy(tree: Tree) -> None:
+    root = tree(
+        {
+            **OWN,
+            "src/usb_cam/package.xml": manifest("usb_cam", "0.3.6", STRANGER),
+            "src/usb_cam/CHANGELOG.rst": log("usb_cam"),
+        }
+    )
+    assert copied(root) == {"usb_cam": "usb_cam 0.3.6"}
+
+
+def test_a_package_that_names_another_repository_of_its_name_is_a_copy(tree: Tree) -> None:
+    root = tree({**OWN, "src/usb_cam/package.xml": manifest("usb_cam", "0.3.6", STRANGER, f"{CAMERA}.git")})
+    assert copied(root) == {"usb_cam": "ros-drivers/usb_cam 0.3.6"}
+
+
+def test_a_package_in_a_folder_named_as_the_repository_is_a_copy(tree: Tree) -> None:
+    url = "https://github.com/stereolabs/zed-ros-wrapper/issues"
+    path = "src/zed-ros-wrapper/zed_node/package.xml"
+    root = tree({**OWN, path: manifest("zed_node", "2.7.0", STRANGER, url, "bugtracker")})
+    assert copied(root) == {"zed_node": "stereolabs/zed-ros-wrapper 2.7.0"}
+
+
+def test_its_files_are_vendored_unless_the_user_says_otherwise(tree: Tree) -> None:
+    root = tree(
+        {
+            **OWN,
+            "src/usb_cam/package.xml": manifest("usb_cam", "0.3.6", STRANGER, CAMERA),
+            "src/usb_cam/src/b.cpp": "int b;",
+        }
+    )
+
+    def roles(settings: WorkspaceSettings) -> dict[str, Role]:
+        files = take_inventory(find_workspace([root], settings), settings, {}).files
+        return {file.path: file.role for group in files.values() for file in group}
+
+    found = roles(WorkspaceSettings())
+    assert found["src/usb_cam/src/b.cpp"] is found["src/usb_cam/package.xml"] is Role.VENDORED
+    assert found["src/robot/src/a.cpp"] is Role.OWN
+    assert roles(WorkspaceSettings(own=("src/usb_cam/**",)))["src/usb_cam/src/b.cpp"] is Role.OWN
+
+
+AT_HOME: dict[str, dict[str, str]] = {
+    "a log without a release": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER),
+        "src/arm/CHANGELOG.rst": "Changelog for package arm\n\nForthcoming\n-----\n",
+    },
+    "the log of another package": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER),
+        "src/arm/CHANGELOG.rst": log("robot", "1.2.0"),
+    },
+    "a URL that a template wrote": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER, "https://github.com/ros-planning/moveit2"),
+    },
+    "people of the same organisation": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", "Bo|bo@uni.edu"),
+        "src/arm/CHANGELOG.rst": log("arm", "1.2.0"),
+    },
+    "the same person with another address": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", "Ada L|ada@arms.org"),
+        "src/arm/CHANGELOG.rst": log("arm", "1.2.0"),
+    },
+    "a version of which one package is at home": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", "Bo|bo@uni.edu"),
+        "src/arm/CHANGELOG.rst": log("arm", "1.2.0"),
+        "src/leg/package.xml": manifest("leg", "1.2.0", STRANGER),
+        "src/leg/CHANGELOG.rst": log("leg", "1.2.0"),
+    },
+    "half of all packages": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER),
+        "src/arm/CHANGELOG.rst": log("arm", "1.2.0"),
+        "src/leg/package.xml": manifest("leg", "1.2.0", STRANGER),
+        "src/leg/CHANGELOG.rst": log("leg", "1.2.0"),
+    },
+    "a checkout of its own": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER, "https://github.com/a/arm"),
+        "src/arm/.git/HEAD": "",
+    },
+    "a remote of that name": {
+        "src/arm/package.xml": manifest("arm", "1.2.0", STRANGER, "https://github.com/a/arm"),
+        ".git/config": '[remote "origin"]\n\turl = git@github.com:fork/arm.git\n',
+    },
+}
+
+
+@pytest.mark.parametrize("case", AT_HOME)
+def test_at_home(case: str, tree: Tree) -> None:
+    assert copied(tree({**OWN, **AT_HOME[case]})) == {}
+
+
+def test_a_workspace_of_nothing_but_projects_is_at_home(tree: Tree) -> None:
+    root = tree(
+        {
+            ".git/HEAD": "",
+            "src/usb_cam/package.xml": manifest("usb_cam", "0.3.6", STRANGER, CAMERA),
+            "src/arm/package.xml": manifest("arm", "1.2.0", "C D|c@arms.org", "https://github.com/a/arm"),
+            "src/leg/package.xml": manifest("leg", "1.3.0", "E F|e@legs.org", "https://github.com/a/leg"),
+        }
+    )
+    assert copied(root) == {}
+
+
+def test_without_a_repository_nothing_was_copied_into_it(tree: Tree) -> None:
+    files = {**OWN, "src/usb_cam/package.xml": manifest("usb_cam", "0.3.6", STRANGER, CAMERA)}
+    del files[".git/HEAD"]
+    assert copied(tree(files)) == {}
+
+
+def test_the_most_packages_may_be_of_others(tree: Tree) -> None:
+    files = dict(OWN)
+    for name in ("cam_node", "cam_tools", "cam"):
+        files[f"src/cams/{name}/package.xml"] = manifest(name, "0.3.6", STRANGER, "https://github.com/d/cams")
+        files[f"src/cams/{name}/CHANGELOG.rst"] = log(name)
+    files["src/cams/cam_msgs/package.xml"] = manifest("cam_msgs", "0.3.6", STRANGER)
+    files["src/cams/cam_msgs/CHANGELOG.rst"] = log("cam_msgs")
+    assert sorted(copied(tree(files))) == ["cam", "cam_msgs", "cam_node", "cam_tools"]

@@ -372,6 +372,14 @@ def test_the_page_of_references_says_what_is_about_nothing():
     assert asking.get("/accepted.yaml").headers["content-disposition"].startswith("attachment")
 
 
+def test_without_a_reference_the_page_says_so_and_counts_nothing():
+    robot = ScriptedRobot()
+    assert robot.page.end_at(robot.now)
+    page = board_client(robot).get("/references").text
+    assert "No reference was given, or this is a stored history" in page
+    assert "0 constraints" not in page
+
+
 def test_what_a_constraint_is_about_leads_to_what_runs():
     page = board_client(ScriptedRobot()).get("/references").text
     assert 'topic <a class="entity" href="./?select=topic%3A/scan">/scan</a>' in page

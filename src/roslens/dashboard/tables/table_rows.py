@@ -16,14 +16,7 @@ def rows_html(table: Table, link: Link) -> Markup:
     """Return the ``tr`` elements of a table; every text of a cell is escaped."""
     digits = table.digits()
     most = [table.most(place) if column.bar else 0.0 for place, column in enumerate(table.columns)]
-    named = 2 if table.columns and table.columns[0].kind == "mark" else 1
-    labels = [
-        _label(column) if table.stacked and (place >= named or column.kind == "number") else ""
-        for place, column in enumerate(table.columns)
-    ]
-    ends = [
-        _ends(place, column, label) for (place, column), label in zip(enumerate(table.columns), labels, strict=True)
-    ]
+    ends = _all_ends(table)
     parts: list[str] = []
     for number, row in enumerate(table.rows):
         parts.append(f'<tr data-id="{escape(table.identities[number])}">' if table.identities else "<tr>")
@@ -38,6 +31,16 @@ def rows_html(table: Table, link: Link) -> Markup:
             parts.append(f"{opening}{sortable}>{bar}{inner}{closing}")
         parts.append("</tr>\n")
     return Markup("".join(parts))  # noqa: S704 - every text was escaped above
+
+
+def _all_ends(table: Table) -> list[tuple[str, str]]:
+    """Return what the cells of each column begin and end with."""
+    named = 2 if table.columns and table.columns[0].kind == "mark" else 1
+    found = []
+    for place, column in enumerate(table.columns):
+        labelled = table.stacked and (place >= named or column.kind == "number")
+        found.append(_ends(place, column, _label(column) if labelled else ""))
+    return found
 
 
 def _ends(place: int, column: Column, label: str) -> tuple[str, str]:

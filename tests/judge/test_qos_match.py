@@ -44,5 +44,5 @@ def test_what_offers_itself_and_what_offers_most_fits(qos):
 def test_the_words_say_what_is_lost():
     (one,) = mismatches(Qos(), Qos(deadline_s=0.1))
     assert (one.requested, one.offered, one.asks) == (
-        "a deadline of 0.1 s", "no deadline", "to be notified when a message is late",
+        "a deadline of 0.1 s", "no deadline", "a notification of late messages",
     )  # fmt: skip

@@ -30,9 +30,9 @@ class Mismatch(msgspec.Struct, frozen=True, order=True):
 
 
 _STRICT = (
-    ("reliability", "reliable", "best_effort", "that what is lost is sent again"),
-    ("durability", "transient_local", "volatile", "for what was published before it came"),
-    ("liveliness", "manual_by_topic", "automatic", "that the publisher itself says that it lives"),
+    ("reliability", "reliable", "best_effort", "the retransmission of lost messages"),
+    ("durability", "transient_local", "volatile", "messages published before it started"),
+    ("liveliness", "manual_by_topic", "automatic", "the publisher itself to assert its liveliness"),
 )
 
 
@@ -47,8 +47,8 @@ def mismatches(offered: Qos, requested: Qos) -> Iterator[Mismatch]:
         if getattr(requested, policy) == strict and getattr(offered, policy) == lax:
             yield Mismatch(policy, strict, lax, asks)
     for policy, want, give, asks in (
-        ("deadline", requested.deadline_s, offered.deadline_s, "to be notified when a message is late"),
-        ("lease", requested.lease_s, offered.lease_s, "to be notified when the publisher is gone"),
+        ("deadline", requested.deadline_s, offered.deadline_s, "a notification of late messages"),
+        ("lease", requested.lease_s, offered.lease_s, "a notification when the publisher is gone"),
     ):
         if want and (not give or give > want):
             lax = f"one of {give:g} s" if give else f"no {policy}"

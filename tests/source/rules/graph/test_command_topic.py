@@ -12,8 +12,8 @@ def findings(*nodes, **surroundings):
 def test_two_nodes_that_drive_are_told():
     (one,) = findings(node("/joy", end("pub", "/cmd_vel", TWIST, 2)), node("/nav", end("pub", "/cmd_vel", TWIST, 4)))
     assert one.message == (
-        "2 nodes publish commands on /cmd_vel: /joy (src/joy.cpp:2), /nav (src/nav.cpp:4). The last one to speak is "
-        "obeyed; let a multiplexer choose between them."
+        "2 nodes publish commands on /cmd_vel: /joy (src/joy.cpp:2), /nav (src/nav.cpp:4). The last message is obeyed; "
+        "let a multiplexer choose between them."
     )
 
 

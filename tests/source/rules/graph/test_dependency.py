@@ -46,4 +46,4 @@ def test_the_innermost_package_counts():
 def test_what_a_dependency_brings_along_is_a_note():
     (one,) = findings(package("slam", "laser_geometry"))
     assert one.severity is Severity.NOTE
-    assert "does not depend on `sensor_msgs`. It is there because `laser_geometry` brings it along. Add" in one.message
+    assert "`sensor_msgs`. It is available because `laser_geometry` depends on it. Add" in one.message

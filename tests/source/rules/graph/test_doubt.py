@@ -34,7 +34,7 @@ def test_nodes_that_may_never_run_together_are_a_note():
     severity, doubt = weighed_apart(weighed(Severity.ERROR, (CERTAIN,), ("x",))[1])
     assert severity is Severity.NOTE
     assert str(doubt) == (
-        " In doubt: no launch file says that these nodes run together, and under these names; only if `x`."
+        " In doubt: no launch file states that these nodes run together under these names; only if `x`."
     )
 
 

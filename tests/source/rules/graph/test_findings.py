@@ -75,4 +75,4 @@ def test_what_may_never_run_together():
         "graph.qos": "note",
         "graph.global_name": "note",
     } | {one: value for one, value in together.items() if one in ("graph.private_data", "graph.queue")}
-    assert all("no launch file says" in one.message for one in apart if one.rule in ("graph.type", "graph.qos"))
+    assert all("no launch file states" in one.message for one in apart if one.rule in ("graph.type", "graph.qos"))

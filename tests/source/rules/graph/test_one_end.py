@@ -19,7 +19,7 @@ def test_two_names_that_mean_each_other_are_one_finding_at_the_end_that_waits():
     assert one.severity is Severity.NOTE
     assert (one.path, one.line) == ("src/slam.cpp", 8)
     assert one.message == (
-        "/slam (src/slam.cpp:8) subscribes to the topic /scan_row, which nobody publishes. Candidate: /scan_raw of "
+        "/slam (src/slam.cpp:8) subscribes to the topic /scan_row, which has no publisher. Candidate: /scan_raw of "
         "/lidar (src/lidar.cpp:3), nearly the same name. Correct or remap one of the two names."
     )
 
@@ -48,7 +48,7 @@ def test_a_name_that_is_used_by_both_sides_is_no_candidate():
 def test_services_and_actions_need_a_server():
     found_ones = findings(node("/a", end("call", "/load", "m/srv/Load"), end("ask", "/dock", "m/action/Dock")))
     assert [one.entity for one in found_ones] == ["action:/dock", "service:/load"]
-    assert all(one.severity is Severity.NOTE and "which nobody serves" in one.message for one in found_ones)
+    assert all(one.severity is Severity.NOTE and "which has no server" in one.message for one in found_ones)
 
 
 def test_what_is_joined_and_what_is_elsewhere_is_none():
@@ -69,14 +69,14 @@ def test_nodes_of_the_catalogue_offer_more_than_is_used():
 def test_a_node_that_is_not_known_may_be_the_other_end():
     (one,) = findings(node("/a", end("sub", "/scan")), node("/driver", known=False))
     assert one.severity is Severity.NOTE
-    assert one.message.endswith("In doubt: what /driver makes is unknown.")
+    assert one.message.endswith("In doubt: the endpoints of /driver are unknown.")
 
 
 def test_a_name_that_is_not_known_neither_raises_nor_satisfies():
     (one,) = findings(node("/a", end("sub", "/scan")), node("/b", end("pub", "/*", resolved=False, line=5)))
     assert one.entity == "topic:/scan"
     assert one.severity is Severity.NOTE
-    assert "the name is unknown of /b (src/b.cpp:5)" in one.message
+    assert "the name is unknown for /b (src/b.cpp:5)" in one.message
 
 
 def test_nodes_that_stand_alone_only_tell_candidates():
@@ -152,7 +152,10 @@ def test_a_name_that_a_parameter_gives_to_a_node_which_does_not_use_it_is_a_note
         "Parameter `pose` (launch/robot.launch.xml:9) gives the name to /control, which does not use it." in one.message
     )
     (one,) = findings(truth, node("/control", end("sub", "/*", resolved=False), parameters=pose))
-    assert (one.severity, "not all of the code of /control was understood" in one.message) == (Severity.NOTE, True)
+    assert (one.severity, "the code of /control could not be analysed completely" in one.message) == (
+        Severity.NOTE,
+        True,
+    )
 
 
 def test_nothing_is_expected_of_a_node_that_is_not_known_or_has_what_every_node_has():
@@ -180,7 +183,7 @@ def test_a_configuration_that_is_not_whole_is_in_doubt():
     missing = Unresolved("other/b.launch", PROOF, "there is no such file in the workspace", opens=True)
     (one,) = found(msgspec.structs.replace(whole, unresolved=(missing,)), Surroundings())
     assert one.severity is Severity.NOTE
-    assert "the configuration is not whole: what `other/b.launch` (src/x.cpp:1) starts is unknown" in one.message
+    assert "incomplete: the nodes that `other/b.launch` (src/x.cpp:1) starts are unknown" in one.message
     other = msgspec.structs.replace(missing, opens=False)
     (one,) = found(msgspec.structs.replace(whole, unresolved=(other,)), Surroundings())
     assert one.severity is Severity.NOTE

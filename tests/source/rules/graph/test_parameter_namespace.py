@@ -25,7 +25,7 @@ def test_a_private_parameter_that_is_read_globally_is_a_warning():
     assert (one.severity, one.line, one.entity) == (Severity.WARNING, 4, "parameter:/slam:/slam/rate")
     assert one.message == (
         "parameter `/slam/rate` is set (launch/robot.launch.xml:4), but /slam (src/slam.cpp:12) reads `/rate`, which "
-        "nobody sets: the value has no effect. Set it outside of the node, or read `~rate`."
+        "is not set: the value has no effect. Set it outside of the node, or read `~rate`."
     )
     assert not list(undeclared(configuration(slam, generation="ros1"), Surroundings())), "one mistake is one finding"
 
@@ -41,7 +41,7 @@ def test_a_global_parameter_that_is_read_privately_is_a_warning():
     assert (one.severity, one.line, one.entity) == (Severity.WARNING, 2, "parameter:/slam:/rate")
     assert one.message == (
         "parameter `/rate` is set (launch/robot.launch.xml:2), but /slam (src/slam.cpp:12) reads `/slam/rate`, which "
-        "nobody sets: the value has no effect. Set it within the node, or read `/rate`."
+        "is not set: the value has no effect. Set it within the node, or read `/rate`."
     )
 
 
@@ -50,7 +50,7 @@ def test_a_global_parameter_may_be_of_a_node_that_is_not_known():
     shared = (parameter("/rate", set_by=launched(2), **SET),)
     (one,) = findings(slam, node("/driver", known=False), parameters=shared)
     assert one.severity is Severity.NOTE
-    assert "nobody knows what /driver read" in one.message
+    assert "the parameters that /driver read are unknown" in one.message
 
 
 def test_what_is_read_as_set_or_set_as_read_is_none():

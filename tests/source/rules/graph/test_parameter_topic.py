@@ -26,8 +26,9 @@ def test_a_topic_in_a_namespace_that_is_not_there():
     assert (one.path, one.line, one.severity) == ("launch/a.launch", 3, Severity.WARNING)
     assert one.entity == "parameter:/driver:path_topic"
     assert one.message == (
-        "parameter `path_topic` is set to `/opponent/path`, a topic that nobody has: there is no node and no name in "
-        "`/opponent`. /driver is not known to use the parameter. Correct the name, or start who has the topic."
+        "parameter `path_topic` is set to `/opponent/path`, a topic that no node has: there is no node and no name in "
+        "`/opponent`. /driver is not known to use the parameter. Correct the name, or start the node that has the "
+        "topic."
     )
     assert "is not known to use" not in findings("path_topic", "/opponent/path", access="declared")[0].message
 
@@ -54,7 +55,7 @@ def test_unknown_names_and_nodes_may_have_it():
     assert not findings("path_topic", "/opponent/path", end("sub", "/*/path", resolved=False))
     (one,) = findings("path_topic", "/opponent/path", others=(node("/b", known=False),))
     assert one.severity is Severity.NOTE
-    assert "In doubt: nobody knows what /b may have." in one.message
+    assert "In doubt: the topics of /b are unknown." in one.message
     assert not findings("path_topic", "/opponent/path", others=(node("/opponent", end("pub", "/x")),))
 
 

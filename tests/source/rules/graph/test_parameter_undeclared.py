@@ -45,7 +45,7 @@ def test_doubt_makes_it_a_note():
         unresolved=(Unresolved("", CODE, "a macro", "/a"),),
     )
     assert one.severity is Severity.NOTE
-    assert "not all of the code of /a was understood" in one.message
+    assert "the code of /a could not be analysed completely" in one.message
     (one,) = findings(node("/a", end("pub", "/x"), parameters=(parameter("gain", set_by=FILE),)))
     assert one.severity is Severity.NOTE
     assert "no parameter of the code of /a is known" in one.message

@@ -17,9 +17,9 @@ def test_a_subscription_that_gets_nothing_is_an_error_that_names_both_ends():
     assert one.severity is Severity.ERROR
     assert (one.path, one.line, one.entity) == ("src/slam.cpp", 9, "topic:/scan")
     assert one.message == (
-        "/slam (src/slam.cpp:9) requests reliable on /scan, /lidar (src/lidar.cpp:7) offers best_effort: it gets "
-        "nothing at all (it asks that what is lost is sent again). Offer reliable at the publisher or request "
-        "best_effort at the subscription."
+        "/slam (src/slam.cpp:9) requests reliable on /scan, /lidar (src/lidar.cpp:7) offers best_effort: it "
+        "receives nothing (it requires the retransmission of lost messages). Offer reliable at the publisher or "
+        "request best_effort at the subscription."
     )
 
 
@@ -40,7 +40,7 @@ def test_a_subscription_that_others_feed_loses_one_of_them():
     )
     assert one.severity is Severity.WARNING
     assert "/c (src/c.cpp:1) requests transient_local on /map, /a (src/a.cpp:1) offers volatile" in one.message
-    assert "nothing of this publisher, but of others" in one.message
+    assert "nothing from this publisher, but from others" in one.message
 
 
 def test_one_problem_is_told_once_however_many_pairs_have_it():

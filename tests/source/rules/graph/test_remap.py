@@ -41,7 +41,7 @@ def test_a_remapping_that_stands_behind_the_node_that_has_the_name():
     simulator = node("/gazebo", end("pub", "/camera/left/image_raw"), line=36)
     (one,) = findings(simulator, node("/a", known=False, remaps=(group,)), node("/b", known=False, remaps=(group,)))
     assert (one.rule, one.entity, one.severity.value) == ("graph.remap", "node:/gazebo", "note")
-    assert "holds for 2 nodes" in one.message
+    assert "applies to 2 nodes" in one.message
     assert "/gazebo (launch/robot.launch.xml:36) does, and is outside of it" in one.message
 
 

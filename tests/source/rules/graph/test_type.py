@@ -69,7 +69,7 @@ def test_words_of_two_nodes_are_two_values():
         node("/b", end("sub", "/cmd", "g/msg/TwistStamped", 4, conditions=("is_stamped_", "#if A"))),
     )
     assert one.severity is Severity.NOTE
-    assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`; where both nodes" in one.message
+    assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`; if both nodes" in one.message
 
 
 def test_a_type_of_the_same_definition_under_another_name_is_the_same():

@@ -27,13 +27,18 @@ class GraphRules:
         name="graph",
         interface=INTERFACE_VERSION,
         version="1.0",
-        text="Finds what does not fit together in the computation graph: names, types, quality of service, parameters.",
+        text="Finds inconsistencies in the computation graph: names, types, quality of service, parameters.",
         scopes=("configuration",),
         rules=tuple(rule for rule, _found in RULES),
         options=(
-            Option("command_topics", "list", "Patterns of topics whose messages move something.", list(COMMAND_TOPICS)),
-            Option("external", "list", "Patterns of names whose other end is usually elsewhere.", list(EXTERNAL)),
-            Option("fast_hz", "float", "Messages a second from which on a topic is a fast one.", FAST_HZ),
+            Option("command_topics", "list", "Patterns of topics whose messages cause motion.", list(COMMAND_TOPICS)),
+            Option(
+                "external",
+                "list",
+                "Patterns of names whose other end is usually outside the workspace.",
+                list(EXTERNAL),
+            ),
+            Option("fast_hz", "float", "Rate from which a topic is considered fast, in messages per second.", FAST_HZ),
         ),
     )
 

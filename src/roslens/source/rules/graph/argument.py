@@ -13,13 +13,13 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.argument",
-    "Launch argument that is missing or wrong",
-    "A launch file that is started with certain arguments, by `roslens.toml` or on the command line, lacks one that it "
-    "declares without a default, is given one that it does not declare, or one whose value is none of its choices. "
-    "Without such a start an argument that must be given is no mistake: the file is meant to be given it.",
+    "Missing or invalid launch argument",
+    "A launch file that is started with certain arguments, by `roslens.toml` or on the command line, is missing one "
+    "that it declares without a default, is given one that it does not declare, or one whose value is not among its "
+    "choices. Without such a start a required argument is not reported: it is meant to be given by the caller.",
     Severity.ERROR,
     ("ros", "graph", "launch"),
-    "Launching ends at once where an argument is missing; one that is not declared is ignored without a word.",
+    "Launching fails if an argument is missing; an undeclared one is ignored silently.",
     tool=TOOL,
     scope="configuration",
 )

@@ -15,11 +15,11 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.command_topic",
     "Several publishers of a command",
-    "More than one node publishes on a topic whose messages move something, as cmd_vel or the commands of joints. "
-    "`command_topics` in `[options.graph]` says which topics these are. Let a multiplexer choose the source.",
+    "More than one node publishes on a topic whose messages cause motion, such as cmd_vel or joint commands. "
+    "`command_topics` in `[options.graph]` defines these topics. Let a multiplexer choose the source.",
     Severity.WARNING,
     ("ros", "graph", "safety"),
-    "The receiver obeys whoever spoke last: commands alternate, and a stop is overruled by the next message.",
+    "The receiver obeys the last message received: commands alternate, and a stop is overruled by the next message.",
     tool=TOOL,
     scope="configuration",
 )
@@ -53,7 +53,7 @@ def _told(name: str, publishers: list[End]) -> Finding:
     severity, doubt = weighed(RULE.severity, (first.one.proof, second.one.proof), conditions_of(first, second))
     message = (
         f"{len(publishers)} nodes publish commands on {name}: {listed([end.label for end in publishers])}. "
-        "The last one to speak is obeyed; let a multiplexer choose between them."
+        "The last message is obeyed; let a multiplexer choose between them."
     )
     names = " ".join(sorted(end.node.name for end in publishers))
     return occurrence(

@@ -14,11 +14,11 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.definition",
     "Two definitions of one type",
-    "Ends of one topic, service or action have types of the same name with different fields: their MD5 sums (ROS 1) or "
-    "type hashes (ROS 2) differ. Build all nodes against the same version of the interface package.",
+    "Endpoints of one topic, service or action have types of the same name with different fields: their MD5 sums (ROS "
+    "1) or type hashes (ROS 2) differ. Build all nodes against the same version of the interface package.",
     Severity.ERROR,
     ("ros", "graph", "type", "connectivity"),
-    "ROS 1 refuses the connection; ROS 2 may join the ends and read one definition with the other.",
+    "ROS 1 refuses the connection; ROS 2 may connect the endpoints and deserialize messages with the wrong definition.",
     tool=TOOL,
     scope="configuration",
 )

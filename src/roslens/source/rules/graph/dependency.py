@@ -15,12 +15,13 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.dependency",
-    "Interface package that is not declared",
+    "Undeclared dependency on an interface package",
     "Code of a package uses a message, service or action of another package that its package.xml does not depend on. "
-    "What a dependency brings along is a note: it is there until that one changes its mind. Add `<depend>`.",
+    "If the other package is a transitive dependency, it is a note: it may disappear with a change of the dependency. "
+    "Add `<depend>`.",
     Severity.NOTE,
     ("ros", "graph", "dependencies", "package"),
-    "It builds where the package happens to be installed and fails on a clean machine or the build farm.",
+    "It builds if the package happens to be installed, and fails on a clean machine or the build farm.",
     tool=TOOL,
     scope="configuration",
 )
@@ -67,9 +68,9 @@ def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...])
     severity, doubt = weighed(
         Severity.NOTE if along else RULE.severity,
         (end.one.proof,),
-        more=f"`{perhaps}` may bring it along" if perhaps else "",
+        more=f"`{perhaps}` may depend on it" if perhaps else "",
     )
-    only = f" It is there because `{along}` brings it along." if along else ""
+    only = f" It is available because `{along}` depends on it." if along else ""
     message = (
         f"{end.label} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
         f"`{owner}`.{only} Add `<depend>{owner}</depend>`."

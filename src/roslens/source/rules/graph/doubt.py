@@ -11,7 +11,7 @@ from roslens.model.finding import Severity
 
 _STEPS = {"certain": 0, "likely": 1, "possible": 2}
 _BY_RANK = (Severity.NOTE, Severity.WARNING, Severity.ERROR)
-_APART = "no launch file says that these nodes run together, and under these names"
+_APART = "no launch file states that these nodes run together under these names"
 
 
 class Doubt(msgspec.Struct, frozen=True):

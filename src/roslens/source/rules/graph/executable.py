@@ -17,10 +17,11 @@ RULE = RuleInfo(
     "graph.executable",
     "Node that is not installed",
     "A launch file starts an executable, or loads a component or nodelet, that its package does not install. Only "
-    "packages of the workspace whose build is understood in full are held against it. Correct the name, or install it.",
+    "packages of the workspace whose build could be evaluated completely are checked. Correct the name, or install "
+    "it.",
     Severity.ERROR,
     ("ros", "graph", "launch", "package"),
-    "Launching fails, or goes on without the node, on the machine where it matters.",
+    "Launching fails, or continues without the node, on the target machine.",
     tool=TOOL,
     scope="configuration",
 )

@@ -189,7 +189,7 @@ def _by_parameter(of_name: Sequence[End], view: View) -> Expected | None:
     own = {one.node.name for one in of_name}
     for node, one in view.named.get(of_name[0].name, ()):
         if node.name not in own and one.set_by is not None:
-            doubt = "" if node.name in view.owners else f"not all of the code of {node.name} was understood"
+            doubt = "" if node.name in view.owners else f"the code of {node.name} could not be analysed completely"
             return Expected(
                 f"Parameter `{one.name}` ({one.set_by.place}) gives the name to {node.name}, which does not use it. "
                 "Let its code take the name from the parameter, or correct the value.",

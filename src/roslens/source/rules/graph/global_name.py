@@ -14,11 +14,13 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.global_name",
     "Global name in code",
-    "Code names a topic, service or action with a leading `/`. Names that all nodes share by convention, as /tf and "
-    "/clock, are left out. Use a relative name, or `~/` for what belongs to the node, and let launch files place it.",
+    "Code names a topic, service or action with a leading `/`. Names that are global by convention, such as /tf and "
+    "/clock, are not reported. Use a relative name, or `~/` for names that belong to the node, and let launch files "
+    "assign the namespace.",
     Severity.NOTE,
     ("ros", "graph", "names", "reuse"),
-    "A namespace does not move a global name: a second robot, or the node twice, talks on the topics of the first.",
+    "A namespace does not change a global name: a second robot, or a second instance of the node, uses the topics of "
+    "the first.",
     tool=TOOL,
     scope="configuration",
 )

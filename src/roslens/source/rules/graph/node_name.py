@@ -15,15 +15,15 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.node_name",
-    "Two nodes of one name",
-    "Two nodes that run together have the same resolved name. Nodes whose names get a random end, those that "
-    "only their own code names, which is unknown, and those of which only one is started because of opposite "
-    "conditions, are left out; programs of ROS 2 that end once they have done their work, as spawners do, are a note. "
-    "Give each a name or a namespace of its own.",
+    "Two nodes with the same name",
+    "Two nodes that run together have the same resolved name. Nodes with a random suffix in their name, nodes whose "
+    "name is set only by code and unknown, and alternatives of which opposite conditions start only one are not "
+    "reported; ROS 2 programs that exit after completing their task, such as spawners, are a note. Give each node its "
+    "own name or namespace.",
     Severity.ERROR,
     ("ros", "graph", "names", "launch"),
-    "ROS 1 shuts the first one down when the second comes. In ROS 2 both run, but services, parameters and life cycle "
-    "of the two cannot be told apart.",
+    "ROS 1 shuts down the first one when the second starts. In ROS 2 both run, but their services, parameters and "
+    "life cycles cannot be distinguished.",
     tool=TOOL,
     scope="configuration",
 )
@@ -58,7 +58,7 @@ def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, 
         (first.proof, second.proof),
         (*first.conditions, *second.conditions),
     )
-    effect = "the first is shut down when the second starts" if ros1 else "they cannot be told apart"
+    effect = "the first is shut down when the second starts" if ros1 else "they cannot be distinguished"
     more = f" {count} nodes have this name." if count > 2 else ""
     message = (
         f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "

@@ -14,19 +14,19 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.one_end",
-    "One end only",
-    "A topic, service or action is used by one side only. Most such names are the interface of a node to what is "
-    "started beside it, so this is a note. Where the other end is expected, the message says why: another node has "
-    "nearly the same name, or the same one in another namespace, with the same type, and that one is used by one side "
-    "too; the name is below that of a node of the configuration which has none of it; or a parameter gives it to a "
-    "node that does not use it. Topics with subscribers alone are listed, those with publishers alone only where their "
-    "type is one of the workspace. In a configuration that `roslens.toml` declares to be the whole system "
-    "(`whole = true`), a subscription without a publisher and a client without a server are warnings. Names whose "
-    "other end is usually elsewhere are left out; `external` in `[options.graph]` lists them.",
+    "Endpoint without a counterpart",
+    "A topic, service or action is used by one side only. Most such names are the interface of a node to other "
+    "programs, so this is a note. If the other end is expected, the message states why: another node has nearly the "
+    "same name, or the same one in another namespace, with the same type, and it is also used by one side only; the "
+    "name is below that of a node of the configuration that has no such endpoint; or a parameter passes it to a node "
+    "that does not use it. Topics with subscribers only are listed, those with publishers only if their type is "
+    "defined in the workspace. In a configuration that `roslens.toml` declares to be the whole system (`whole = "
+    "true`), a subscription without a publisher and a client without a server are warnings. Names whose other end is "
+    "usually outside the workspace are not reported; `external` in `[options.graph]` lists them.",
     Severity.NOTE,
     ("ros", "graph", "names", "connectivity"),
-    "A name that is mistyped, remapped wrongly or in the wrong namespace joins nothing, and no node notices: "
-    "a subscription waits for ever.",
+    "A name that is mistyped, remapped incorrectly or in the wrong namespace connects nothing, and no node reports "
+    "it: a subscription waits for ever.",
     tool=TOOL,
     scope="configuration",
 )
@@ -46,7 +46,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     own = {one.name for one in surroundings.packages}
     view = view_of(configuration, named, lonely)
     paired: set[tuple[str, str]] = set()
-    # Those that wait come first: what nobody hears is seldom what is wrong.
+    # Those that wait come first: a publisher without subscribers is seldom the mistake.
     for key, of_name in sorted(lonely.items(), key=lambda item: item[1][0].role not in WAITING):
         if key in paired or _is_part_of_action(key, view) or key in view.implicit or _is_known_to_be_open(of_name):
             continue
@@ -92,13 +92,12 @@ def _told(
         more=_missing(view) or (_more_doubt(end, view) if why is None else why.doubt),
     )
     said = listed([f"{one.label} {WORDS[one.role]}" for one in of_name])
-    missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}
-    nobody = missing[kind][0 if waits else 1]
-    message = f"{said} the {kind} {name}, which nobody {nobody}."
+    missing = ("publisher", "subscriber") if kind == "topic" else ("server", "client")
+    message = f"{said} the {kind} {name}, which has no {missing[0 if waits else 1]}."
     if why is not None:
         message += f" {why.words}"
     elif waits:
-        message += " Start what provides it, or correct the name."
+        message += " Start the node that provides it, or correct the name."
     if not doubt and end.one.given and end.one.given != name:
         message += f" It is given as `{end.one.given}`."
     if not surroundings.together:
@@ -113,16 +112,16 @@ def _missing(view: View) -> str:
     if not view.missing:
         return ""
     places = listed([f"`{one.text[:60]}` ({one.proof.place})" for one in view.missing])
-    return f"the configuration is not whole: what {places} starts is unknown"
+    return f"the configuration is incomplete: the nodes that {places} starts are unknown"
 
 
 def _more_doubt(end: End, view: View) -> str:
     """Return in words what may be the other end without being known."""
     if view.unknown:
         names = listed([node.name for node in view.unknown])
-        return f"what {names} make{'s' if len(view.unknown) == 1 else ''} is unknown"
+        return f"the endpoints of {names} are unknown"
     wanted = OTHER[end.role]
     open_ends = [one for one in view.unresolved if one.role is wanted and types_fit(end, one)]
     if open_ends:
-        return f"the name is unknown of {listed([one.label for one in open_ends])}"
+        return f"the name is unknown for {listed([one.label for one in open_ends])}"
     return ""

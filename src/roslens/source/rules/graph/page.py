@@ -10,21 +10,22 @@ from roslens.plugins.points import Option
 _HEAD = """\
 # Rules of the computation graph
 
-What does not fit together once launch files and code are joined: names, types, quality of service, parameters.
-`roslens graph --launch FILE --check` tells it, `roslens explain graph.qos` shows a rule. This page is made from
-`src/roslens/source/rules/graph/`; `make docs` writes it anew.
+Inconsistencies between launch files and code: names, types, quality of service, parameters.
+`roslens graph --launch FILE --check` reports them, `roslens explain graph.qos` describes a rule. This page is generated
+from `src/roslens/source/rules/graph/` by `make docs`.
 
-- A finding stands at the line that shows it, and names the other end with its place.
-- One problem is one finding, however many pairs of ends have it.
-- A name of which a part is unknown raises nothing and answers nothing. Where it might be the missing end, that is said.
-- What is likely, or only holds under a condition, is one step less severe; what is possible is a note. The message says
-  why.
-- Without a launch file nobody knows whether nodes run together, and under which names: what fits badly between two of
-  them is a note, and rules about a whole system are silent.
-- What every node has is left out, and so are names whose other end is usually elsewhere.
-- `roslens check` finds the same in the configurations that `roslens.toml` declares, as part of a run: with a gate, in
-  every report. How many findings of each rule are true is [measured](../accuracy_of_graph_rules.md).
-  A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.
+- A finding is located at the line that causes it, and names the other end with its location.
+- One problem is one finding, regardless of the number of pairs of endpoints that have it.
+- A name with an unknown part neither triggers nor satisfies a rule. If it might be the missing end, the message states
+  this.
+- A finding that is likely, or only applies under a condition, is one step less severe; a possible one is a note. The
+  message states why.
+- Without a launch file it is unknown whether nodes run together, and under which names: inconsistencies between two of
+  them are notes, and rules about a whole system are not applied.
+- Endpoints that every node has are not reported, nor are names whose other end is usually outside the workspace.
+- `roslens check` applies the same rules to the configurations that `roslens.toml` declares, as part of a run: with a
+  gate, in every report. The precision of each rule is [measured](../accuracy_of_graph_rules.md).
+  A comment such as `roslens: ignore[graph.qos]` in the line suppresses a finding, as for any rule.
 
 | rule | severity | finds |
 | --- | --- | --- |

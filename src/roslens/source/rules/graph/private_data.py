@@ -17,12 +17,13 @@ _WORD = re.compile(rb"\w+")
 RULE = RuleInfo(
     "graph.private_data",
     "Private data on a shared name",
-    "A node publishes a topic that only itself subscribes to, or serves what only itself calls, the name is not a "
-    "private one, its type is one of the workspace, and no other file of the workspace names it. Data of types that "
-    "everybody knows, as a map, is meant for others. Use `~/name`, or a call within the program.",
+    "A node publishes a topic that only it subscribes to, or offers a service or action that only it calls; the name "
+    "is not private, its type is defined in the workspace, and no other file of the workspace contains the name. Data "
+    "of common types, such as a map, is assumed to be for others. Use `~/name`, or a call within the program.",
     Severity.NOTE,
     ("ros", "graph", "names", "reuse"),
-    "What only concerns one node collides with another node, or a second one of its kind, that chooses the same name.",
+    "A name used internally by one node collides with that of another node, or of a second instance, that chooses the "
+    "same name.",
     tool=TOOL,
     scope="configuration",
 )

@@ -15,14 +15,15 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.remap",
     "Remapping that matches nothing",
-    "No node in the scope of a remapping uses the name that it remaps. Nodes whose code is unknown, or not understood "
-    "everywhere, are taken to use it, except where a node outside of a remapping for several nodes has the name: it "
-    "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, "
-    "and a note where it may be left over; what every node has, "
-    "as /tf, is left out. Correct the name, or move or remove the remapping.",
+    "No node in the scope of a remapping uses the name that it remaps. Nodes whose code is unknown, or not completely "
+    "analysed, are assumed to use it, except if a node outside the scope of a remapping for several nodes has the "
+    "name: a remapping applies only to the actions after it in its group or file. It is a warning if a similar name "
+    "of a node was apparently meant, and a note if the remapping may be obsolete; names that every node has, such as "
+    "/tf, are not reported. Correct the name, or move or remove the remapping.",
     Severity.NOTE,
     ("ros", "graph", "names", "launch"),
-    "The node keeps its name and the one meant stays unconnected; nothing says that a remapping had no effect.",
+    "The node keeps its name, and the intended one remains unconnected; ROS does not report that a remapping had no "
+    "effect.",
     tool=TOOL,
     scope="configuration",
 )
@@ -87,13 +88,13 @@ def _uses(node: ConfiguredNode, name: str) -> bool:
 
 def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list[ConfiguredNode]) -> Finding:
     severity, doubt = weighed(
-        RULE.severity, (one.proof,), node.conditions, more="the code of some nodes that it holds for is unknown"
+        RULE.severity, (one.proof,), node.conditions, more="the code of some nodes that it applies to is unknown"
     )
     places = [f"{user.name} ({user.proof.place})" for user in users]
     who, verbs = listed(places), "does, and is" if len(set(places)) == 1 else "do, and are"
     message = (
-        f"remapping of `{one.source}` to `{one.target}` holds for {count} nodes, of which none is known to use the "
-        f"name. {who} {verbs} outside of it: a remapping holds for what follows it in its group or file. "
+        f"remapping of `{one.source}` to `{one.target}` applies to {count} nodes, none of which is known to use "
+        f"the name. {who} {verbs} outside of it: a remapping applies to what follows it in its group or file. "
         "Move it in front of the node, or into it."
     )
     context = f"{one.source}:={one.target}"

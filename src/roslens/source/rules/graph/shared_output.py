@@ -14,13 +14,13 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.shared_output",
-    "Output that was not kept apart",
-    "Two nodes of one program publish on the same topic, while other topics that they publish are remapped to names of "
-    "their own. Remap this one too, or give each node a namespace.",
+    "Output without a remapping of its own",
+    "Two nodes of one program publish on the same topic, while other topics that they publish are remapped to "
+    "separate names. Remap this one as well, or give each node a namespace.",
     Severity.WARNING,
     ("ros", "graph", "names", "launch"),
-    "A second camera or arm is started from a copy of the first: with one remapping forgotten, the data of both is "
-    "mixed on one topic, and nobody finds it under the names that were meant.",
+    "The launch description of a second camera or arm is a copy of the first: if one remapping is forgotten, the data "
+    "of both is mixed on one topic, and is missing under the intended names.",
     tool=TOOL,
     scope="configuration",
 )

@@ -13,12 +13,12 @@ from roslens.source.rules.graph.surroundings import Surroundings, Transform
 
 RULE = RuleInfo(
     "graph.transform",
-    "Frame that is placed twice",
-    "Two nodes publish the transform to one frame, from two parents or from the same. Only what command lines of "
-    "static_transform_publisher say is known. Remove one of the two.",
+    "Frame published twice",
+    "Two nodes publish the transform to one frame, from different parents or from the same one. Only transforms on "
+    "command lines of static_transform_publisher are known. Remove one of the two.",
     Severity.WARNING,
     ("ros", "graph", "tf"),
-    "Frames are a tree: of two parents the one that spoke last counts, so that positions jump or look-ups fail.",
+    "Frames form a tree: of two parents the one published last is used, so that positions jump or look-ups fail.",
     tool=TOOL,
     scope="configuration",
 )

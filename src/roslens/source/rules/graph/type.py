@@ -14,18 +14,18 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.type",
-    "Two types on one name",
-    "Ends of one topic, service or action have different types. Types that are unknown, and those that stand for any, "
-    "fit all; where one node has the name with both types and may choose, it is a note. Give one of them another name, "
-    "or both the same type.",
+    "Two types for one name",
+    "Endpoints of one topic, service or action have different types. Unknown types, and those that accept any type, "
+    "match all; if one node has the name with both types and may choose, it is a note. Rename one of them, or use one "
+    "type for both.",
     Severity.ERROR,
     ("ros", "graph", "type", "connectivity"),
-    "The ends are never joined; in ROS 1 the connection is refused with a line in a log, in ROS 2 what happens differs "
-    "from middleware to middleware: nothing, garbage, or a crash.",
+    "The endpoints are never connected. ROS 1 refuses the connection and logs a message; in ROS 2 the effect depends "
+    "on the middleware: no messages, corrupted messages, or a crash.",
     tool=TOOL,
     scope="configuration",
 )
-_APART = "where both nodes decide this alike, they have one type"
+_APART = "if both nodes decide alike, they have the same type"
 _SAME = {"tf/tfMessage": "tf2_msgs/TFMessage"}
 """Types of ROS 1 that have the definition of another one: connections compare definitions, not names."""
 _ANY = frozenset({"*", "topic_tools/ShapeShifter", "topic_tools/msg/ShapeShifter"})
@@ -93,7 +93,7 @@ def _told(
         f"{listed([f'{end.label} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )
     message = (
-        f"{kind} {name} has {len(ranked)} types: {said}. They are never joined. "
+        f"{kind} {name} has {len(ranked)} types: {said}. They are never connected. "
         f"Give all of them one type, or {bad.type} another name."
     )
     return occurrence(

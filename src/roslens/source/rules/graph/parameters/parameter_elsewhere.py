@@ -13,11 +13,11 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.parameter_elsewhere",
     "Private parameter of another node",
-    "Code of a node of ROS 1 reads a parameter below the name of another node. It is a warning where the other node "
-    "reads it too, as it does where code was copied, and a note otherwise. Read `~name`.",
+    "Code of a ROS 1 node reads a parameter below the name of another node. It is a warning if the other node reads "
+    "it too, as in copied code, and a note otherwise. Read `~name`.",
     Severity.NOTE,
     ("ros", "graph", "parameters", "names"),
-    "What is set for the node has no effect on it, and what is set for the other one has an effect on both.",
+    "Values set for the node have no effect on it, and values set for the other one affect both.",
     tool=TOOL,
     scope="configuration",
 )

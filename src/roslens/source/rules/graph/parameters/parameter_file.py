@@ -15,12 +15,12 @@ from roslens.source.rules.graph.surroundings import Ignored, Surroundings
 RULE = RuleInfo(
     "graph.parameter_file",
     "Parameter file for another node",
-    "A file of parameters is given to a node, and none of its keys is the name of this node or a pattern for it. "
-    "The name in the file must be the whole resolved name: `/ns/node`, or `node` in the root namespace, or `/**`.",
+    "A parameter file is passed to a node, and none of its keys is the name of this node or a pattern that matches "
+    "it. The name in the file must be the fully resolved name: `/ns/node`, or `node` in the root namespace, or `/**`. "
+    "It is a note if the file is for other nodes that run: one file for many nodes is common.",
     Severity.ERROR,
     ("ros", "graph", "parameters", "launch"),
-    "The whole file is ignored without a word; the node runs with its defaults, and asking it for its parameters "
-    "confirms them. It is a note only where the file is of other nodes that run: one file for many is usual.",
+    "The whole file is ignored silently; the node runs with its defaults, which `ros2 param` shows as its parameters.",
     tool=TOOL,
     scope="configuration",
 )

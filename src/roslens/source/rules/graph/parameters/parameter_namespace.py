@@ -17,12 +17,12 @@ RULE = RuleInfo(
     "graph.parameter_namespace",
     "Parameter in another namespace",
     "A launch file of ROS 1 sets a private parameter of a node (`~x`, as `<param>` within `<node>` does) whose code "
-    "reads that name globally or in the namespace of the node, where nobody sets it; or it sets the name there, where "
-    "nobody reads it, and the code reads `~x`, which nobody sets. Move the `<param>` into the node or out of it, or "
+    "reads that name globally or in the namespace of the node, where it is not set; or it sets the name there, where "
+    "no node reads it, and the code reads `~x`, which is not set. Move the `<param>` into the node or out of it, or "
     "read the other name.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "names", "launch"),
-    "The value is ignored without a word and the node runs with its default.",
+    "The value is ignored silently, and the node runs with its default.",
     tool=TOOL,
     scope="configuration",
 )
@@ -134,7 +134,7 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
     assert proof is not None  # noqa: S101 - only parameters that are set are misplaced
     assert code is not None  # noqa: S101 - and that code reads
     node = one.node.name
-    more = f"nobody knows what {listed(unknown)} read" if unknown and not one.private else ""
+    more = f"the parameters that {listed(unknown)} read are unknown" if unknown and not one.private else ""
     severity, doubt = weighed(RULE.severity, (proof, code), one.node.conditions, more=more)
     private = f"~{(one.set if one.private else one.read).name.removeprefix(f'{node}/')}"
     advice = (
@@ -144,7 +144,7 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
     )
     message = (
         f"parameter `{one.set.name}` is set ({proof.place}), but {node} ({code.place}) reads `{one.read.name}`, which "
-        f"nobody sets: the value has no effect. {advice}."
+        f"is not set: the value has no effect. {advice}."
     )
     entity = f"parameter:{node}:{one.set.name}"
     return occurrence(RULE, message, proof, entity=entity, severity=severity, context=one.read.name, doubt=doubt)

@@ -14,14 +14,14 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.parameter_range",
-    "Parameter outside of its range",
-    "A parameter is set, or declared by default, with a value outside of the range that its declaration gives "
-    "(`integer_range`, `floating_point_range`, `bounds<>`, a `.cfg` file), or with none of the values that it allows "
-    "(`one_of<>`). Choose a value that is allowed, or widen the range.",
+    "Parameter out of range",
+    "A parameter is set, or declared by default, with a value outside the range of its declaration (`integer_range`, "
+    "`floating_point_range`, `bounds<>`, a `.cfg` file), or with a value that is not among the allowed ones "
+    "(`one_of<>`). Choose an allowed value, or widen the range.",
     Severity.ERROR,
     ("ros", "graph", "parameters", "launch"),
-    "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 dynamic_reconfigure takes the "
-    "nearest end of the range.",
+    "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 dynamic_reconfigure uses the "
+    "nearest limit of the range.",
     tool=TOOL,
     scope="configuration",
 )

@@ -15,15 +15,15 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.parameter_topic",
-    "Parameter that names no topic",
-    "A parameter whose name ends with `topic` is set to a global name below a node or namespace that is not there, and "
-    "no node of the configuration has a topic of that name. Only nodes whose code is known are looked at; names that "
-    "may be those of unknown parts, and names whose other end is usually elsewhere, are left out. It is a warning in a "
-    "configuration that `roslens.toml` declares to be the whole system, a note in others. Correct the value, or start "
-    "who has the topic.",
+    "Parameter with an unknown topic",
+    "A parameter whose name ends with `topic` is set to a global name below a node or namespace that does not exist, "
+    "and no node of the configuration has a topic of that name. Only nodes with known code are checked; names that "
+    "may belong to unknown parts, and names whose other end is usually outside the workspace, are not reported. It is "
+    "a warning in a configuration that `roslens.toml` declares to be the whole system, otherwise a note. Correct the "
+    "value, or start the node that has the topic.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "names", "launch"),
-    "What was to be connected by the parameter is not, as after a copy from another node.",
+    "The intended connection is missing, as after copying the parameters of another node.",
     tool=TOOL,
     scope="configuration",
 )
@@ -74,7 +74,7 @@ def _own(one: ConfiguredParameter, node: ConfiguredNode, *, ros1: bool) -> bool:
 
 
 def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *, whole: bool) -> Finding:
-    more = f"nobody knows what {listed(unknown)} may have" if unknown else ""
+    more = f"the topics of {listed(unknown)} are unknown" if unknown else ""
     # What is not in the configuration may be started beside it.
     usual = RULE.severity if whole else Severity.NOTE
     severity, doubt = weighed(usual, (one.set_by,), (*node.conditions, *one.conditions), more=more)
@@ -83,8 +83,8 @@ def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *,
     space = "/" + (one.value or "").split("/")[1]
     unread = "" if one.access else f" {node.name} is not known to use the parameter."
     message = (
-        f"parameter `{one.name}` is set to `{one.value}`, a topic that nobody has: there is no node and no name in "
-        f"`{space}`.{unread} Correct the name, or start who has the topic."
+        f"parameter `{one.name}` is set to `{one.value}`, a topic that no node has: there is no node and no name in "
+        f"`{space}`.{unread} Correct the name, or start the node that has the topic."
     )
     return occurrence(
         RULE,

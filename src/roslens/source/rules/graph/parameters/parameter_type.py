@@ -12,10 +12,10 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.parameter_type",
-    "Parameter of another type",
-    "A parameter is set with a value of another type than the code declares or reads it with, as YAML tells types "
-    'apart: `1` is an integer, `1.0` a double, `"1"` a string. ROS 2 is strict, also between integer and double; ROS 1 '
-    "converts numbers. Write the value in the type that the code has.",
+    "Parameter with the wrong type",
+    "A parameter is set with a value of another type than the code declares or reads, by the rules of YAML: `1` is an "
+    'integer, `1.0` a double, `"1"` a string. ROS 2 is strict, also between integer and double; ROS 1 converts '
+    "numbers. Write the value in the type that the code expects.",
     Severity.ERROR,
     ("ros", "graph", "parameters", "launch"),
     "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 the default is used silently.",

@@ -18,14 +18,15 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.parameter_undeclared",
-    "Parameter that nobody knows",
-    "A launch file or a file of parameters sets a parameter that the node never declares (ROS 2) or reads (ROS 1). "
-    "Nodes whose code is unknown are left out, and so is what every node has. It is a warning where the node knows a "
-    "name that is nearly the same, else a note: a library or plug-in may read it. Correct the name, or remove it. "
-    "Many of one file and one doubt are one finding; `others` in the JSON of `roslens graph --check` names the rest.",
+    "Undeclared parameter",
+    "A launch file or a parameter file sets a parameter that the node never declares (ROS 2) or reads (ROS 1). Nodes "
+    "whose code is unknown, and parameters that every node has, are not reported. It is a warning if the node has a "
+    "parameter of a similar name, otherwise a note: a library or plug-in may read it. Correct the name, or remove it. "
+    "Parameters of one file with the same doubt are one finding; `others` in the JSON of `roslens graph --check` "
+    "lists the rest.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "launch"),
-    "The value is ignored without a word and the node runs with its default.",
+    "The value is ignored silently, and the node runs with its default.",
     tool=TOOL,
     scope="configuration",
 )
@@ -160,7 +161,7 @@ def _told(
     near = "" if others else nearest_name(one.name, known)
     why = ""
     if is_open and not _differs_in_letters(near, one.name):
-        why = f"not all of the code of {node.name} was understood"
+        why = f"the code of {node.name} could not be analysed completely"
     elif not known:
         why = f"no parameter of the code of {node.name} is known"
     elif _may_be_of_plugin(one, ros1=ros1):

@@ -14,13 +14,13 @@ from roslens.source.rules.graph.surroundings import Surroundings, Wait
 
 RULE = RuleInfo(
     "graph.deadlock",
-    "Service call that waits for itself",
-    "A callback of a node of ROS 2 calls a service and waits for the answer, while the client is in the same mutually "
-    "exclusive callback group as the callback (all that is given no group is in one). Give the client a group of its "
-    "own and use an executor with several threads, or take the answer in a callback.",
+    "Deadlock of a service call",
+    "A callback of a ROS 2 node calls a service and waits for the response, while the client is in the same mutually "
+    "exclusive callback group as the callback (without an explicit group, both are in the default one). Give the "
+    "client a group of its own and use a multi-threaded executor, or handle the response in a callback.",
     Severity.ERROR,
     ("ros", "graph", "services", "deadlock"),
-    "The answer arrives and is never taken, for its group is busy with the callback that waits: the node hangs.",
+    "The response arrives but is never processed, because its group is busy with the waiting callback: the node hangs.",
     tool=TOOL,
     scope="configuration",
     url="https://docs.ros.org/en/rolling/How-To-Guides/Using-callback-groups.html",

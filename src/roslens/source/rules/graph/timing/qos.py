@@ -17,15 +17,16 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 RULE = RuleInfo(
     "graph.qos",
-    "Quality of service that does not fit",
+    "Incompatible quality of service",
     "A subscription requests more than a publisher of its topic offers: reliable against best effort, transient local "
-    "against volatile, a shorter deadline or lease, a stricter liveliness. The two are never joined. It is an error "
-    "where the subscription gets nothing from anybody, a warning where it loses one of its publishers. What is unknown "
-    "is taken to fit. Offer more at the publisher, or request less at the subscription.",
+    "against volatile, a shorter deadline or lease duration, a stricter liveliness. The two are never connected. It "
+    "is an error if the subscription receives nothing from any publisher, a warning if it loses one of its "
+    "publishers. Unknown policies are assumed to be compatible. Offer more at the publisher, or request less at the "
+    "subscription.",
     Severity.ERROR,
     ("ros", "graph", "qos", "connectivity"),
-    "Publisher and subscription are both there and look joined, but no message arrives and neither of them fails: the "
-    "middleware tells it once, in a warning that is easily lost.",
+    "Publisher and subscription both exist and seem connected, but no message arrives and neither of them fails: the "
+    "middleware only logs one warning, which is easily missed.",
     tool=TOOL,
     scope="configuration",
     url="https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Quality-of-Service-Settings.html",
@@ -86,14 +87,14 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     requested = ", ".join(one.requested for one in lacking)
     offered = ", ".join(one.offered for one in lacking)
     asks = "; ".join(one.asks for one in lacking)
-    loss = "it gets nothing at all" if starved else "it gets nothing of this publisher, but of others"
+    loss = "it receives nothing" if starved else "it receives nothing from this publisher, but from others"
     rest = len({(one.publisher.key, one.subscription.key) for one in joined}) - 1
     others = [one.subscription.label for one in joined if one.subscription.key != subscription.key]
     others += [one.publisher.label for one in joined if one.publisher.key != publisher.key]
     more = f" The same between {rest} more pair{'s' if rest > 1 else ''}: {listed(others)}." if rest else ""
     message = (
         f"{subscription.label} requests {requested} on {name}, {publisher.label} offers {offered}: {loss} "
-        f"(it asks {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription."
+        f"(it requires {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription."
     )
     context = " ".join((*(one.policy for one in lacking), subscription.node.name, publisher.node.name))
     return occurrence(

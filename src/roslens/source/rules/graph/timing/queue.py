@@ -15,12 +15,12 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.queue",
     "Queue of one on a fast topic",
-    "A subscription keeps one message, of a topic that comes best effort and at a high rate: as fast as the timer of "
-    "its publisher, where the publisher has timers and no other cause to publish. `fast_hz` in `[options.graph]` says "
-    "what a high rate is. Where only the newest message counts it is right, and needs no change.",
+    "A subscription has a queue of one message, for a topic that is published best effort and at a high rate: that of "
+    "the publisher's timer, if the publisher has timers and no other trigger. `fast_hz` in `[options.graph]` defines "
+    "a high rate. If only the newest message matters, no change is needed.",
     Severity.NOTE,
     ("ros", "graph", "qos"),
-    "Each message that comes while a callback runs takes the place of the one before: what is lost is not counted.",
+    "Each message received while a callback runs replaces the previous one; lost messages are not counted.",
     tool=TOOL,
     scope="configuration",
 )

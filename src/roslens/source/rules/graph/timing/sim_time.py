@@ -17,12 +17,13 @@ from roslens.source.rules.graph.surroundings import Surroundings
 RULE = RuleInfo(
     "graph.sim_time",
     "Two clocks in one system",
-    "`use_sim_time` is true for some nodes and not for others that run together and use messages with a stamp. Nodes "
-    "for which it is unknown, publishers of static transforms, bridges to a simulator and programs that end once they "
-    "have done their work are left out. Set it for all of them, by one argument.",
+    "`use_sim_time` is true for some nodes and not for others that run together and use stamped messages. Nodes for "
+    "which it is unknown, publishers of static transforms, bridges to a simulator and programs that exit after "
+    "completing their task are not reported. Set it for all nodes, by one argument.",
     Severity.NOTE,
     ("ros", "graph", "parameters", "launch"),
-    "Stamps of the two kinds of node are decades apart: transforms cannot be looked up, messages count as too old.",
+    "The time stamps of the two groups of nodes are decades apart: transforms cannot be looked up, messages are "
+    "considered too old.",
     tool=TOOL,
     scope="configuration",
 )

@@ -79,7 +79,7 @@ def test_every_observer_publishes_what_becomes_wrong_at_once():
     assert lines[0].said == lines[1].said
     diagnostics, rated = lines[0].frames[before:]
     assert [(one.level, one.name) for one in diagnostics.statuses] == [(1, "roslens: topic /scan")]
-    assert [(one.name, one.sentence, one.state) for one in rated.rated.signals] == [("/scan", "r.scan", 5)]
+    assert [(one.name, one.constraint, one.state) for one in rated.rated.signals] == [("/scan", "r.scan", 5)]
     assert before >= now / PERIOD_S
 
 

@@ -53,7 +53,7 @@ def heard(message):
         say("status", time.time(), one.name, level, one.message, one.hardware_id, values)
 def rated(message):
     for one in message.signals:
-        say("rated", time.time(), one.name, one.state, one.sentence, one.severity)
+        say("rated", time.time(), one.name, one.state, one.constraint, one.severity)
 """
 LISTENER1 = (
     HEAR

@@ -139,7 +139,7 @@ def test_explain_for_programs(base: Path, recorded: str, capsys: pytest.CaptureF
     base.write_text(HEAD.format("base") + "- {topic: /cmd_vel, id: drive, rate: '>= 15 Hz'}\n")
     assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--json"]) == 0
     explained = json.loads(capsys.readouterr().out)
-    assert [one["id"] for one in explained["sentences"]] == ["base.drive.rate"]
+    assert [one["id"] for one in explained["constraints"]] == ["base.drive.rate"]
     assert "wrong" not in explained
     assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--bag", recorded, "--json"]) == 0
     (wrong,) = json.loads(capsys.readouterr().out)["wrong"]

@@ -1,6 +1,6 @@
 import msgspec
 
-from roslens.live.publish.diagnostics import ERROR, OK, STALE, WARN, diagnostics, sentence
+from roslens.live.publish.diagnostics import ERROR, OK, STALE, WARN, diagnostics, verdict_message
 from roslens.live.publish.json_lines import event_line, failure_line, verdict_line
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -57,11 +57,11 @@ def test_the_hardware_is_the_host_where_the_entity_is():
 
 
 def test_sentences():
-    assert sentence(verdict(State.ABSENT, quantity="presence", value=None)) == "is expected but not there"
+    assert verdict_message(verdict(State.ABSENT, quantity="presence", value=None)) == "is expected but not there"
     never = msgspec.structs.replace(verdict(State.HIGH, quantity="presence"), range="<= 0")
-    assert sentence(never) == "is there, expected never"
-    assert sentence(verdict(State.ABSENT, value=None)) == "is silent, expected 25..35 Hz"
-    assert sentence(verdict(State.HIGH, cause="host:base")) == (
+    assert verdict_message(never) == "is there, expected never"
+    assert verdict_message(verdict(State.ABSENT, value=None)) == "is silent, expected 25..35 Hz"
+    assert verdict_message(verdict(State.HIGH, cause="host:base")) == (
         "rate is high: 25 Hz, expected 25..35 Hz (because of host:base)"
     )
 

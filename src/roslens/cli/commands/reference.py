@@ -184,7 +184,7 @@ def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[d
         }
         for one in applied
     ]
-    document: dict[str, object] = {"version": 1, "entity": str(entity), "sentences": constraints}
+    document: dict[str, object] = {"version": 1, "entity": str(entity), "constraints": constraints}
     if wrong is not None:
         document["wrong"] = wrong
     print(json.dumps(document, indent=2, ensure_ascii=False))

@@ -14,7 +14,7 @@ from roslens.cli.page.watch_causes import causes_of
 from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.page.watch_screen import urgency
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Picture, Snapshot
-from roslens.live.publish.diagnostics import sentence
+from roslens.live.publish.diagnostics import verdict_message
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
@@ -99,7 +99,7 @@ def event_line(event: Event, clock: Callable[[float], str]) -> Happening:
 def verdict_line(one: Verdict, clock: Callable[[float], str]) -> Happening:
     """Return a change of a verdict as the page lists it, at the time of the change: the fault began before it."""
     entity = shown_text(str(one.entity))
-    detail = shown_text(sentence(one)) if one.state.bad or one.of_observer else _title(one.quantity)
+    detail = shown_text(verdict_message(one)) if one.state.bad or one.of_observer else _title(one.quantity)
     name = shown_name(one.entity.name)
     return Happening(one.time, clock(one.time), f"is {one.state.value}", entity, name, one.state.value, detail)
 
@@ -140,7 +140,7 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
         state=one.state.value,
         # What an error follows from matters as much as the error.
         severity=max([one.severity.value, *(other.severity for other in follows)], key=_GRAVITY.__getitem__),
-        sentence=shown_text(sentence(msgspec.structs.replace(one, cause=""))),
+        sentence=shown_text(verdict_message(msgspec.structs.replace(one, cause=""))),
         since=one.since,
         when=clock(one.since),
         cause=encodable(one.cause),

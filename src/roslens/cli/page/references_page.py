@@ -39,38 +39,40 @@ def references_of(
     reference: Reference, view: SystemView, standing: Sequence[Verdict], graph: Graph, recall: Recall | None, now: float
 ) -> References:
     """Return what is expected, held against what is there."""
-    by_sentence: dict[str, list[Verdict]] = {}
+    by_constraint: dict[str, list[Verdict]] = {}
     for one in standing:
-        by_sentence.setdefault(one.expectation, []).append(one)
+        by_constraint.setdefault(one.expectation, []).append(one)
     # Without nodes it is a recording of topics alone.
     kinds = tuple(EntityKind) if graph.nodes else (EntityKind.TOPIC,)
     there = {*subjects_of(graph), *_sampled(view)}
     advice = {one.constraint.details.id: one.advice for one in unmatched(reference, there, kinds)}
-    sentences = []
-    for said in constraints_of(reference):
-        about = by_sentence.get(said.details.id, [])
+    rows = []
+    for constraint in constraints_of(reference):
+        about = by_constraint.get(constraint.details.id, [])
         # What is expected by its whole name is judged as absent where it is not there.
-        entities = [] if said.details.id in advice else sorted({encodable(str(verdict.entity)) for verdict in about})
+        entities = (
+            [] if constraint.details.id in advice else sorted({encodable(str(verdict.entity)) for verdict in about})
+        )
         states = Counter(verdict.state.value for verdict in about)
-        sentences.append(
+        rows.append(
             ConstraintRow(
-                said.details.id,
-                encodable(subject_words(said)),
-                encodable(expected_words(said)),
-                said.details.severity.value,
-                encodable(said.details.where),
+                constraint.details.id,
+                encodable(subject_words(constraint)),
+                encodable(expected_words(constraint)),
+                constraint.details.severity.value,
+                encodable(constraint.details.where),
                 len(entities),
                 tuple(entities[:MOST_NAMED]),
                 dict(sorted(states.items())),
-                encodable(advice.get(said.details.id, "")),
+                encodable(advice.get(constraint.details.id, "")),
             )
         )
-    sentences.sort(key=lambda one: (bool(one.count), not _deviates(one)))
+    rows.sort(key=lambda one: (bool(one.count), not _deviates(one)))
     proposals = list(_proposals(view, recall, now)) if recall is not None else []
     left_out = max(len(proposals) - MOST_PROPOSED, 0)
     return References(
         tuple(map(encodable, reference.documents)),
-        tuple(sentences),
+        tuple(rows),
         tuple(_twice(standing))[:_MOST_TWICE],
         tuple(proposals[:MOST_PROPOSED]),
         left_out,
@@ -105,9 +107,9 @@ def _twice(standing: Iterable[Verdict]) -> Iterable[Twice]:
     for one in standing:
         key = encodable(str(one.entity)), one.quantity
         found.setdefault(key, []).append((one.expectation, encodable(one.range)))
-    for (entity, quantity), sentences in sorted(found.items()):
-        if len(sentences) > 1:
-            yield Twice(entity, quantity, tuple(sorted(sentences)))
+    for (entity, quantity), constraints in sorted(found.items()):
+        if len(constraints) > 1:
+            yield Twice(entity, quantity, tuple(sorted(constraints)))
 
 
 def _proposals(view: SystemView, recall: Recall, now: float) -> Iterable[Proposal]:

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from roslens.judge.ranges.amount import amount_text
-from roslens.live.publish.diagnostics import sentence
+from roslens.live.publish.diagnostics import verdict_message
 from roslens.live.reported.reported_levels import is_reported
 from roslens.live.system.connection_name import connection_ends
 from roslens.live.system.shown_rows import badge, is_shown, not_judged
@@ -172,7 +172,7 @@ def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[fl
 def alert_line(terminal: Terminal, verdict: Verdict, when: str, lasted: float | None = None) -> str:
     """Return one verdict on one line: when, how it stands, what, why; and how many seconds what is over had lasted."""
     says = verdict.state.bad or verdict.of_observer
-    text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if says else f"{verdict.entity}")
+    text = terminal.clean(f"{verdict.entity}  {verdict_message(verdict)}" if says else f"{verdict.entity}")
     if not says:
         text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
     if lasted is not None:

@@ -95,10 +95,10 @@ def _test_bag(options: argparse.Namespace) -> int:
 
 def line_of(alarm: Alarm, start: float) -> str:
     """Return when an alarm began, counted from ``start``, how long it lasted, and what it says."""
-    from roslens.live.publish.diagnostics import sentence
+    from roslens.live.publish.diagnostics import verdict_message
 
     length = "to the end" if alarm.until == float("inf") else f"for {max(alarm.until - alarm.since, 0):.1f} s"
-    return f"{alarm.since - start:9.2f} s  {length:>11}  {alarm.worst.entity}  {sentence(alarm.worst)}"
+    return f"{alarm.since - start:9.2f} s  {length:>11}  {alarm.worst.entity}  {verdict_message(alarm.worst)}"
 
 
 def _words(expected: ExpectedAlarm) -> str:

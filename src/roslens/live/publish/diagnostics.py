@@ -52,7 +52,7 @@ def _status(entity: EntityId, verdicts: Sequence[Verdict], host: str) -> Status:
     broken = sorted((one for one in verdicts if one.state.bad), key=lambda one: (-_level(one), one.since))
     if broken:
         level = _level(broken[0])
-        message = sentence(broken[0])
+        message = verdict_message(broken[0])
         if len(broken) > 1:
             message += f" (and {len(broken) - 1} more)"
     values = tuple(
@@ -63,10 +63,10 @@ def _status(entity: EntityId, verdicts: Sequence[Verdict], host: str) -> Status:
     return Status(level, f"roslens: {entity.kind.value} {entity.name}", message, host, values)
 
 
-def sentence(verdict: Verdict) -> str:
+def verdict_message(verdict: Verdict) -> str:
     """Return what is wrong in one line: ``rate is low: 12.5 Hz, expected 25..35 Hz; check the cable``."""
     if verdict.entity.kind is EntityKind.OBSERVER:
-        return f"{verdict.evidence}; {verdict.text}" if verdict.evidence else "is heard of again"
+        return f"{verdict.evidence}; {verdict.text}" if verdict.evidence else "reports again"
     if verdict.expectation in _FACTS:
         return f"{verdict.evidence} → {verdict.leads_to}" if verdict.leads_to else verdict.evidence
     if verdict.quantity in _STATES and verdict.state is State.ABSENT:

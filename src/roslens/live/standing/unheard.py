@@ -12,7 +12,7 @@ from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State
 
-_TOLD = Details("roslens.observers", text="What it observes is unknown until it is heard of again")
+_TOLD = Details("roslens.observers", text="What it observes is unknown until it reports again")
 _SAMPLERS = ("agent", "monitor")
 _MEANS = {
     "agent": "the agent of {}",

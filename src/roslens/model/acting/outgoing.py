@@ -31,7 +31,7 @@ class RatedSignal(msgspec.Struct, frozen=True, array_like=True):
 
     kind: str
     name: str
-    sentence: str
+    constraint: str
     quantity: str
     unit: str
     value: float

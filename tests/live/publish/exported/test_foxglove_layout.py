@@ -47,7 +47,7 @@ def test_values_and_fields_are_plotted_with_their_bounds(rover):
     }
     [scan] = [paths for title, paths in plots.items() if title.startswith("topic /scan: rate")]
     assert scan == [
-        f'/rated.signals[:]{{sentence=="rover.topic.scan.rate"}}.{field}' for field in ("value", "low", "high")
+        f'/rated.signals[:]{{constraint=="rover.topic.scan.rate"}}.{field}' for field in ("value", "low", "high")
     ]
     [field] = [paths for title, paths in plots.items() if title.startswith("field ranges[0]")]
     assert field == ["/scan.ranges[0]", "0.1", "30"]

@@ -19,7 +19,7 @@ def test_each_sentence_has_a_rule_that_asks_for_its_verdict(rover):
     scan = next(rule for rule in rules(rover) if "rover.topic.scan.rate" in rule["expr"])
     assert scan["labels"] == {"severity": "error", "reference": "rover", "group": "driving"}
     assert "25 Hz" in scan["annotations"]["summary"]
-    assert scan["annotations"]["sentence"] == "rover.yaml:6"
+    assert scan["annotations"]["constraint"] == "rover.yaml:6"
     assert "for" not in scan
 
 
@@ -67,7 +67,7 @@ tests:
               summary: '{summary}'
               cause: ''
               description: 'Look at "{{{{ the }}}}" cable'
-              sentence: rover.yaml:6
+              constraint: rover.yaml:6
       - eval_time: 8m
         alertname: {name}
         exp_alerts: []

@@ -61,7 +61,7 @@ def _plotted(constraint: ReferenceConstraint, rated: str) -> list[str]:
     if isinstance(constraint, Expectation):
         if '"' in constraint.details.id:
             return []
-        chosen = f'{rated}.signals[:]{{sentence=="{constraint.details.id}"}}'
+        chosen = f'{rated}.signals[:]{{constraint=="{constraint.details.id}"}}'
         return [f"{chosen}.{field}" for field in ("value", "low", "high")]
     if isinstance(constraint, FieldCheck) and constraint.measure is FieldMeasure.VALUE:
         topic = Pattern.parse(constraint.topic).literal

@@ -55,7 +55,7 @@ def _rule(constraint: ReferenceConstraint, reference: Reference) -> dict[str, An
     if details.text:
         annotations["description"] = _literal(details.text)
     if details.where:
-        annotations["sentence"] = _literal(details.where)
+        annotations["constraint"] = _literal(details.where)
     labels = {"severity": details.severity.value, "reference": reference.name}
     if details.group:
         labels["group"] = _literal(details.group)

@@ -12,8 +12,8 @@ from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.rate.monitor import Monitor
 from roslens.live.system.live_tree import LiveTree
 from roslens.live.system.tree import SystemView
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.signals import BY_KEY
-from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
 from roslens.model.traffic.sample import Sample
@@ -66,10 +66,10 @@ def history(draw: Random):
     for number in range(draw.randint(1, 4)):
         publisher, observer = draw.choice(NODES), draw.choice([Observer.INSIDE, Observer.TAP])
         topic, subscriber = draw.choice(TOPICS), draw.choice(["", "/listener", "/second"])
-        voice = draw.choice(["", "", f"base/{number % 2}"])
+        observer_status = draw.choice(["", "", f"base/{number % 2}"])
         for time, tally in reported(draw, publisher, observer, SECONDS * draw.choice([0.3, 1.0])):
             tally = msgspec.structs.replace(tally, topic=topic, subscriber=subscriber)
-            found.append((time, number, "tally", (tally, voice)))
+            found.append((time, number, "tally", (tally, observer_status)))
     for _ in range(draw.randint(2, 8)):
         entity = draw.choice([EntityId(EntityKind.NODE, "/talker"), EntityId(EntityKind.HOST, "base"), ADD])
         key = "response_time_max" if entity is ADD else "cpu"
@@ -96,14 +96,14 @@ class Watched:
     def __init__(self) -> None:
         self.monitor = Monitor(reference(REFERENCE), start=0.0)
 
-    def voice(self, name: str, time: float) -> Voice | None:
-        return self.monitor.hear(name, time) if name else None
+    def observer_status(self, name: str, time: float) -> ObserverStatus | None:
+        return self.monitor.take_report(name, time) if name else None
 
     def take(self, time: float, what: str, value) -> None:
         monitor = self.monitor
         if what == "tally":
             tally, name = value
-            monitor.add_tally(tally, self.voice(name, time))
+            monitor.add_tally(tally, self.observer_status(name, time))
         elif what == "sample":
             monitor.add_sample(value)
         elif what == "graph":

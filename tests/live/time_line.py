@@ -3,8 +3,8 @@
 A time line is a YAML mapping: ``expect`` (sentences), ``presence``, ``traffic`` (stretches of regular messages),
 ``samples``, ``graphs``, ``events``, ``calls`` and ``then``: the state that has to hold at an instant.
 
-``voices`` are observers that speak every so often: what names one as its ``voice`` is reported by it. While one is
-``stopped`` it tells nothing and afterwards all at once; what it tells while its line is ``cut`` comes afterwards, one
+``senders`` are observers that report periodically: rows that name one as their ``sender`` are reported by it. While one
+is ``stopped`` it reports nothing, and afterwards all at once; reports while its line is ``cut`` arrive later, one
 frame after the other. While the monitor is ``away``, which has a row of its own, it looks at nothing; afterwards it
 takes ``reads`` of what waits with each tick.
 """
@@ -174,7 +174,7 @@ def graph(row: dict[str, Any]) -> Graph:
     )
 
 
-class Voice:
+class Sender:
     """An observer of a time line: when what it tells reaches the monitor."""
 
     def __init__(self, row: dict[str, Any]) -> None:
@@ -213,22 +213,22 @@ class Played:
         self.changes: list[tuple[float, Verdict]] = []
         self.standing: list[tuple[float, dict[tuple[str, str], Verdict]]] = []
         actions: list[tuple[float, Any]] = []
-        voices = {row["name"]: Voice(row) for row in line.get("voices", ())}
+        senders = {row["name"]: Sender(row) for row in line.get("senders", ())}
         for row in line.get("traffic", ()):
-            voice = voices.get(row.get("voice"))
+            sender = senders.get(row.get("sender"))
             for at, tally in tallies(row):
-                arrives = voice.delivered(at) if voice else at
-                actions.append((arrives, lambda t=tally, v=voice: self.monitor.add_tally(t, self._heard(v))))
-        for voice in voices.values():
-            for at, looked in voice.frames(line["until"]):
-                actions.append((at, lambda v=voice, t=looked: self._heard(v, t)))
+                arrives = sender.delivered(at) if sender else at
+                actions.append((arrives, lambda t=tally, v=sender: self.monitor.add_tally(t, self._sent_by(v))))
+        for sender in senders.values():
+            for at, looked in sender.frames(line["until"]):
+                actions.append((at, lambda v=sender, t=looked: self._sent_by(v, t)))
         for row in line.get("samples", ()):
             at = float(row.get("from", 0))
             while at < row["to"]:
                 sample = Sample(EntityId.parse(row["entity"]), at, {k: float(v) for k, v in row["values"].items()})
-                voice = voices.get(row.get("voice"))
-                arrives = voice.delivered(at) if voice else at
-                actions.append((arrives, lambda s=sample, v=voice: self.monitor.add_sample(s, self._heard(v))))
+                sender = senders.get(row.get("sender"))
+                arrives = sender.delivered(at) if sender else at
+                actions.append((arrives, lambda s=sample, v=sender: self.monitor.add_sample(s, self._sent_by(v))))
                 at += row.get("every", 1.0)
         for row in line.get("graphs", ()):
             actions.append((row["at"], lambda r=row: self._take_graph(graph(r), r["at"])))
@@ -252,8 +252,8 @@ class Played:
         self._events.append(event)
         self.monitor.add_event(event)
 
-    def _heard(self, voice: Voice | None, looked: float = 0.0) -> Any:
-        return voice and self.monitor.hear(voice.name, looked, of_graph=voice.of_graph)
+    def _sent_by(self, sender: Sender | None, looked: float = 0.0) -> Any:
+        return sender and self.monitor.take_report(sender.name, looked, of_graph=sender.of_graph)
 
     def _run(self, actions: list[tuple[float, Any]], clock: list[dict[str, Any]], until: float) -> None:
         """Tick ten times a second; ``clock`` has the stretches in which time stands or from which on it is shifted."""

@@ -46,7 +46,7 @@ def decided(line: dict[str, Any]) -> list[Decision]:
     return found
 
 
-def robot(voices: dict[str, dict[str, Any]], until: float = UNTIL, **others: Any) -> dict[str, Any]:
+def robot(senders: dict[str, dict[str, Any]], until: float = UNTIL, **others: Any) -> dict[str, Any]:
     """Three hosts with an agent each, an observer of ROS, and sentences about all that they do."""
     named = {"robot/agent": {}, "arm/agent": {}, "base/agent": {}, "base/ros2": {"graph": True}}
     expect = [{"id": f"rate{t}", "name": t, "quantity": "rate", "range": "8..12", "severity": "error"} for t in AGENTS]
@@ -60,18 +60,18 @@ def robot(voices: dict[str, dict[str, Any]], until: float = UNTIL, **others: Any
     presence += [{"id": f"host{h}", "kind": "host", "name": h, "mode": "always"} for h in ("robot", "arm", "base")]
     traffic = [
         {"topic": topic, "publisher": node, "subscriber": "/all", "from": 0, "to": until, "hz": 10,
-         "voice": f"{AGENTS[topic]}/agent", "host": AGENTS[topic]}
+         "sender": f"{AGENTS[topic]}/agent", "host": AGENTS[topic]}
         for node, (topic,) in PUBLISH.items()
     ]  # fmt: skip
     samples = [
-        {"entity": f"host:{host}", "from": 0, "to": until, "values": {"cpu": 40}, "voice": f"{host}/agent"}
+        {"entity": f"host:{host}", "from": 0, "to": until, "values": {"cpu": 40}, "sender": f"{host}/agent"}
         for host in ("robot", "arm", "base")
     ]
     graph = {"at": 0, "nodes": {**NODES, "/all": "base"}, "publish": PUBLISH, "subscribe": {"/all": list(AGENTS)}}
     return {
         "expect": expect, "presence": presence, "traffic": traffic, "samples": samples,
         "graphs": [{**graph, "hosts": ["robot", "arm", "base"]}], "until": until,
-        "voices": [{"name": name, **own, **voices.get(name, {})} for name, own in named.items()],
+        "senders": [{"name": name, **own, **senders.get(name, {})} for name, own in named.items()],
         **others,
     }  # fmt: skip
 

@@ -8,7 +8,7 @@ from roslens.judge.reference.expectation import Reference
 from roslens.live.drafting.draft import Observed
 from roslens.live.drafting.draft_presence import Attendance, types_in
 from roslens.live.join.session import Session, Step
-from roslens.live.window.voice import Voice
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.traffic.tally import Tally
 
 LOOK_S = 1.0
@@ -32,11 +32,11 @@ class DraftSession(Session):
         self._first: float | None = None
         self._next = start
 
-    def rate(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
+    def rate(self, tallies: Iterable[Tally], observer_status: ObserverStatus | None = None) -> None:
         """Keep traffic to draft from."""
         kept = list(tallies)
         self.observed.add_live(kept)
-        super().rate(kept, voice)
+        super().rate(kept, observer_status)
 
     def look(self, now: float) -> Step:
         """Note what is there, and return what is new."""

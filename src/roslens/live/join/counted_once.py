@@ -18,8 +18,8 @@ class CountedOnce:
         """Return whether it is ``sender`` whose word about a place is taken at ``now``."""
         if not place:
             return True
-        teller, heard = self._tellers.get(place, ("", now))
-        free = not teller or not 0 <= now - heard < GIVEN_UP_S
+        teller, last_report = self._tellers.get(place, ("", now))
+        free = not teller or not 0 <= now - last_report < GIVEN_UP_S
         if free or teller == sender or (sender.endswith(MONITOR) and not teller.endswith(MONITOR)):
             self._tellers[place] = (sender, now)
             return True

@@ -35,7 +35,7 @@ class ServiceCalls:
         found = []
         for service in sorted(self._news):
             reported = self._reported[service]
-            for sender in [sender for sender, (heard, _) in reported.items() if now - heard > STALE_S]:
+            for sender in [sender for sender, (last_report, _) in reported.items() if now - last_report > STALE_S]:
                 del reported[sender]
             latest = [sample for _, sample in reported.values()]
             if latest:
@@ -45,7 +45,7 @@ class ServiceCalls:
             self._reported = {
                 service: reported
                 for service, reported in self._reported.items()
-                if any(now - heard <= STALE_S for heard, _ in reported.values())
+                if any(now - last_report <= STALE_S for last_report, _ in reported.values())
             }
         return found
 

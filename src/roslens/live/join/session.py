@@ -23,7 +23,7 @@ from roslens.live.rate.monitor import Monitor
 from roslens.live.system.halted import Halted
 from roslens.live.system.tree import SystemView
 from roslens.live.window.host_clocks import HostClocks
-from roslens.live.window.voice import Voice
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
@@ -121,7 +121,7 @@ class Session:
         self._stretches = OneStretch()
         self._counted = CountedOnce()
         self._services = ServiceCalls()
-        self._readers: dict[str, Voice] = {}
+        self._readers: dict[str, ObserverStatus] = {}
         self._now = self._start = start
         self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
@@ -198,9 +198,9 @@ class Session:
         self._failures.clear()
         return step
 
-    def rate(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
-        """Take traffic that is named, counted once and by one clock, and was reported by ``voice``."""
-        self.monitor.add_tallies(tallies, voice)
+    def rate(self, tallies: Iterable[Tally], observer_status: ObserverStatus | None = None) -> None:
+        """Take traffic that is named, counted once and by one clock, and was reported by ``observer_status``."""
+        self.monitor.add_tallies(tallies, observer_status)
 
     def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
         """Return the latest values of every entity that has any, each entity once.
@@ -254,18 +254,18 @@ class Session:
     def _frame(self, frame: Frame) -> None:
         self.records += len(frame.tallies) + len(frame.samples)
         mine = self._counted.accepts(frame.counted_at, frame.sender, self._now)
-        voice = self.monitor.hear(frame.sender, frame.vouched, of_graph=_of_graph(frame))
+        observer_status = self.monitor.take_report(frame.sender, frame.vouched, of_graph=_of_graph(frame))
         if frame.counted_at:
-            self._take_counted(frame.tallies if mine else (), voice)
+            self._take_counted(frame.tallies if mine else (), observer_status)
         elif self._clocks.several:
-            self.rate(map(self._by_one_clock, frame.tallies), voice)
+            self.rate(map(self._by_one_clock, frame.tallies), observer_status)
         else:
-            self.rate(frame.tallies, voice)
+            self.rate(frame.tallies, observer_status)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True
         self._graph_changed |= self._graphs.places.happened(frame.events)
-        self._take_samples(frame, voice, mine=mine)
+        self._take_samples(frame, observer_status, mine=mine)
         for event in frame.events:
             self.monitor.add_event(event)
         self._events += frame.events
@@ -273,7 +273,7 @@ class Session:
             self._fail(failure)
         self.monitor.shed += max(frame.shed, 0)
 
-    def _take_samples(self, frame: Frame, voice: Voice, *, mine: bool) -> None:
+    def _take_samples(self, frame: Frame, observer_status: ObserverStatus, *, mine: bool) -> None:
         """Take the samples of a frame; those of services only where what it counted is ``mine`` to take."""
         for sample in frame.samples:
             if sample.entity.kind is EntityKind.SERVICE:
@@ -281,15 +281,15 @@ class Session:
                     self._services.put(frame.sender, sample, self._now)
                 continue
             self._clocks.take(sample)
-            self.monitor.add_sample(sample, voice)
+            self.monitor.add_sample(sample, observer_status)
             for of_node in self._processes.of(sample):
-                self.monitor.add_sample(of_node, voice)
+                self.monitor.add_sample(of_node, observer_status)
 
-    def _take_counted(self, tallies: Iterable[Tally], voice: Voice) -> None:
+    def _take_counted(self, tallies: Iterable[Tally], observer_status: ObserverStatus) -> None:
         """Take what was read from counters without ROS: publishers may have no name, hosts other clocks."""
         named = []
         for tally in tallies:
-            self._readers[tally.host] = voice
+            self._readers[tally.host] = observer_status
             named.append(self._names.named(tally, self._now))
         self._add_counted(tally for tally in named if tally is not None)
 

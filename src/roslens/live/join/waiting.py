@@ -1,4 +1,4 @@
-"""Waits for all observers at once, so that none is heard late because another one has nothing to say.
+"""Waits for all observers at once, so that none is read late because another one has nothing to send.
 
 An agent that asks for the time learns the offset of its clock as exactly as its question is answered at once.
 """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-from roslens.live.rate.hearing import Hearing
+from roslens.live.rate.observer_watch import ObserverWatch
 from roslens.live.rate.topic_looks import TopicLooks
 from roslens.live.standing.age_chain import AgeChains
 from roslens.live.standing.field_check import FieldChecks
@@ -64,7 +64,7 @@ class Checks:
         return min(due, self._chains_due) if self._chains.standing else due
 
     def look_again(self) -> None:
-        """Judge who is there again: another observer speaks, or is silent."""
+        """Judge who is there again: another observer reports, or is silent."""
         self.presences.look_again()
         self.states.look_again()
 
@@ -82,7 +82,9 @@ class Checks:
             self._chains_due = now + _CHAINS_S
         return changed
 
-    def judge_presence(self, now: float, began: float, vanished: dict[Key, float], hearing: Hearing) -> list[Standing]:
+    def judge_presence(
+        self, now: float, began: float, vanished: dict[Key, float], observers: ObserverWatch
+    ) -> list[Standing]:
         """Judge who is there and in which state; return what changed."""
-        changed = self.states.judge(now, began, hearing.silent_of_graph)
-        return changed + self.presences.judge(now, began, vanished, hearing.waits_for)
+        changed = self.states.judge(now, began, observers.silent_of_graph)
+        return changed + self.presences.judge(now, began, vanished, observers.waits_for)

@@ -15,8 +15,8 @@ from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
 from roslens.live.system.world import World
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.round import Round
-from roslens.live.window.voice import Voice
 
 RETRY_S = 1.0
 """Seconds after which it is found out again whether a connection need not be looked at."""
@@ -30,7 +30,7 @@ class Evaluator:
         waiting: entities with news that has to be looked at.
         received: whether tallies came in the round that cannot have changed a verdict.
         suspended: whether nothing is judged of traffic.
-        silent: observers of which nothing is heard.
+        silent: observers that do not report.
     """
 
     def __init__(self, world: World, existence: Existence, plan: Callable[[Iterable[Measured], float], None]) -> None:
@@ -43,7 +43,7 @@ class Evaluator:
         self._plan = plan
         self._queue = DueQueue()
         self.received = False
-        self.silent: list[Voice] = []
+        self.silent: list[ObserverStatus] = []
 
     @property
     def due(self) -> float:

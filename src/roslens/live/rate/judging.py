@@ -6,14 +6,14 @@ from collections.abc import Iterable, Sequence
 
 from roslens.live.standing.measured import Group, Judged
 from roslens.live.standing.ready_constraint import ReadyConstraint
-from roslens.live.standing.unheard import blame
+from roslens.live.standing.silent_observer import blame
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection import Connection
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.signals import ENDS
 from roslens.live.window.traffic import longest_gap
-from roslens.live.window.voice import Voice
 from roslens.live.window.window import Window
 from roslens.model.verdict import State
 
@@ -29,9 +29,9 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     due = connection.next_due(now)
     changed: list[Judged] = []
     calm = True
-    if connection.unheard is not None:
+    if connection.silent_observer is not None:
         connection.calm, connection.due = not connection.groups, due
-        return _judge_silent(connection.groups, now, connection.unheard)
+        return _judge_silent(connection.groups, now, connection.silent_observer)
     alone = connection.alone
     for group in connection.groups:
         if alone is not None and group.calm and group.measure is not None and not group.percentile:
@@ -52,12 +52,12 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     return changed
 
 
-def _judge_silent(groups: Iterable[Group], now: float, unheard: Voice) -> list[Judged]:
+def _judge_silent(groups: Iterable[Group], now: float, silent_observer: ObserverStatus) -> list[Judged]:
     """Judge what is known of nothing, because its observer is silent; return what changed."""
     changed: list[Judged] = []
     for group in groups:
         group.calm = False
-        changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
+        changed += [one for one in group.judged if _judge_unobserved(one, now, silent_observer)]
     return changed
 
 
@@ -67,10 +67,10 @@ def _note(group: Group, evidence: str) -> None:
         judged.evidence = evidence
 
 
-def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence[Voice] = ()) -> list[Judged]:
+def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence[ObserverStatus] = ()) -> list[Judged]:
     """Judge a topic by its connections; return what changed.
 
-    ``graph_known`` is whether anybody tells who is there, ``silent`` are the observers of which nothing is heard.
+    ``graph_known`` is whether anybody tells who is there, ``silent`` are the observers that do not report.
     """
     due = NEVER
     for connections in topic.connections.values():
@@ -83,10 +83,12 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence
     calm = True
     for group in topic.groups:
         value, window = topic.value(group.key, group.at, group.percentile, views[group.at])
-        unheard = _unheard(topic, group.key, silent, nothing=value is None and window is None) if silent else None
-        if unheard is not None:
+        silent_observer = (
+            _silent_observer(topic, group.key, silent, nothing=value is None and window is None) if silent else None
+        )
+        if silent_observer is not None:
             calm = group.calm = False
-            changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
+            changed += [one for one in group.judged if _judge_unobserved(one, now, silent_observer)]
             continue
         if value is None and window is None:
             calm = group.calm = False
@@ -102,17 +104,19 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence
     return changed
 
 
-def _unheard(topic: Topic, key: str, silent: Sequence[Voice], *, nothing: bool) -> Voice | None:
+def _silent_observer(
+    topic: Topic, key: str, silent: Sequence[ObserverStatus], *, nothing: bool
+) -> ObserverStatus | None:
     """Return the silent observer without which a signal is not known; who is there is what observers of graphs tell."""
-    lost = topic.unheard(key) if key not in ENDS else None
+    lost = topic.silent_observer(key) if key not in ENDS else None
     if lost is None and (nothing or key in ENDS):
-        return next((voice for voice in silent if voice.of_graph), None)
+        return next((observer_status for observer_status in silent if observer_status.of_graph), None)
     return lost
 
 
-def _judge_unheard(judged: Judged, now: float, voice: Voice) -> bool:
+def _judge_unobserved(judged: Judged, now: float, observer_status: ObserverStatus) -> bool:
     """Judge a constraint of whose value nothing is known, because its observer is silent."""
-    blame(judged, voice)
+    blame(judged, observer_status)
     return judged.state.step(now, State.UNKNOWN, None)
 
 
@@ -123,11 +127,11 @@ def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
     changed: list[Judged] = []
     for judged in sampled.judged:
         constraint = judged.constraint
-        if sampled.unheard is not None:
-            if _judge_unheard(judged, now, sampled.unheard):
+        if sampled.silent_observer is not None:
+            if _judge_unobserved(judged, now, sampled.silent_observer):
                 changed.append(judged)
             continue
-        judged.unheard = ""
+        judged.silent_observer = ""
         value = sampled.value(constraint.key, constraint.timing.window, constraint.percentile, now)
         grace = sampled.appeared + constraint.timing.grace
         raw = constraint.bounds.state(value)
@@ -163,7 +167,7 @@ def _judge_group(
 
 def _step(judged: Judged, now: float, value: float | None, window: Window | None, appeared: float) -> bool:
     constraint = judged.constraint
-    judged.window, judged.unheard = window, ""
+    judged.window, judged.silent_observer = window, ""
     if value is not None and value - value != 0:
         value = None
     raw = constraint.bounds.state(value)
@@ -209,7 +213,7 @@ def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool
     """Judge a constraint about a topic of which nobody tells anything."""
     constraint = judged.constraint
     judged.window = None
-    judged.unheard = ""
+    judged.silent_observer = ""
     grace = topic.appeared + max(constraint.timing.grace, _UNSEEN_PERIODS * constraint.period)
     there = topic.known and graph_known
     if there and topic.publishers:

@@ -12,7 +12,7 @@ from roslens.live.rate.checks import Checks
 from roslens.live.rate.evaluator import Evaluator
 from roslens.live.rate.existence import Existence, named_by
 from roslens.live.rate.glance import Glance, Glances
-from roslens.live.rate.hearing import Hearing
+from roslens.live.rate.observer_watch import ObserverWatch
 from roslens.live.rate.plans import plan, required, tolerance
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.rulebook import NOTHING_KNOWN, Rulebook
@@ -22,8 +22,8 @@ from roslens.live.system.sampled import Sampled, finite
 from roslens.live.system.tree import SystemView
 from roslens.live.system.world import World
 from roslens.live.window.clock_watch import ClockWatch, Course
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.plausible_tally import plausible_tally
-from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
@@ -60,7 +60,7 @@ class Monitor:
         self._existence = Existence(self._world, self._checks.presences)
         self._explained = Explained(self._world, self._existence.gone_nodes)
         self._evaluator = Evaluator(self._world, self._existence, self._plan)
-        self._hearing = Hearing(self._world, self._evaluator, start)
+        self._observers = ObserverWatch(self._world, self._evaluator, start)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
         self._sweep_due = start
@@ -85,20 +85,20 @@ class Monitor:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused
 
-    def hear(self, sender: str, looked: float = 0.0, *, of_graph: bool = False) -> Voice:
-        """Note that an observer spoke; return by what it is known as the observer of what it tells.
+    def take_report(self, sender: str, looked: float = 0.0, *, of_graph: bool = False) -> ObserverStatus:
+        """Note that an observer reported; return its status, which is passed along with its reports.
 
         Args:
             sender: how it calls itself, ``<host>/<what it observes>``.
             looked: up to when it has looked, on its own clock; 0 where it does not say.
             of_graph: whether it tells who is there.
         """
-        return self._hearing.hear(sender, looked, self._clock.now, of_graph=of_graph)
+        return self._observers.take_report(sender, looked, self._clock.now, of_graph=of_graph)
 
-    def add_tally(self, tally: Tally, voice: Voice | None = None) -> None:
+    def add_tally(self, tally: Tally, observer_status: ObserverStatus | None = None) -> None:
         """Take the traffic of a connection; what cannot be true of it is unknown.
 
-        What no ``voice`` tells is observed as long as the monitor looks.
+        What no ``observer_status`` tells is observed as long as the monitor looks.
         """
         connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
         if connection is not None:
@@ -106,13 +106,13 @@ class Monitor:
             if envelope is not None and envelope.takes(row_of(tally), evaluator.round):
                 evaluator.received = True
                 return
-        self._add(tally, connection, voice)
+        self._add(tally, connection, observer_status)
 
-    def add_tallies(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
+    def add_tallies(self, tallies: Iterable[Tally], observer_status: ObserverStatus | None = None) -> None:
         """Take the traffic of many connections; what comes by columns is not made into records without need."""
         if not isinstance(tallies, TallyColumns):
             for tally in tallies:
-                self.add_tally(tally, voice)
+                self.add_tally(tally, observer_status)
             return
         evaluator, received, known = self._evaluator, False, self._known
         now = evaluator.round
@@ -123,12 +123,12 @@ class Monitor:
                 continue
             tally = tally_of(names, row)
             key = (tally.topic, tally.publisher, tally.subscriber)
-            self._add(tally, connection or self._world.connections.get(key), voice)
+            self._add(tally, connection or self._world.connections.get(key), observer_status)
             if connection is None and key in self._world.connections:
                 known[names] = self._world.connections[key]
         evaluator.received |= received
 
-    def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
+    def _add(self, tally: Tally, connection: Connection | None, observer_status: ObserverStatus | None) -> None:
         # What has no name cannot be distinguished, nor shown.
         kept = plausible_tally(tally) if tally.topic else None
         if kept is not tally:
@@ -140,12 +140,12 @@ class Monitor:
             connection = self._existence.meet(kept, now)
             if connection is None:
                 return
-        if connection.add(kept, now, voice):
+        if connection.add(kept, now, observer_status):
             if self._held and kept.count:
                 self.clock_runs(now)
             self._evaluator.wait(connection)
 
-    def add_sample(self, sample: Sample, voice: Voice | None = None) -> None:
+    def add_sample(self, sample: Sample, observer_status: ObserverStatus | None = None) -> None:
         """Take what was read of a host, process, node or service; values that are not finite are unknown."""
         if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED or not sample.entity.name:
             self._implausible += 1
@@ -158,7 +158,7 @@ class Monitor:
         if not sampled.seen:
             sampled.appeared = max(sampled.appeared, self._clock.now)
             sampled.planless = True
-        sampled.voice = voice
+        sampled.observer_status = observer_status
         stopped = sampled.newest("stopped")
         if sampled.add(sample, values):
             self._explained.stale |= bool(stopped) is not bool(sampled.newest("stopped"))
@@ -202,10 +202,10 @@ class Monitor:
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
-        voice = self.hear(frame.sender, frame.vouched, of_graph=frame.graph is not None)
-        self.add_tallies(frame.tallies, voice)
+        observer_status = self.take_report(frame.sender, frame.vouched, of_graph=frame.graph is not None)
+        self.add_tallies(frame.tallies, observer_status)
         for sample in frame.samples:
-            self.add_sample(sample, voice)
+            self.add_sample(sample, observer_status)
         for event in frame.events:
             self.add_event(event)
         if frame.graph is not None:
@@ -263,7 +263,7 @@ class Monitor:
         self._follow_clock(now)
         now = self._clock.now
         moved, self._moved = self._moved, []
-        if turned := self._hearing.settle(now):
+        if turned := self._observers.settle(now):
             moved += turned
             self._checks.look_again()
         moved += self._judge(now)
@@ -306,7 +306,7 @@ class Monitor:
     def _standing(self) -> Iterator[Standing]:
         return chain(
             self._checks.standing,
-            self._hearing.standing(),
+            self._observers.standing(),
             self._explained.faults,
             chain.from_iterable(one.judged for one in self._world.entities()),
         )
@@ -354,7 +354,7 @@ class Monitor:
         self._held = False
         self._suspend(time)
         self._began = time
-        self._hearing.shift(time)
+        self._observers.shift(time)
         self._checks.jump(time)
         self._evaluator.forget_due()
         self._sweep_due = time
@@ -368,7 +368,7 @@ class Monitor:
         changed: list[Standing] = [*self._evaluator.judge(now)]
         if not self._evaluator.suspended:
             changed += self._checks.judge_traffic(now, self._began)
-        changed += self._checks.judge_presence(now, self._began, self._existence.vanished, self._hearing)
+        changed += self._checks.judge_presence(now, self._began, self._existence.vanished, self._observers)
         if now >= self._sweep_due:
             self._sweep_due = now + _SWEEP_S
             self._sweep(now)

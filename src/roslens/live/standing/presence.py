@@ -7,10 +7,10 @@ from collections.abc import Callable
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
 from roslens.live.standing.rulebook import Facts, Rulebook, find_all
+from roslens.live.standing.silent_observer import blame
 from roslens.live.standing.standing import Standing
-from roslens.live.standing.unheard import blame
 from roslens.live.standing.verdict_state import NEVER
-from roslens.live.window.voice import Voice
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State
 
@@ -115,7 +115,7 @@ class Presences:
 
     def judge(
         self, now: float, appeared: float, vanished: dict[Key, float],
-        unheard: Callable[[Presence], Voice | None] = lambda _: None,
+        silent_observer: Callable[[Presence], ObserverStatus | None] = lambda _: None,
     ) -> list[Standing]:  # fmt: skip
         """Judge what has news or is due; return what changed.
 
@@ -123,7 +123,7 @@ class Presences:
             now: seconds on the monitor's clock.
             appeared: from when grace counts.
             vanished: when entities that are gone went.
-            unheard: the observer of which nothing is heard, and without which nobody knows whether something is there.
+            silent_observer: the silent observer without which it is unknown whether something is there.
         """
         if not self._waiting and now < self.due:
             return []
@@ -131,13 +131,13 @@ class Presences:
         self._waiting = set()
         changed: list[Standing] = []
         for one in waiting:
-            silent = unheard(one.presence)
+            silent = silent_observer(one.presence)
             if silent is not None:
                 blame(one, silent)
                 if one.state.step(now, State.UNKNOWN, None):
                     changed.append(one)
                 continue
-            one.evidence, one.unheard = one.explain(), ""
+            one.evidence, one.silent_observer = one.explain(), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
             grace = appeared + one.details.timing.grace
             if one.state.step(now, one.raw(), float(len(one.matching)), began=began, grace=grace):

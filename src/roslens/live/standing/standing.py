@@ -25,7 +25,7 @@ class Standing:
         cause: text form of the id of the entity whose fault explains this one.
         leads_to: what follows from it, in words, where it is a first cause.
         why: the way to the cause, link by link.
-        unheard: text form of the id of the observer that it waits for, because nothing is heard of it.
+        silent_observer: text form of the id of the observer that it waits for, because that is silent.
     """
 
     __slots__ = (
@@ -36,8 +36,8 @@ class Standing:
         "leads_to",
         "quantity",
         "reported",
+        "silent_observer",
         "state",
-        "unheard",
         "why",
         "window",
         "written",
@@ -51,7 +51,7 @@ class Standing:
         self.state = VerdictState(details.timing, now)
         self.window: Window | None = None
         self.evidence = ""
-        self.cause = self.unheard = self.leads_to = ""
+        self.cause = self.silent_observer = self.leads_to = ""
         self.why: tuple[Link, ...] = ()
         self.reported = State.UNKNOWN
 
@@ -81,7 +81,7 @@ class Standing:
             text=details.text,
             group=details.group,
             where=details.where,
-            cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
+            cause=self.cause if state.state.bad else self.silent_observer if state.state is State.UNKNOWN else "",
             leads_to=self.leads_to if state.state.bad else "",
             why=self.why if state.state.bad else (),
         )

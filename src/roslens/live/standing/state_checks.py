@@ -9,10 +9,10 @@ from roslens.judge.reference.expectation import StateCheck, StateOf, essence
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.judge.reference.same_value import number_of, same_value
 from roslens.live.standing.ready_constraint import Bounds
+from roslens.live.standing.silent_observer import blame
 from roslens.live.standing.standing import Standing
-from roslens.live.standing.unheard import blame
 from roslens.live.standing.verdict_state import NEVER
-from roslens.live.window.voice import Voice
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
 from roslens.model.verdict import State
@@ -104,13 +104,13 @@ class StateChecks:
         """Judge everything in the next tick."""
         self._waiting.update(self._standing.values())
 
-    def judge(self, now: float, began: float, unheard: Callable[[], Voice | None]) -> list[Standing]:
+    def judge(self, now: float, began: float, silent_observer: Callable[[], ObserverStatus | None]) -> list[Standing]:
         """Judge what has news or is due; return what changed. Grace counts from ``began`` on at the earliest."""
         if not self._waiting and now < self.due:
             return []
         waiting = self._waiting | {one for one in self._standing.values() if one.state.due <= now}
         self._waiting = set()
-        silent = unheard()
+        silent = silent_observer()
         changed = [one for one in waiting if _judge(one, now, began, silent)]
         self.due = min((one.state.due for one in self._standing.values()), default=NEVER)
         return [*changed]
@@ -124,11 +124,11 @@ class StateChecks:
             self._waiting.add(one)
 
 
-def _judge(one: _Watched, now: float, began: float, silent: Voice | None) -> bool:
+def _judge(one: _Watched, now: float, began: float, silent: ObserverStatus | None) -> bool:
     if silent is not None:
         blame(one, silent)
         return one.state.step(now, State.UNKNOWN, None)
-    one.unheard = ""
+    one.silent_observer = ""
     raw, value = one.raw()
     firm = one.bounds is None or one.bounds.firm(value, one.state.state)
     grace = max(began, one.appeared) + one.details.timing.grace

@@ -6,8 +6,8 @@ from roslens.live.standing.measured import Measured
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection_name import connection_id
 from roslens.live.system.envelope import Envelope
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.traffic import MEASURES, Measure, measured, percentile_of
-from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.traffic.tally import Observer, Tally
 
@@ -66,8 +66,8 @@ class Connection(Measured):
         self._sole: Observer | None = None
         self._order: list[list[Window]] = []
 
-    def add(self, tally: Tally, now: float, voice: Voice | None = None) -> bool:
-        """Take a tally that is plausible, reported by ``voice``; return whether it reported anything new."""
+    def add(self, tally: Tally, now: float, observer_status: ObserverStatus | None = None) -> bool:
+        """Take a tally that is plausible, reported by ``observer_status``; return whether it reported anything new."""
         envelope = self.envelope
         if envelope is not None:
             self.catch_up()
@@ -76,9 +76,9 @@ class Connection(Measured):
         else:
             windows = self._by_observer.get(tally.observer) or self._observed(tally)
         first = windows[0]
-        if first.voice is not voice and voice is not None:
+        if first.observer_status is not observer_status and observer_status is not None:
             for window in windows:
-                window.voice = voice
+                window.observer_status = observer_status
         until = first.until
         news = False
         for window in windows:
@@ -165,7 +165,7 @@ class Connection(Measured):
         if len(self._order) > 1 or percentile:
             return self._of_best(measure, key, at, percentile)
         window = self._order[0][at]
-        if not window.spacing or window.unheard:
+        if not window.spacing or window.observer_silent:
             return None, None
         return measured(window, key), window
 
@@ -174,7 +174,7 @@ class Connection(Measured):
         stale: tuple[float | None, Window | None] = (None, None)
         for windows in self._order:
             window = windows[at]
-            if not window.spacing or window.unheard:
+            if not window.spacing or window.observer_silent:
                 continue
             value = percentile_of(window, key, percentile) if percentile else measure(window)
             if value is None:
@@ -190,7 +190,7 @@ class Connection(Measured):
         if len(self._order) != 1:
             return None
         window = self._order[0][at]
-        return window if window.spacing and not window.unheard else None
+        return window if window.spacing and not window.observer_silent else None
 
     def best(self, at: int) -> Window | None:
         """Return the window of the best observer who speaks; of those who fell silent where all did."""
@@ -198,7 +198,7 @@ class Connection(Measured):
         quiet = None
         for windows in self._order:
             window = windows[at]
-            if window.spacing and not window.unheard:
+            if window.spacing and not window.observer_silent:
                 if window.horizon == window.until:
                     return window
                 quiet = quiet or window
@@ -217,16 +217,16 @@ class Connection(Measured):
         return max(noticed, default=None)
 
     @property
-    def unheard(self) -> Voice | None:
-        """The observer of it, where nothing is heard of any that observes it."""
-        voices = [windows[0].voice for windows in self._order if windows[0].spacing]
-        if voices and all(voice is not None and voice.silent for voice in voices):
-            return voices[0]
+    def silent_observer(self) -> ObserverStatus | None:
+        """An observer of it, if all that observe it are silent."""
+        statuses = [windows[0].observer_status for windows in self._order if windows[0].spacing]
+        if statuses and all(observer_status is not None and observer_status.silent for observer_status in statuses):
+            return statuses[0]
         return None
 
-    def reported_by(self, voice: Voice) -> bool:
+    def reported_by(self, observer_status: ObserverStatus) -> bool:
         """Whether an observer tells of it."""
-        return any(windows[0].voice is voice for windows in self._order)
+        return any(windows[0].observer_status is observer_status for windows in self._order)
 
     @property
     def alone(self) -> list[Window] | None:
@@ -270,10 +270,10 @@ def _due(window: Window, now: float) -> float:
         return patient
     over = window.noticed + window.length + (window.until - (window.last or window.begun))
     step = min(max(window.length / 20, 0.05), 0.095)
-    if window.voice is not None:
-        if window.voice.silent:
+    if window.observer_status is not None:
+        if window.observer_status.silent:
             return NEVER
-        behind = window.voice.behind(now)
+        behind = window.observer_status.behind(now)
         over += behind
         # As long as its observer does not say that it has looked, time alone changes nothing.
         if behind > _LATE_S:

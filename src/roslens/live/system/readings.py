@@ -136,7 +136,7 @@ class _Mark:
     __slots__ = ("_until", "_windows")
 
     def __init__(self, connection: Connection) -> None:
-        self._windows = tuple((one, one.until, one.additions, one.unheard) for one in connection.newest)
+        self._windows = tuple((one, one.until, one.additions, one.observer_silent) for one in connection.newest)
         self._until = min((one.noticed + one.patience - max(one.lag, 0.0) for one in connection.newest), default=0.0)
 
     def holds(self, connection: Connection, now: float) -> bool:
@@ -150,7 +150,7 @@ class _Mark:
                 known[0] is not window
                 or known[1] != window.until
                 or known[2] != window.additions
-                or known[3] is not window.unheard
+                or known[3] is not window.observer_silent
             ):
                 return False
         return True
@@ -161,7 +161,7 @@ def _of_connection(connection: Connection) -> Reported:
     if len(windows) != 1:
         return _reported((key, connection.value(key, 0)) for key in MEASURES)
     (window,) = windows
-    if not window.spacing or window.unheard:
+    if not window.spacing or window.observer_silent:
         return _NOTHING
     # The same as asking the connection for one signal after the other, which takes twice as long.
     cache = window.cache

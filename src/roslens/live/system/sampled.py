@@ -7,8 +7,8 @@ from collections import deque
 
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.verdict_state import NEVER
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.traffic import percentile as percentile_of
-from roslens.live.window.voice import Voice
 from roslens.model.entity import EntityId
 from roslens.model.traffic.sample import Sample
 from roslens.model.traffic.tally import Observer
@@ -26,10 +26,21 @@ class Sampled(Measured):
         observer: who sampled it last.
         noticed: when the monitor noticed the newest sample.
         known: whether the graph has it.
-        voice: of the observer that samples it; None where nobody can tell whether that is there.
+        observer_status: of the observer that samples it; None if its presence cannot be determined.
     """
 
-    __slots__ = ("_newest", "_news", "_spacing", "_values", "_window", "host", "known", "noticed", "observer", "voice")
+    __slots__ = (
+        "_newest",
+        "_news",
+        "_spacing",
+        "_values",
+        "_window",
+        "host",
+        "known",
+        "noticed",
+        "observer",
+        "observer_status",
+    )
 
     def __init__(self, entity: EntityId, now: float) -> None:
         super().__init__(entity, now)
@@ -37,7 +48,7 @@ class Sampled(Measured):
         self.observer: Observer | None = None
         self.noticed = -NEVER
         self.known = False
-        self.voice: Voice | None = None
+        self.observer_status: ObserverStatus | None = None
         self._newest = -NEVER
         self._spacing = 0.0
         self._news = False
@@ -94,15 +105,17 @@ class Sampled(Measured):
         return now - self.noticed <= self.patience
 
     @property
-    def unheard(self) -> Voice | None:
-        """The observer of it, where nothing is heard of that."""
-        return self.voice if self.voice is not None and self.voice.silent else None
+    def silent_observer(self) -> ObserverStatus | None:
+        """The observer of it, if it is silent."""
+        return self.observer_status if self.observer_status is not None and self.observer_status.silent else None
 
     def missed(self, now: float) -> bool:
-        """Whether no sample came for long, although its observer spoke all the time."""
+        """Whether no sample came for long, although its observer reported all the time."""
         if self.fresh(now):
             return False
-        return self.voice is None or (not self.voice.silent and now - self.voice.since > self.patience)
+        return self.observer_status is None or (
+            not self.observer_status.silent and now - self.observer_status.since > self.patience
+        )
 
     def value(self, key: str, window: float, percentile: float, now: float) -> float | None:
         """Return the newest value, or the mean or a percentile of those in a window; None where nothing fresh is."""
@@ -128,8 +141,13 @@ class Sampled(Measured):
     def next_due(self, now: float) -> float:
         """Return when nothing will be known any more if nothing comes."""
         stale = self.noticed + self.patience
-        if now > stale and self.voice is not None and not self.voice.silent and not self.missed(now):
-            stale = self.voice.since + self.patience
+        if (
+            now > stale
+            and self.observer_status is not None
+            and not self.observer_status.silent
+            and not self.missed(now)
+        ):
+            stale = self.observer_status.since + self.patience
         return stale + 1e-9 if now <= stale else NEVER
 
     def _trim(self, kept: deque[tuple[float, float]]) -> None:

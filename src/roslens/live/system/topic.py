@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.live.standing.measured import Measured
 from roslens.live.system.connection import Connection
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.signals import ENDS, SUMMED
 from roslens.live.window.traffic import measured
-from roslens.live.window.voice import Voice
 from roslens.live.window.window import MAX_BUCKETS, RANK, Window
 from roslens.model.entity import EntityId, EntityKind
 
@@ -131,11 +131,11 @@ class Topic(Measured):
         ends = {getattr(one, key[:-1]) for one in (self.all_connections() if every is None else every)} - {""}
         return float(len(ends)) if ends else None
 
-    def unheard(self, key: str) -> Voice | None:
-        """Return an observer of which nothing is heard, and without which a signal of the topic is not known."""
+    def silent_observer(self, key: str) -> ObserverStatus | None:
+        """Return a silent observer without which a signal of the topic is unknown."""
         for publisher in sorted(self.connections):
             group = [one for one in self.connections[publisher] if not one.left]
-            silent = [voice for one in group if (voice := one.unheard) is not None]
+            silent = [observer_status for one in group if (observer_status := one.silent_observer) is not None]
             # What is published is known where one end of it is observed, how it arrives where all are.
             if silent and (key not in _OF_PUBLISHERS or len(silent) == len(group)):
                 return silent[0]

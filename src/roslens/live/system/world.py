@@ -297,7 +297,7 @@ class World:
     def stopped(self, now: float) -> Iterator[tuple[EntityId, float]]:
         """Yield the nodes whose process is stopped, as it was sampled lately, and since when."""
         for sampled in self.sampled.values():
-            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+            if sampled.id.kind is EntityKind.NODE and sampled.silent_observer is None and sampled.fresh(now):
                 seconds = sampled.newest("stopped")
                 if seconds:
                     yield sampled.id, sampled.noticed - seconds
@@ -305,7 +305,7 @@ class World:
     def halted(self, now: float) -> Iterator[Halted]:
         """Yield the nodes whose process is stopped or hangs, as it was sampled lately."""
         for sampled in self.sampled.values():
-            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+            if sampled.id.kind is EntityKind.NODE and sampled.silent_observer is None and sampled.fresh(now):
                 for key in ("stopped", "hung"):
                     if seconds := sampled.newest(key):
                         yield Halted(sampled.id, key == "hung", sampled.noticed - seconds)

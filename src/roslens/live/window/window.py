@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from roslens.live.window.bucket import Bucket
 from roslens.live.window.cut_tally import cut
-from roslens.live.window.voice import Voice
+from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.traffic.tally_columns import Row
 
@@ -55,7 +55,7 @@ class Window:
         quiet: seconds up to the horizon since the last message, or since the beginning where there was none.
         cache: signals by key, since the window was last brought to an instant.
         stepped: whether the observer's clock did, since somebody last asked.
-        voice: of the observer, which says up to when it has looked; None where it looks as long as the monitor does.
+        observer_status: of the observer, which has looked up to some time; None if it looks as long as the monitor.
     """
 
     __slots__ = (
@@ -80,13 +80,13 @@ class Window:
         "news",
         "noticed",
         "observer",
+        "observer_status",
         "quiet",
         "sized",
         "spacing",
         "span",
         "stepped",
         "until",
-        "voice",
     )
 
     def __init__(self, observer: Observer, host: str, length: float = 0.0, most: int = MAX_BUCKETS) -> None:
@@ -103,7 +103,7 @@ class Window:
         self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
         self.count = self.intervals = self.bytes = self.sized = 0
         self.news = self.stepped = False
-        self.voice: Voice | None = None
+        self.observer_status: ObserverStatus | None = None
         self.lag = 0.0
         self.additions = 0
         self.cache: dict[str, float | None] = {}
@@ -130,7 +130,7 @@ class Window:
                 return False
             tally = fresh
         elif hole > self.spacing:
-            # A pause of the observer says little of how often it usually speaks.
+            # A pause of the observer says little of how often it usually reports.
             self.spacing = max(min(tally.end - until, 2 * self.spacing), 0.9 * self.spacing)
         if hole <= self.spacing:
             self.spacing = max(tally.end - until, 0.9 * self.spacing)
@@ -190,7 +190,7 @@ class Window:
         if self.news:
             self.news = False
             self.noticed = now
-            self.lag = self.voice.lag if self.voice is not None else 0.0
+            self.lag = self.observer_status.lag if self.observer_status is not None else 0.0
             self.horizon = self.until
             if self._automatic:
                 if not self._summed:
@@ -205,8 +205,8 @@ class Window:
             self.notice(now)
         else:
             waited = now - self.noticed
-            if self.voice is not None:
-                waited -= self.voice.behind(now) - self.lag
+            if self.observer_status is not None:
+                waited -= self.observer_status.behind(now) - self.lag
             self.horizon = self.until + (waited if waited > self.patience else 0.0)
         if self.cache:
             self.cache = {}
@@ -223,15 +223,15 @@ class Window:
         return 1.5 * self.spacing + 0.05
 
     @property
-    def unheard(self) -> bool:
-        """Whether nothing is heard of its observer, so that nothing is known of what it sees."""
-        return self.voice is not None and self.voice.silent
+    def observer_silent(self) -> bool:
+        """Whether its observer is silent, so that the present traffic is unknown."""
+        return self.observer_status is not None and self.observer_status.silent
 
     def late(self, now: float) -> float:
         """Return the seconds from its horizon to ``now`` on the monitor's clock."""
         if self.horizon == self.until:
             return now - self.noticed
-        return self.voice.behind(now) if self.voice is not None else 0.0
+        return self.observer_status.behind(now) if self.observer_status is not None else 0.0
 
     @property
     def silent(self) -> bool:
@@ -250,7 +250,7 @@ class Window:
 
     def take_over(self, source: Window, buckets: Iterable[Bucket]) -> None:
         """Know what another window of the same observer knows; ``buckets`` are its own."""
-        self.voice, self.lag = source.voice, source.lag
+        self.observer_status, self.lag = source.observer_status, source.lag
         self.until, self.last, self.begun = source.until, source.last, source.begun
         self.noticed, self.spacing = source.noticed, source.spacing
         self.news, self.horizon = source.news, source.horizon

@@ -49,7 +49,7 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
     class Observing(Observation):
         publishers = {"/diagnostics": [("/monitor", "http://m:1/"), ("/me", "http://me:1/")]}  # noqa: RUF012
 
-    class Hearing(Listening):
+    class PatternSubscriber(Listening):
         def take(self):
             return Taken(
                 reports=[
@@ -60,7 +60,7 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
                 ]
             )
 
-    listening = Hearing()
+    listening = PatternSubscriber()
     frame = SubscribedTopics(Observing(), listening, [], False, "/me", reports=True).round()
     assert listening.wanted == [Source(Use.REPORTS, "/diagnostics", "/monitor", "http://m:1/")]
     (event,) = frame.events
@@ -99,10 +99,10 @@ def test_statistics_that_nobody_publishes_are_named_once_and_no_failure(make):
 
 
 def test_what_subscribers_tell_of_what_we_publish_ourselves_is_left_out():
-    class Hearing(Listening):
+    class PatternSubscriber(Listening):
         def take(self):
             own = Tally("/diagnostics", "/me", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
             return Taken([TOLD, own])
 
-    subscribed = SubscribedTopics(Observation(), Hearing(), [], True, "/me")
+    subscribed = SubscribedTopics(Observation(), PatternSubscriber(), [], True, "/me")
     assert [(tally.topic, tally.publisher) for tally in subscribed.round().tallies] == [("/t", "/a")]

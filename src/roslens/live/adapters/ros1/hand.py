@@ -10,8 +10,8 @@ from typing import Any
 
 from roslens.live.act.keeping import Keeping
 from roslens.live.act.ros import ActionError
-from roslens.live.adapters.ros1.hearing import Hearing
 from roslens.live.adapters.ros1.master import Master
+from roslens.live.adapters.ros1.pattern_subscriber import PatternSubscriber
 from roslens.live.adapters.ros1.publisher_updates import Answer
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.wire.message_form import MessageForms
@@ -56,7 +56,7 @@ class Ros1Hand:
         self._topics: dict[str, Published] = {}
         self._server = TopicServer(address, caller, self._topics)
         self._kept: dict[tuple[tuple[str, ...], float], Keeping] = {}
-        self._hearing: list[Hearing] = []
+        self._hearing: list[PatternSubscriber] = []
         self._master_pid = 0
         self._ended = threading.Event()
 
@@ -176,7 +176,9 @@ class Ros1Hand:
             keeping = self._kept.get((patterns, before_s))
             if keeping is None:
                 keeping = self._kept[patterns, before_s] = Keeping(before_s)
-                self._hearing.append(Hearing(self._uri, self._caller, self._resolver, patterns, keeping.received))
+                self._hearing.append(
+                    PatternSubscriber(self._uri, self._caller, self._resolver, patterns, keeping.received)
+                )
         return keeping.write(path, "ros1", after_s) if path else "kept from now on"
 
     def close(self) -> None:

@@ -1,30 +1,30 @@
-"""Who observes, as the monitor hears it: up to when each has looked, and whether it is silent.
+"""The status of observers as the monitor sees it: up to when each has looked, and whether it is silent.
 
-A connection of which nothing is reported was silent only if its observer says that it has looked; an observer of which
-nothing is heard may be stopped, or the line to it cut, while everything it observes goes on.
+A connection without reports was silent only if its observer states that it has looked; an observer that does not report
+may be stopped or disconnected, while everything it observes continues.
 """
 
 from __future__ import annotations
 
 LEAST_PATIENCE_S = 1.5
-"""No observer is silent that was heard of within this time."""
+"""An observer that has reported within this time is not silent."""
 _TURNS = 3
-"""An observer is silent that has missed so many of its turns."""
+"""An observer that has missed so many of its turns is silent."""
 _SLACK_S = 0.2
 _DRIFT = 0.001
 """Clocks drift apart by less than this."""
 
 
-class Voice:
+class ObserverStatus:
     """One observer; times are on the monitor's clock, but for ``looked``.
 
     Attributes:
-        name: by which it calls itself: ``<host>/<what it observes>``.
-        of_graph: whether it tells who is there.
-        last_received: when something of it was received last.
-        lag: by how many seconds what was received last came later than usual, because it waited for a line.
-        silent: whether nothing was heard of it for longer than it usually takes.
-        since: when it began to be silent, or to speak.
+        name: of the observer: ``<host>/<kind of observer>``.
+        of_graph: whether it reports the graph.
+        last_received: when its last report was received.
+        lag: seconds by which its last report was later than usual, because it waited for a connection.
+        silent: whether it has not reported for longer than usual.
+        since: when it became silent, or began to report.
     """
 
     __slots__ = (
@@ -33,7 +33,7 @@ class Voice:
     )  # fmt: skip
 
     def __init__(self, name: str, now: float) -> None:
-        """Begin to listen at ``now``."""
+        """Begin at ``now``."""
         self.name = name
         self.of_graph = False
         self.last_received = self.since = self._looked_at = now
@@ -44,14 +44,14 @@ class Voice:
         self.lag = 0.0
         self._spacing = 0.0
 
-    def hear(self, looked: float) -> None:
-        """Note that it spoke, and up to when it has looked on its own clock; 0 where it did not say."""
+    def take_report(self, looked: float) -> None:
+        """Note that it reported, and up to when it has looked on its own clock; 0 if it did not state this."""
         self._fresh = True
         if looked:
             self._looked = looked
 
     def settle(self, now: float) -> bool:
-        """Bring it to ``now``; return whether it fell silent, or speaks again."""
+        """Bring it to ``now``; return whether it fell silent, or reports again."""
         if not self._fresh:
             if self.silent or now - self.last_received <= self.patience:
                 return False
@@ -71,7 +71,7 @@ class Voice:
 
     @property
     def patience(self) -> float:
-        """Seconds after which an observer of which nothing is heard is silent."""
+        """Seconds without a report after which the observer is silent."""
         return max(LEAST_PATIENCE_S, _TURNS * self._spacing)
 
     def behind(self, now: float) -> float:
@@ -79,7 +79,7 @@ class Voice:
         return max(now - self._looked_at, 0.0) + self.lag
 
     def forgive(self, seconds: float) -> None:
-        """Do not count a time in which the monitor itself was not there to hear."""
+        """Do not count a time in which the monitor itself was stopped."""
         self.last_received += seconds
 
     def shift(self, now: float) -> None:
@@ -90,7 +90,7 @@ class Voice:
     def _take_looked(self, now: float) -> None:
         """Find out how late it tells: frames that waited for a line come later than they usually do.
 
-        They can be late by no more than the time for which nothing was heard, so what is later is a clock that was
+        They can be late by no more than the time without a report, so what is later is a clock that was
         set, and by how much two clocks differ says nothing.
         """
         waited = now - self._looked_at
@@ -100,37 +100,40 @@ class Voice:
         self._looked_at = now
 
 
-class Voices:
-    """All observers that were heard of."""
+class ObserverStatuses:
+    """All observers that have reported."""
 
     def __init__(self, now: float) -> None:
         """Begin without any."""
-        self._voices: dict[str, Voice] = {}
+        self._statuses: dict[str, ObserverStatus] = {}
         self._now = now
 
-    def of(self, name: str, now: float) -> Voice:
+    def of(self, name: str, now: float) -> ObserverStatus:
         """Return an observer, a new one if need be."""
-        voice = self._voices.get(name)
-        if voice is None:
-            voice = self._voices[name] = Voice(name, now)
-        return voice
+        observer_status = self._statuses.get(name)
+        if observer_status is None:
+            observer_status = self._statuses[name] = ObserverStatus(name, now)
+        return observer_status
 
-    def settle(self, now: float) -> list[Voice]:
-        """Bring all to ``now``; return those that fell silent, or speak again."""
+    def settle(self, now: float) -> list[ObserverStatus]:
+        """Bring all to ``now``; return those that fell silent, or report again."""
         away = now - self._now - LEAST_PATIENCE_S / 2
         self._now = now
         if away > 0:
-            # Who was stopped itself has heard nothing of anybody.
-            for voice in self._voices.values():
-                voice.forgive(away)
-        return [voice for voice in self._voices.values() if voice.settle(now)]
+            # While the monitor was stopped, it received no reports.
+            for observer_status in self._statuses.values():
+                observer_status.forgive(away)
+        return [observer_status for observer_status in self._statuses.values() if observer_status.settle(now)]
 
     def shift(self, now: float) -> None:
         """Begin anew, because the time of the monitor itself broke."""
         self._now = now
-        for voice in self._voices.values():
-            voice.shift(now)
+        for observer_status in self._statuses.values():
+            observer_status.shift(now)
 
-    def silent(self) -> list[Voice]:
-        """Return those of which nothing is heard, by name."""
-        return sorted((voice for voice in self._voices.values() if voice.silent), key=lambda one: one.name)
+    def silent(self) -> list[ObserverStatus]:
+        """Return the silent ones, by name."""
+        return sorted(
+            (observer_status for observer_status in self._statuses.values() if observer_status.silent),
+            key=lambda one: one.name,
+        )

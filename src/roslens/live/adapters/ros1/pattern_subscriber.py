@@ -1,4 +1,4 @@
-"""Hears topics of ROS 1 that match patterns, as bytes, for what keeps them."""
+"""Subscribes to topics of ROS 1 that match patterns, and passes on their messages as bytes."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _MOST_LINES = 200
 _LARGEST = 64_000_000
 
 
-class Hearing:
+class PatternSubscriber:
     """Connects to every publisher of a topic that matches; each line has a thread of its own."""
 
     def __init__(
         self, master_uri: str, caller: str, resolver: Resolver, patterns: Sequence[str],
         received: Callable[[Topic, bytes], None],
     ) -> None:  # fmt: skip
-        """Hear topics for which a pattern matches.
+        """Subscribe to topics that a pattern matches.
 
         Raises:
-            ActionError: a pattern is none.
+            ActionError: a pattern is not valid.
         """
         try:
             self._patterns = [Pattern.parse(one) for one in patterns]
@@ -46,10 +46,10 @@ class Hearing:
         self._lock = threading.Lock()
         self._open: set[tuple[str, str]] = set()
         self._closed = threading.Event()
-        threading.Thread(target=self._run, name="hearing", daemon=True).start()
+        threading.Thread(target=self._run, name="pattern_subscriber", daemon=True).start()
 
     def close(self) -> None:
-        """Hear no more."""
+        """Close all connections."""
         self._closed.set()
 
     def _run(self) -> None:
@@ -71,7 +71,7 @@ class Hearing:
                 uri = master.home(node, fresh=True)
                 with self._lock:
                     self._open.add(key)
-                threading.Thread(target=self._hear, args=(topic, node, uri), name="hears", daemon=True).start()
+                threading.Thread(target=self._hear, args=(topic, node, uri), name="subscriber", daemon=True).start()
 
     def _hear(self, topic: str, node: str, uri: str) -> None:
         try:

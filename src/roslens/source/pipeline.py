@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.model.source import number_of_packages
+from roslens.model.source import Language, number_of_packages
 from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
@@ -144,7 +144,11 @@ def analyse(
             found.package,
             inventory.files[found.package.id],
             inventory.others[found.package.id],
-            packaging(found),
+            packaging(
+                found,
+                workspace.root,
+                is_launched=any(file.language is Language.LAUNCH_XML for file in inventory.files[found.package.id]),
+            ),
             around.get(found.package.id),
             *(sorted(left_out.get(found.package.id, ()))),
             *([tools.key_of_package(found.package.id)] if tools else ()),

@@ -5,18 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cached_property
-from pathlib import Path
-from posixpath import basename, dirname
+from posixpath import basename
 from typing import TYPE_CHECKING
 
 from roslens.source.rules.views.launch_view import LaunchXml, launch_files
 from roslens.source.rules.views.package_files import PackageFiles
+from roslens.source.workspace.command_texts import command_texts
 
 if TYPE_CHECKING:
     from roslens.source.workspace.elements import Element
 
-_TOLD = (".sh", ".bash", ".zsh", ".md", ".rst", ".txt", ".desktop", ".service")
-_MOST_TOLD = 200
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)/")
 _GOES_ON = re.compile(rb"\\\r?\n")
 
@@ -44,7 +42,7 @@ class Passing:
     def is_on_a_command_line(self, file: LaunchXml, name: str) -> bool:
         """Return whether a script or a text gives an argument to a file where it starts it."""
         pattern = rb"\b%s\b[^\n]*[\s\"'`]%s:=" % (re.escape(basename(file.path).encode()), re.escape(name.encode()))
-        return any(re.search(pattern, text) for text in self._told)
+        return any(re.search(pattern, text) for text in self._texts)
 
     @cached_property
     def _includes(self) -> list[tuple[LaunchXml, Element]]:
@@ -55,15 +53,12 @@ class Passing:
         return [(one, element) for one in files for element, _ in one.elements if element.tag == "include"]
 
     @cached_property
-    def _told(self) -> list[bytes]:
-        """Texts and scripts of the package, and those beside it and above."""
+    def _texts(self) -> list[bytes]:
+        """Texts and scripts of the package, and those beside it and above, with continued lines joined."""
         package = self._package
-        paths = [package.path(one) for one in sorted(package.listing) if one.endswith(_TOLD)]
-        folder = package.folder
-        while folder:
-            folder = dirname(folder)
-            paths.extend(_beside(Path(package.root), folder))
-        return [_GOES_ON.sub(b" ", package.read(path)) for path in paths[:_MOST_TOLD]]
+        inside = (package.path(one) for one in package.listing)
+        paths = command_texts(package.root, package.folder, inside)
+        return [_GOES_ON.sub(b" ", package.read(path)) for path in paths]
 
     def _leads_to(self, element: Element, path: str) -> bool:
         """Return whether an include is of a path below the package; where a folder is open, its name decides."""
@@ -78,12 +73,3 @@ def _passes(file: LaunchXml, include: Element, name: str) -> bool:
         return False
     given = (one.attributes.get("name", "") for one in include.elements() if one.tag == "arg")
     return name in given or name in declared_in(file)
-
-
-def _beside(root: Path, folder: str) -> list[str]:
-    """Return the paths of the scripts and texts in a folder of the workspace, sorted."""
-    try:
-        names = sorted(one.name for one in (root / folder).iterdir() if one.name.endswith(_TOLD))
-    except OSError:
-        return []
-    return [f"{folder}/{name}" if folder else name for name in names]

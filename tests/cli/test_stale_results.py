@@ -1,0 +1,26 @@
+"""A kept result is not taken where a file changed that has no language and that rules read."""
+
+import json
+
+import pytest
+
+from roslens.cli.main import main
+
+MANIFEST = "<package><name>p</name><export><build_type>catkin</build_type></export></package>"
+LAUNCH = '<launch><param name="ns" value="$(arg name)"/></launch>'
+
+
+@pytest.mark.parametrize("path", ["README.md", "p/start.sh"])
+def test_a_command_line_that_is_written_later_counts(path, tmp_path, capsys):
+    (tmp_path / "p/launch").mkdir(parents=True)
+    for name, text in (("p/package.xml", MANIFEST), ("p/launch/one.launch", LAUNCH), (path, "Nothing yet.\n")):
+        (tmp_path / name).write_text(text)
+
+    def severities():
+        main(["check", str(tmp_path), "--format", "json", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"])
+        found = json.loads(capsys.readouterr().out)["findings"]
+        return [one["severity"] for one in found if one["rule"] == "launch.undeclared_argument"]
+
+    assert severities() == ["error"]
+    (tmp_path / path).write_text("roslaunch p one.launch name:=b\n")
+    assert severities() == ["note"]

@@ -127,7 +127,7 @@ def test_it_mends_what_it_said_it_would_and_takes_it_back(arm, capfd):
     assert check(capfd, "--diff", code=0).out == ""
     assert "3 files as before the last fix" in check(capfd, "--undo-fix", code=0).err
     assert tree(arm) == before
-    assert "no fix to take back" in check(capfd, "--undo-fix", code=2).err
+    assert "no fix to undo" in check(capfd, "--undo-fix", code=2).err
 
 
 def test_what_is_silenced_accepted_or_of_another_rule_is_left(arm, capfd):

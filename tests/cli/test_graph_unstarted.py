@@ -73,7 +73,7 @@ def test_a_launch_file_has_the_libraries_of_the_packages_that_it_starts(workspac
     }
     assert main(["graph", str(workspace), "--launch", "worker/all.launch", "--no-cache"]) == 0
     text = capsys.readouterr().out
-    assert "perhaps what is linked into it and started by no known program: worker/src/impl.cpp:2" in text
+    assert "it may create those that no known program starts: worker/src/impl.cpp:2" in text
     assert "/apart" not in text
 
 

@@ -133,7 +133,7 @@ def test_a_run_of_the_folder_above_is_no_point_of_a_repository(workspace, capsys
         options = argparse.Namespace(no_store=False, path=str(one.root))
         with shown_past(options, store.view()) as past:
             assert past is None
-    assert f'past revisions of "{one.root}" are not shown beside a run of "{root}"' in capsys.readouterr().err
+    assert f'past revisions of "{one.root}" are not shown with a run of "{root}"' in capsys.readouterr().err
     assert main(["check", str(one.root), *quiet]) == 0
     assert trend(capsys, one.root, "loc")["packages"] == {"a": [23, 23, 4]}
 

@@ -81,7 +81,7 @@ def test_files_that_are_no_plain_files(checked, name, kind, capsys):
     place.unlink(missing_ok=True)
     place.symlink_to("/proc/kmsg") if kind == "link" else os.mkfifo(place)
     assert main(["check", str(checked)]) == BAD_INPUT
-    assert f"has a {name} that is no plain file" in capsys.readouterr().err
+    assert f"has a {name} that is not a regular file" in capsys.readouterr().err
 
 
 def test_a_link_is_refused_and_cleaning_removes_only_the_link(checked, capsys):

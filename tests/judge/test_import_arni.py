@@ -124,7 +124,7 @@ def test_of_two_ranges_the_last_holds_and_other_fields_stay():
         "- t!/a: {frequency: [1, 2], bandwidth: [1, 2]}\n- t!/a: {frequency: [3, 4]}\n- t!/a: {frequency: [3, 4]}"
     )
     assert ranges(reference) == {"/a rate": Range(3, 4), "/a bandwidth": Range(1, 2)}
-    assert "takes the place of what is said at a.yaml:1:10, as in ARNI" in " ".join(entries)
+    assert "replaces the entry at a.yaml:1:10, as in ARNI" in " ".join(entries)
     assert "the same is said at a.yaml:2:10" in entries[-1]
 
 
@@ -139,8 +139,7 @@ def test_a_pattern_that_contradicts_a_name_is_left_out(field: str, pattern_first
     assert {name.split()[0] for name in said} == {"/*", "/a"}
     (entry,) = [one for one in entries if "contradicts" in one]
     assert (
-        f"{kind}!/* {field}: left out: it contradicts what is said of /a at a.yaml:{2 if pattern_first else 1}:"
-        in entry
+        f"{kind}!/* {field}: left out: it contradicts the entry for /a at a.yaml:{2 if pattern_first else 1}:" in entry
     )
 
 

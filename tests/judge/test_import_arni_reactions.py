@@ -48,7 +48,7 @@ def test_every_line_is_accounted_for():
         "not ok! none: left out: ARNI has no action 'reboot'",
         "not ok! nowhere: left out: it names no node",
         "unsaid: left out: its condition cannot be said, so nothing of it is done",
-        "not ok! not: changed: `not`: what is unknown made it true in ARNI, and does not now",
+        "not ok! not: changed: `not`: unknown values made it true in ARNI, but no longer do",
         (
             "scan_low n!lidar cpu_usage_mean: changed: `cpu` is out_of_bounds; ARNI has no such field of a node, and "
             "was never true; taken for node_cpu_usage_mean"

@@ -132,7 +132,7 @@ EACH = "{node: /x*, is: gone, match: each}"
     ("when", "do", "said"),
     [
         ("{}", "[{snapshot: {}}]", "r0.yaml:5:9: a condition that states nothing; expected one of all, any, not"),
-        ("{node: /x}", "[{snapshot: {}}]", "a condition that says nothing of node /x; expected one of `is`"),
+        ("{node: /x}", "[{snapshot: {}}]", "a condition that does not mention node /x; expected one of `is`"),
         ("{node: /x, is: absnt}", "[{snapshot: {}}]", "5:24: is is 'absnt'; expected one of ok, suspended"),
         ("{node: /x, is: misfit}", "[{snapshot: {}}]", "is is 'misfit'"),
         ("{node: /x, is: [gone, low]}", "[{snapshot: {}}]", "'low' beside 'gone'"),

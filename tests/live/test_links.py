@@ -99,7 +99,7 @@ def test_when_everything_breaks_at_once_each_entity_is_looked_at_once():
         ("host_busy", ("topic:/scan", "scan"), "topic:/scan is published by node:/lidar (is gone)"),
         ("host_busy", ("topic:/plan", "plan"), "which subscribes to topic:/scan (rate "),
         ("host_reasons", ("topic:/a", "a"), "host:starved (pressure_cpu 90 is high: what runs there waits)"),
-        ("host_reasons", ("topic:/c", "c"), "host:lossy (resent 20 is high: its line loses what is sent)"),
+        ("host_reasons", ("topic:/c", "c"), "host:lossy (resent 20 is high: its link loses messages)"),
         ("host_reasons", ("topic:/e", "late"), "host:wrong (clock_offset 0.3 is high: its clock is wrong)"),
         ("frozen_node", ("topic:/scan", "scan"), "node:/lidar (is stopped)"),
     ],

@@ -13,9 +13,9 @@ def test_a_plugin_that_keeps_the_contract_passes(fixtures):
 def test_everything_that_is_missing_is_told_with_what_to_add(fixtures):
     problems = check_plugin(fixtures / "careless.py", fixtures / "careless_kit")
     for expected in (
-        "manifest has no text: say in one sentence what the plug-in is for",
+        "manifest has no text: state the purpose of the plug-in in one sentence",
         "rule careless.word has no rationale: add why it matters to a robot's code",
-        "rule careless.word describes itself by its title",
+        "rule careless.word only repeats its title",
         "quantity careless.never has no unit: add its unit, `1` for a ratio",
         "quantity careless.never has no formula: add how it is counted",
         "option depth has no text: add what it changes",

@@ -37,10 +37,10 @@ def test_a_missing_need_takes_its_dependants_along_and_names_both():
     assert names(ordered.members) == ["c"]
     assert [str(failure) for failure in ordered.failures] == [
         "plug-in 'b' needs quantity 'lok', which nothing measures. Did you mean 'loc'?",
-        "plug-in 'a' needs quantity 'b.x', which nothing measures. Add what gives it, or disable a",
+        "plug-in 'a' needs quantity 'b.x', which nothing measures. Add a plug-in that provides it, or disable a",
     ]
     (failure,) = order([make("a", needs=["plugin:gone"])]).failures
-    assert str(failure).startswith("plug-in 'a' needs plug-in 'gone', which is not there or cannot run")
+    assert str(failure).startswith("plug-in 'a' needs plug-in 'gone', which is missing or cannot run")
 
 
 def test_a_cycle_names_both():

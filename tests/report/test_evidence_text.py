@@ -29,7 +29,7 @@ def test_levels(evidence):
     )
     better = Evidence("arm", "1.0.0", 0, evidence.items[:1] + evidence.items[2:])
     assert (better.highest_open, better.highest_shown) == (1, 2)
-    assert verdict(better).endswith("no evidence contradicts level 1, of which 1 requirements are not known")
+    assert verdict(better).endswith("no evidence contradicts level 1, with 1 requirements not known")
 
 
 def test_text(evidence):

@@ -58,7 +58,7 @@ class EntityId(msgspec.Struct, frozen=True, order=True):
         """
         kind, separator, name = text.partition(":")
         if not separator or not name:
-            raise ValueError(f"{text!r} is no entity id: expected kind:name")
+            raise ValueError(f"{text!r} is not an entity id: expected kind:name")
         return cls(EntityKind(kind), name)
 
 

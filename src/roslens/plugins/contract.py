@@ -152,11 +152,11 @@ def _foreign_needs(member: Member) -> list[str]:
 def lacking_text(manifest: Manifest) -> Iterator[str]:
     """Yield which texts a reader of reports would miss."""
     if not manifest.text.strip():
-        yield "manifest has no text: say in one sentence what the plug-in is for"
+        yield "manifest has no text: state the purpose of the plug-in in one sentence"
     for rule in manifest.rules:
         yield from _blank(rule, f"rule {rule.id}", _RULE_TEXTS)
         if rule.title.strip() and rule.description.strip() == rule.title.strip():
-            yield f"rule {rule.id} describes itself by its title: say what it finds and what to do instead"
+            yield f"rule {rule.id} only repeats its title as description: state what it reports and what to do instead"
     for quantity in manifest.quantities:
         yield from _blank(quantity, f"quantity {quantity.key}", _QUANTITY_TEXTS)
     for option in manifest.options:
@@ -165,12 +165,12 @@ def lacking_text(manifest: Manifest) -> Iterator[str]:
 
 _RULE_TEXTS = {
     "title": "a heading of a few words",
-    "description": "what the rule finds, in sentences",
+    "description": "what the rule reports, in full sentences",
     "rationale": "why it matters to a robot's code",
 }
 _QUANTITY_TEXTS = {
     "title": "a heading of a few words",
-    "text": "what it means, in sentences",
+    "text": "its meaning, in full sentences",
     "unit": "its unit, `1` for a ratio",
     "formula": "how it is counted",
 }
@@ -192,7 +192,7 @@ def _falls_over(bench: _Bench) -> Iterator[str]:
                 Path(folder, f"{kind}{ends.get(language, '.txt')}").write_bytes(content)
         for failure in bench.run(Path(folder)).failures:
             if not failure.partial or BREACH in failure.what:
-                yield f"on a strange file: {failure}; say through `report.failure` what cannot be read"
+                yield f"on a strange file: {failure}; report content that cannot be read by `report.failure`"
 
 
 def _misses(bench: _Bench, fixtures: Path | None) -> Iterator[str]:

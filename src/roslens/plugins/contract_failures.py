@@ -36,7 +36,7 @@ def not_trusted(plugin: str) -> Failure:
         tool=TOOL,
         what=f"plug-in {plugin!r} was not run: it is not trusted",
         expected="a plug-in that is installed, or whose folder and content you trust",
-        advice="Read it, then run `roslens trust`; --trust does for one run, in CI say",
+        advice="Review it, then run `roslens trust`; use --trust for a single run, for example in CI",
     )
 
 

@@ -148,11 +148,11 @@ def _missing_program(name: str, program: str) -> Failure:
 
 def _missing(name: str, need: str, able: Mapping[str, Member], provided: Collection[str]) -> Failure:
     if need.startswith(PLUGIN):
-        what = f"plug-in {name!r} needs plug-in {need.removeprefix(PLUGIN)!r}, which is not there or cannot run"
+        what = f"plug-in {name!r} needs plug-in {need.removeprefix(PLUGIN)!r}, which is missing or cannot run"
     else:
         what = f"plug-in {name!r} needs quantity {need!r}, which nothing measures"
     near = did_you_mean(need, (*_givers(able), *provided))
-    return Failure(tool=TOOL, what=what, advice=near or f"Add what gives it, or disable {name}")
+    return Failure(tool=TOOL, what=what, advice=near or f"Add a plug-in that provides it, or disable {name}")
 
 
 def _cycle(name: str, able: Mapping[str, Member], stuck: Sequence[str]) -> Failure:

@@ -211,7 +211,10 @@ def _import(name: str, spec: LoadSpec) -> tuple[object, Failure | None]:
     if wrong is None:
         return loaded[0], None
     if wrong[0].startswith(("ModuleNotFoundError", "ImportError")):
-        expected, advice = "every module that it imports", "Install what it needs beside roslens, or disable it"
+        expected, advice = (
+            "every module that it imports",
+            "Install its dependencies in the environment of roslens, or disable it",
+        )
     else:
         expected, advice = "", "The traceback is in the log; `disable` in roslens.toml leaves the plug-in out"
     return None, would_not_load(name, wrong[0], expected=expected, advice=advice, detail=wrong[1])

@@ -89,7 +89,7 @@ def test_what_is_missing_is_named(front, arguments, said, capsys):
         ("given: [{node: /a, is: gone, at: 10}]\nuntil: 5", "2:8: the time line ends at 5 s"),
         ("given: [{node: /a, is: gone}]\nuntil: 5 d", "the time line ends at 432000 s"),
         ("given: [{node: /a, is: gone}]\nexpect: [{at: 1, action: explode}]", "2:26: action is 'explode'"),
-        ("given: [{node: /a, is: gone}]\nexpect: [{at: 1, entity: a}]", "entity: 'a' is no entity id"),
+        ("given: [{node: /a, is: gone}]\nexpect: [{at: 1, entity: a}]", "entity: 'a' is not an entity id"),
         ("given: [{node: /a, is: gone}]\ndone: {restart: yes}", "restart is 'yes'; expected one of done, refused"),
         ("tests: []\ngiven: []", "'tests' beside a time line"),
     ],

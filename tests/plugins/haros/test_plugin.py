@@ -94,7 +94,7 @@ def test_what_haros_would_drop_or_die_of_is_a_failure(found, make_workspace):
     for expected in (
         "breaks the contract: rule 'haros_plugin_hooks.sean' is not declared",
         "breaks the contract: haros_plugin_hooks.share is 7; expected a number from 0 to 1",
-        "rule 'haros_plugin_hooks:asked' is a query, which is not run",
+        "rule 'haros_plugin_hooks:asked' is a query, which is not evaluated",
         "failed while running post_analysis: ValueError: 'seen' needs a configuration",
     ):
         assert any(expected in text for text in texts), expected

@@ -109,7 +109,11 @@ def test_files_that_were_changed_are_not_overwritten(server, here, capsys):
 
 @pytest.mark.parametrize(
     ("version", "said"),
-    [("mian", "there is no branch or tag 'mian'; the server has main"), ("-x", "is no name"), ("a..b", "is no name")],
+    [
+        ("mian", "there is no branch or tag 'mian'; the server has main"),
+        ("-x", "is not a valid name"),
+        ("a..b", "is not a valid name"),
+    ],
 )
 def test_a_missing_branch_names_what_is_there(server, here, capsys, version, said):
     given = repos(here, one=(server.package("one"), version), two=server.package("two"))
@@ -289,7 +293,7 @@ def test_a_folder_that_somebody_else_configured_is_not_fetched_into(server, here
     assert 'its configuration has "core.sshcommand"' in capsys.readouterr().out
     (here / "ws/two").mkdir()
     assert fetch("--distribution", repos(here, two=server.package("two"))) == 3
-    assert "the folder is there already" in capsys.readouterr().out
+    assert "the folder already exists" in capsys.readouterr().out
 
 
 def test_a_clone_that_was_cut_off_is_made_again(server, here):

@@ -39,7 +39,7 @@ def test_what_it_says():
      "packages: {a: [b]}\nmeta: {a: {commits: many}}", "packages: {a: [b]}\nmeta: {a: {levels: {b: driver}}}"],
 )  # fmt: skip
 def test_what_is_none(text):
-    with pytest.raises(UsageError, match="is no filter file"):
+    with pytest.raises(UsageError, match="is not a filter file"):
         filter_of(load_yaml(text), "f")
 
 

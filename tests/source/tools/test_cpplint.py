@@ -11,7 +11,7 @@ def test_a_file_that_it_does_not_name_was_not_looked_at():
     found = reading(plugin, ("sample.hpp", "gone.cpp", "other.cpp"))
     assert found.skipped == {
         "gone.cpp": "Can't open for reading",
-        "other.cpp": "it does not say that it looked at it",
+        "other.cpp": "it does not report that it checked it",
     }
 
 

@@ -100,7 +100,7 @@ def test_messages_and_levels_of_the_rule():
 def test_a_run_that_failed_says_so():
     notes = [{"message": {"text": "out of memory"}}]
     failed = [{"executionSuccessful": False, "toolExecutionNotifications": notes}]
-    assert read(invocations=failed).trouble == ("Semgrep OSS says that its run failed: out of memory",)
+    assert read(invocations=failed).trouble == ("Semgrep OSS reports that its run failed: out of memory",)
     document = {"version": "2.1.0", "runs": [{"tool": {"driver": {"name": "x"}}}]}
     assert "did not run to its end" in read_sarif(json.dumps(document).encode(), ROOT).trouble[0]
 

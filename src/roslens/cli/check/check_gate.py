@@ -68,6 +68,6 @@ def _failed(result: GateResult) -> Failure:
     return Failure(
         "gate",
         f"[gate] {result.condition}: {result.text}",
-        "a baseline that says what is new, with its files",
+        "a baseline to compare with, with its files",
         "Give --baseline REV, RUN or a JSON report",
     )

@@ -83,7 +83,7 @@ def _instead(plain: Sequence[str], files: Sequence[str]) -> tuple[Output, ...]:
     if plain and len(files) > 1:
         raise UsageError(
             f"--format {plain[0]} with {len(files)} -o",
-            expected=f"--format {plain[0]}=FILE for one of them; the endings of the others say their format",
+            expected=f"--format {plain[0]}=FILE for one of them; the extensions of the others determine their format",
         )
     return tuple((plain[0] if plain else _by_ending(file), file) for file in files)
 
@@ -102,7 +102,7 @@ def _by_ending(file: str) -> str:
         expected = f"--format junit={file} or --format checkstyle={file}"
     else:
         expected = f"one of {', '.join(filter(None, ENDINGS))}, or --format NAME={file}"
-    raise UsageError(f'-o "{file}": its ending says no format', expected=expected)
+    raise UsageError(f'-o "{file}": its extension does not determine a format', expected=expected)
 
 
 def _unknown(name: str, known: Sequence[str] | dict[str, str]) -> UsageError:

@@ -26,8 +26,8 @@ def fetch_first(options: argparse.Namespace) -> int:
     if options.paths != ["."]:
         raise UsageError(
             f'--fetch and the folder "{options.paths[0]}"',
-            expected="one of them: with --fetch what is fetched is checked",
-            advice="--into DIR says where it comes to",
+            expected="one of them: with --fetch, the fetched folder is checked",
+            advice="--into DIR, the target folder",
         )
     progress = progress_for(options)
     try:

@@ -49,8 +49,8 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
     group.add_argument(
         "--at",
         metavar="WHEN",
-        help="the revision of a day (2015-10-16), a commit, the one after so many commits, or `count`: after as many "
-        "as the filter says of each",
+        help="the revision as of a date (2015-10-16), a commit, a number of commits, or `count`: that which the "
+        "filter gives for each",
     )
     group.add_argument(
         "--whole", action="store_true", help="also the content of past revisions, for churn and `roslens history`"
@@ -142,7 +142,7 @@ def _distribution(options: argparse.Namespace, read: Read, into: Path) -> Distri
     place = options.distribution or (str(lock) if lock.is_file() else "")
     if not place:
         raise UsageError(
-            "nothing says what to fetch",
+            "nothing to fetch was specified",
             expected="--distro NAME, --distribution FILE or URL, or an --into with a lock",
             advice="`roslens fetch --help` has examples",
         )

@@ -218,9 +218,7 @@ def _code(options: argparse.Namespace, scope: Scope, missing: int) -> int:
     """Return the exit code; of a comparison that was asked for and could not be made it says so."""
     if options.baseline and scope.baseline is None:
         # What was asked is not answered: that there are findings is not what the user wanted to know.
-        print(
-            f"roslens: nothing was compared with --baseline {options.baseline!r}; the result says why", file=sys.stderr
-        )
+        print(f"roslens: nothing was compared with --baseline {options.baseline!r}; see the result", file=sys.stderr)
         return NOT_ANALYSED
     return _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
 

@@ -120,7 +120,7 @@ imports = []
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the folder and ``--force``."""
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="folder to write into (default: .)")
-    parser.add_argument("--force", action="store_true", help="replace a roslens.toml that is there")
+    parser.add_argument("--force", action="store_true", help="replace an existing roslens.toml")
 
 
 def run(options: argparse.Namespace) -> int:

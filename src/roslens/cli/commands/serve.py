@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_shown_argument(parser)
     add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
-    live.add_argument("--live", action="store_true", help="also watch the running system, on pages beside the others")
+    live.add_argument("--live", action="store_true", help="also watch the running system, on additional pages")
     live.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="show a recording there instead")
     live.add_argument("--history", type=Path, metavar="FILE", help="show what `roslens watch --history` kept instead")
     live.add_argument(

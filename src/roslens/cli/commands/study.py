@@ -46,7 +46,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="a table instead of runs; may be given again for the table of rules",
     )
-    parser.add_argument("--by", choices=GROUPINGS, default="", help="make groups, and say the figures of each")
+    parser.add_argument(
+        "--by", choices=GROUPINGS, default="", help="group packages, and show the key figures of each group"
+    )
     parser.add_argument(
         "--quantity",
         action="append",

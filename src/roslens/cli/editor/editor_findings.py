@@ -94,7 +94,7 @@ def ignore_edits(finding: Finding, path: str, lines: Sequence[str]) -> tuple[Edi
     text = lines[number].rstrip("\r\n") if number < len(lines) else ""
     if text.rstrip().endswith("\\"):
         return ()
-    title = f"Ignore {finding.rule} here, and say why" if finding.line else f"Ignore {finding.rule} in this file"
+    title = f"Ignore {finding.rule} here, with a reason" if finding.line else f"Ignore {finding.rule} in this file"
     return (Edit(title, number, utf16_length(text), f"  {mark} roslens: {form}[{finding.rule}] "),)
 
 

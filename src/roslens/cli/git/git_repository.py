@@ -104,4 +104,4 @@ def names_like(repository: Repository, name: str) -> list[str]:
 
 def said(done: subprocess.CompletedProcess[bytes]) -> str:
     """Return what git complained about, in one line."""
-    return " ".join(done.stderr.decode("utf-8", "replace").split()) or "git says nothing"
+    return " ".join(done.stderr.decode("utf-8", "replace").split()) or "git has no output"

@@ -127,7 +127,9 @@ def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
     from roslens.report.graph.graph_document import read_graph_json
 
     if options.launch or options.arg or options.package:
-        raise UsageError("--launch, --arg or --package with documents", expected="what is compared after --diff alone")
+        raise UsageError(
+            "--launch, --arg or --package with documents", expected="the revisions to compare, only after --diff"
+        )
     sides = []
     for name in options.diff:
         if not name.endswith(".json"):

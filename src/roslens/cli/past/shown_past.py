@@ -38,9 +38,9 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
         settings = find_configuration(kept.root, None).source.workspace
         trends = Trends(store, view, behind_heads(kept.root, settings)).load()
         if trends.other_root:
-            reported = f'past revisions of "{kept.root}" are not shown beside a run of "{trends.other_root}"'
+            reported = f'past revisions of "{kept.root}" are not shown with a run of "{trends.other_root}"'
             print(
-                f"roslens: {reported}; `roslens check {kept.root}` makes one that they are shown beside",
+                f"roslens: {reported}; `roslens check {kept.root}` stores a run that they are shown with",
                 file=sys.stderr,
             )
             yield None

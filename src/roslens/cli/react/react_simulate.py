@@ -50,7 +50,7 @@ def simulate(
     if bool(bag) is bool(timeline):
         raise UsageError(
             "--simulate with both --bag and --timeline" if bag else "--simulate without --bag and without --timeline",
-            expected="one of them: what is simulated along",
+            expected="one of them: the input of the simulation",
         )
     reference = load_reference([Path(file) for file in files], BY_KEY)
     if not reference.reactions:

@@ -147,7 +147,7 @@ def _of_what_runs(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]
     there = session.attendance.drafted(session.looked or seconds)
     text = draft_text(options.name, drafts, observed.left_out(), source, there, session.attendance.left_out())
     if not drafts and there:
-        said = "no traffic was seen, only who is there; start nodes through `roslens run`, or give --tap '**'"
+        said = "no traffic was observed, only the graph; start nodes through `roslens run`, or give --tap '**'"
         print(f"roslens: {said}", file=sys.stderr)
     return text, tuple(session.monitor.failures)
 

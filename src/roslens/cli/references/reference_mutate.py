@@ -187,7 +187,7 @@ def table(result: Score) -> str:
         "",
         f"{result.total.seen} of {result.total.tried} faults are seen ({100 * result.share:.0f} %){middle}",
         f"{result.false_alarms} alarms in {result.seconds:.1f} s without fault ({result.false_per_hour:.1f} per hour)",
-        f"{result.beside} faults raised alarms about something else",
+        f"{result.beside} faults raised alarms for other entities only",
     ]
     if result.total.tried < result.planned:
         lines.append(f"{result.total.tried} of {result.planned} faults were tried: the time was over (--time)")

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from roslens.live.replay.expected_alarms import ExpectedAlarm
 
 TEXT = (
-    "Say what references would have raised on a recording, with --expect whether that is right; and whether reactions "
-    "decide what time lines (robot.test.yaml beside robot.yaml) expect."
+    "Report the alarms that references would have raised on a recording, with --expect whether they are as expected; "
+    "and test whether reactions decide as time lines (robot.test.yaml next to robot.yaml) expect."
 )
 EXAMPLES = """\
   roslens reference test robot.yaml                                        the time lines in robot.test.yaml
@@ -29,7 +29,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording")
     parser.add_argument(
-        "--timeline", type=Path, nargs="+", metavar="FILE", help="time lines (default: FILE.test.yaml beside FILE.yaml)"
+        "--timeline",
+        type=Path,
+        nargs="+",
+        metavar="FILE",
+        help="time lines (default: FILE.test.yaml next to FILE.yaml)",
     )
     parser.add_argument("--expect", type=Path, metavar="FILE", help="the alarms that have to be raised (YAML)")
     parser.set_defaults(act=test)

@@ -165,10 +165,8 @@ class Teller:
         standing = [one for one in session.monitor.standing() if not one.of_observer]
         never = summary_of(self._judged.never(standing), len(standing))
         if self._alarms:
-            times = "once" if self._alarms == 1 else f"{self._alarms} times"
-            said = (
-                f"Something became wrong {times}; `roslens reference explain FILE… ENTITY` says what is expected of it."
-            )
+            raised = "1 alarm was" if self._alarms == 1 else f"{self._alarms} alarms were"
+            said = f"{raised} raised; `roslens reference explain FILE… ENTITY` lists the constraints on an entity."
             return f"{said}\n{never}" if never else said
         unknown = [one for one in standing if one.state is State.UNKNOWN]
         if not unknown:

@@ -85,7 +85,7 @@ class _Publishing:
             try:
                 body = encode_outgoing(frame)
             except OutgoingError as error:
-                self._session.take([Failure("publish", str(error), advice="Say less of what is watched", partial=True)])
+                self._session.take([Failure("publish", str(error), advice="Reduce what is published", partial=True)])
                 continue
             for line in self._lines:
                 line.say(body)

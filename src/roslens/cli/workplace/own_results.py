@@ -69,7 +69,7 @@ def _strange(folder: Path, found: os.stat_result) -> str:
         except OSError:
             continue
         if not stat.S_ISREG(kept.st_mode):
-            return f"has a {name} that is no plain file"
+            return f"has a {name} that is not a regular file"
     return ""
 
 

@@ -1,4 +1,4 @@
-"""``--process-metrics``: what git's history says of repositories, packages and files."""
+"""``--process-metrics``: the Git history of repositories, packages and files."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def add_process_arguments(parser: argparse.ArgumentParser) -> None:
         "--process-metrics",
         action=argparse.BooleanOptionalAction,
         default=None,
-        help="also measure what git's history says: revisions, contributors, churn, ownership, hotspots and more "
-        "(default: as `metrics` below [process] in roslens.toml says, else not)",
+        help="also measure the Git history: revisions, contributors, churn, ownership, hotspots and more "
+        "(default: as `metrics` below [process] in roslens.toml, otherwise not)",
     )
     parser.add_argument(
         "--as-of",

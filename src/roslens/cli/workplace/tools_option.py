@@ -20,8 +20,8 @@ def add_tools_arguments(parser: argparse.ArgumentParser) -> None:
         "--tools",
         action="append",
         metavar="NAME",
-        help="also run foreign tools, in place of those in roslens.toml: cpplint,ruff say, or all that are installed; "
-        "none for none (see `roslens plugins`)",
+        help="also run external tools, instead of those in roslens.toml: for example cpplint,ruff; all: those "
+        "that are installed; none: none (see `roslens plugins`)",
     )
     parser.add_argument(
         "--import",

@@ -29,7 +29,7 @@ class ArniField(msgspec.Struct, frozen=True):
 
 
 _NEVER_RATED = "ARNI never rated it, since it compared a duration with a number; now it is rated"
-_NEVER_MEASURED = "ARNI never measured it; now it is rated where the host tells it"
+_NEVER_MEASURED = "ARNI never measured it; it is now rated if the host reports it"
 _SPREAD = ArniField(note="roslens does not measure how much it spreads; write a percentile, such as `p95 <= …`")
 _GREATEST = "the greatest of the values in the window"
 _EACH = "ARNI had a range for each; roslens rates the worst of them"

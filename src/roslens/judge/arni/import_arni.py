@@ -152,7 +152,7 @@ class _Import:
             seuid = " ".join(value for _, value in winner.selected.lines)
             del loser.lines[clash.key]
             place = self._said[loser.selected.lines, clash.key, clash.percentile == GREATEST][1]
-            why = f"it contradicts what is said of {seuid} at {winner.place}, and ARNI ignored it, having no wildcards"
+            why = f"it contradicts the entry for {seuid} at {winner.place}, and ARNI ignored it, as it has no wildcards"
             self.entries = [
                 Entry(place, Outcome.LEFT_OUT, one.what, why) if one.place == place else one for one in self.entries
             ]
@@ -266,7 +266,7 @@ class _Import:
                 before.lines.pop(one, None)
             if not before.lines and before in self.constraints:
                 self.constraints.remove(before)
-            note = f"it takes the place of what is said at {where}, as in ARNI"
+            note = f"it replaces the entry at {where}, as in ARNI"
         self._said[theme] = (constraint, self._where(place))
         constraint.lines.update(lines)
         return note

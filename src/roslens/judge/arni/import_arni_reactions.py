@@ -161,7 +161,7 @@ class _Reaction:
                 continue
             inner = self._conditions(node, depth + 1)
             if key == "not":
-                why = "`not`: what is unknown made it true in ARNI, and does not now"
+                why = "`not`: unknown values made it true in ARNI, but no longer do"
                 self._tell(place, CHANGED, key, why)
                 found += [{"not": one} for one in inner]
             else:

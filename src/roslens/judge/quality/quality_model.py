@@ -33,7 +33,7 @@ MODEL_KEYS = {
     "version": "its version, for readers",
     "extends": "models to start from: names of built-in ones, or paths that start from this file",
     "without": "ids of inherited constraints to leave out",
-    "severity": "of findings whose constraint says none: note, warning (the default) or error",
+    "severity": "of findings whose constraint has none: note, warning (the default) or error",
     "tags": "of all its findings, besides `metrics` and the name of the model",
     "constraints": "the list of constraints",
 }

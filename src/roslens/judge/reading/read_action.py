@@ -100,7 +100,7 @@ def _target(section: Section, key: str, kind: EntityKind, text: str, scope: Scop
     name = put_under(scope.namespace, text) if kind is not EntityKind.HOST else text
     literal = reading(section, key, lambda: Pattern.parse(name)).literal
     if literal is None:
-        advice = "To act on each of several, say `match: each` in the condition and `{entity}` here"
+        advice = "To act on each of several, write `match: each` in the condition and `{entity}` here"
         raise section.fault(
             key, f"{key} {text!r} has wildcards", expected=f"the name of one {kind.value}", advice=advice
         )

@@ -130,7 +130,7 @@ def _statement(section: Section, scope: Scope, time: OverTime) -> Stated:
         found = (
             f"{given[1]!r} beside {given[0]!r}"
             if given
-            else f"a condition that says nothing of {selector_words(selector)}"
+            else f"a condition that does not mention {selector_words(selector)}"
         )
         raise section.fault(given[1] if given else "", found, expected="one of `is`, `lifecycle` and `value`")
     about, states, least, most = _asked(section, selector, given[0])

@@ -76,7 +76,7 @@ def draft_text(
         lines += [f"#   {_in_comment(alarm)}" for alarm in raised]
     ignored = sorted({*left_out} - present_topics - PLUMBING)
     if ignored:
-        lines.append("# Too few messages to say anything of:")
+        lines.append("# Too few messages for a constraint:")
         lines += [f"#   {_in_comment(topic)}" for topic in ignored]
     return "\n".join(lines) + "\n"
 

@@ -36,7 +36,7 @@ def why_host(standing: Iterable[Standing], who: EntityId, world: World, now: flo
         if one.quantity.startswith("pressure_"):
             return f"{_words(one)}: what runs there waits"
         if one.quantity in _LINE:
-            return f"{_words(one)}: its line loses what is sent"
+            return f"{_words(one)}: its link loses messages"
         if one.quantity == _CLOCK:
             return f"{_words(one)}: its clock is wrong"
         if one.quantity in _BUSY and (waited := world.waits_for_processor(who, now)) >= STARVED_PERCENT:

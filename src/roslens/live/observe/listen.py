@@ -253,7 +253,7 @@ class Listener:
         for line in slow:
             reported += self._refuse(line, f"it did not prove within {PROOF_S:g} s that it knows the key")
         late = [line for line in self._lines.values() if now - line.last_received > SILENT_S]
-        reported += [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
+        reported += [one for line in late for one in self._hang_up(line, f"it was silent for {SILENT_S:g} s")]
         return reported
 
     def _left(self, line: _Line) -> list[Frame | Failure]:
@@ -274,7 +274,7 @@ class Listener:
         if not reason:
             return []
         if line.sender:
-            what, expected = f"agent {line.sender!r} at {host}: {reason}", "an agent that goes on"
+            what, expected = f"agent {line.sender!r} at {host}: {reason}", "an agent that keeps sending"
         else:
             what, expected = f"the connection from {host}: {reason}", "a roslens agent with the same key"
         return [Failure("link", what, expected=expected, advice="Look at its output")]

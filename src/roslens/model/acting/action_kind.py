@@ -134,7 +134,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
                 choices=("rosout", "diagnostics"),
             ),
         ),
-        details="Mail and paging are Alertmanager's: `roslens watch --prometheus` gives it the same verdicts.",
+        details="Use Alertmanager for mail and paging: `roslens watch --prometheus` gives it the same verdicts.",
         touches=False,
     ),
     ActionKind(
@@ -310,15 +310,15 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
     ),
     ActionKind(
         "record",
-        "Write what was just said on some topics, and what is said next, to a recording.",
+        "Record the recent and the next messages of some topics.",
         By.ROS,
         arguments=(
             Argument("topics", _T.NAMES, "Topics or patterns of them.", required=True),
-            Argument("before", _T.DURATION, "So long before is kept.", default=10.0),
-            Argument("after", _T.DURATION, "So long after is added.", default=10.0),
+            Argument("before", _T.DURATION, "Duration to keep from before the action.", default=10.0),
+            Argument("after", _T.DURATION, "Duration to record after it.", default=10.0),
         ),
-        details="One MCAP file for each time, below the folder of the journal. What was said before is held in "
-        "memory, at most 64 MB; of more, the oldest is given up, and the result says how long the recording is.",
+        details="One MCAP file for each time, below the folder of the journal. Recent messages are held in "
+        "memory, at most 64 MB; beyond that the oldest are dropped. The result states the length of the recording.",
         touches=False,
     ),
     ActionKind(

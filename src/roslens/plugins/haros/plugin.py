@@ -107,7 +107,7 @@ class _HarosPlugin:
         for rule in self._declared.rules.values():
             if rule.query:
                 report.failure(
-                    f"rule {rule.id!r} is a query, which is not run",
+                    f"rule {rule.id!r} is a query, which is not evaluated",
                     expected="a rule that the plug-in reports itself",
                     advice="Write it as a hook",
                 )

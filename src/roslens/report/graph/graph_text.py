@@ -129,7 +129,7 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
     yield from endpoint_lines(node.endpoints)
     if node.linked:
         places = ", ".join(dict.fromkeys(one.place for one in node.linked))
-        yield f"  what it makes is not known; perhaps what is linked into it and started by no known program: {places}"
+        yield f"  its endpoints are unknown; it may create those that no known program starts: {places}"
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
     yield from _parameters(head, node.parameters, _taken_anyway(node, generation, set_by_unknown=set_by_unknown))
@@ -199,7 +199,7 @@ def _parameters(
     listed = [one for one in parameters if not one.repeats_an_endpoint]
     rows = [_parameter(one, everywhere=one.name in everywhere) for one in listed]
     if len(listed) < len(parameters):
-        rows.append((f"qos_overrides.* ({len(parameters) - len(listed)})", "", "", "as the endpoints above say"))
+        rows.append((f"qos_overrides.* ({len(parameters) - len(listed)})", "", "", "as stated at the endpoints above"))
     yield f"  {head}"
     yield from _aligned(rows)
 

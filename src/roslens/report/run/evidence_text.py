@@ -21,7 +21,7 @@ def verdict(evidence: Evidence) -> str:
     text = f"{evidence.package} {evidence.version} {claimed}; all that level {shown} requires is shown to be met"
     if possible < shown:
         unknown = len(evidence.required(possible, Met.NOT_KNOWN))
-        text += f", and no evidence contradicts level {possible}, of which {unknown} requirements are not known"
+        text += f", and no evidence contradicts level {possible}, with {unknown} requirements not known"
     if evidence.claimed and evidence.claimed < possible:
         missed = ", ".join(one.requirement.number for one in evidence.required(evidence.claimed, Met.NOT_MET))
         text += f"; of the claimed level this is not met: {missed}"

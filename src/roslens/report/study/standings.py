@@ -83,7 +83,7 @@ def standings_text(found: Sequence[Standing], field: Field, *, complete: bool) -
     lines = [
         (
             f"among {field.packages:,} packages of {len(field.repositories)} repositories ({field.name}, {field.day}); "
-            "a percentile says how many of a hundred have a smaller value"
+            "a percentile is the share of packages with a smaller value"
         )
     ]
     widths = (max((len(one.title) for one in shown), default=0), max((len(_value(one)) for one in shown), default=0))

@@ -147,7 +147,11 @@ def probability(p: float) -> str:
 def _statements(study: Study) -> StudyTable:
     rows = tuple((one.says, one.found, HOLDS[one.holds]) for one in study.statements)
     return StudyTable(
-        "statements", "What section V of the paper says, and what its data says", ("says", "data", "so"), rows, texts=3
+        "statements",
+        "Statements of section V of the paper, compared with its data",
+        ("says", "data", "so"),
+        rows,
+        texts=3,
     )
 
 

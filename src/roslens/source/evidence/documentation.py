@@ -49,7 +49,7 @@ def _features(folder: PackageFolder) -> Item:
     docs = [one for one in (folder.folder / "doc", folder.folder / "docs") if is_folder(one)]
     if docs or folder.readme:
         places = [folder.location(one) for one in (*docs, *((folder.readme,) if folder.readme else ()))]
-        return not_known("3.i", "there is documentation; whether it covers each feature is for people to say", *places)
+        return not_known("3.i", "there is documentation; whether it covers each feature needs human judgement", *places)
     return not_met("3.i", "no README and no doc folder")
 
 

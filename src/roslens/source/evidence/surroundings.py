@@ -26,7 +26,7 @@ def surroundings(folder: PackageFolder, claimed: Mapping[str, int], own: int) ->
     yield declared(folder, "5.iii", r"(non-ros|direct runtime non).*dependenc", "dependencies outside of ROS")
     platforms = folder.says(r"tier 1|tier-1|REP[- ]?2000", folder.declaration)
     if platforms:
-        yield met("6.i", "the declaration says so; nothing was built", platforms)
+        yield met("6.i", "the declaration states it; nothing was built", platforms)
     else:
         yield not_known("6.i", "no declaration names platforms, and nothing was built")
     security = folder.find("SECURITY.md") or folder.security()
@@ -44,7 +44,7 @@ def _dependencies(folder: PackageFolder, claimed: Mapping[str, int], own: int) -
     worse = [name for name in here if own and (claimed[name] == 0 or claimed[name] > own)]
     if worse:
         shown = ", ".join(f"{name} ({claimed[name] or 'none'})" for name in worse[:_SHOWN])
-        return not_met("5.i", f"it claims level {own}, and packages beside it that it needs claim less: {shown}")
+        return not_met("5.i", f"it claims level {own}, and dependencies in the workspace claim a lower level: {shown}")
     outside = [name for name in needed if name not in claimed]
     if outside:
         more = f" and {len(outside) - _SHOWN} more" if len(outside) > _SHOWN else ""

@@ -74,7 +74,7 @@ def _performance(folder: PackageFolder) -> Item:
         return met("4.iv.a", what, *(Location(one.path) for one in files[:3]))
     if place := folder.says(r"performance", folder.declaration):
         return not_known("4.iv.a", "no benchmark; the declaration speaks of performance", place)
-    return not_met("4.iv.a", "no benchmark, and no declaration that says why")
+    return not_met("4.iv.a", "no benchmark, and no declaration that states why")
 
 
 def _linters(
@@ -90,5 +90,5 @@ def _linters(
     if settings and (
         place := folder.says(pattern, settings) or (folder.location(settings) if number == "4.v.a" else None)
     ):
-        return not_known(number, "settings are there; whether they are enforced is not seen", place)
+        return not_known(number, "settings exist; whether they are enforced cannot be determined", place)
     return not_met(number, "no linter among its dependencies, and no pipeline that runs one")

@@ -108,14 +108,14 @@ def refuse_strange(git: GitRunner, place: Path, url: str) -> None:
         GitError: it did not.
     """
     if not is_file(place / ".git" / "config"):
-        raise GitError("the folder is there already, and is no clone; remove or rename it")
+        raise GitError("the folder already exists, and is not a clone; remove or rename it")
     reported = git.ask(str(place), "config", "--file", str(place / ".git" / "config"), "--list", "-z") or ""
     pairs = dict(entry.partition("\n")[::2] for entry in reported.split("\0") if entry)
     if strange := sorted(pairs.keys() - CONFIGURATION):
-        raise GitError(f'the folder is there already, and its configuration has "{strange[0]}"; remove or rename it')
+        raise GitError(f'the folder already exists, and its configuration has "{strange[0]}"; remove or rename it')
     if pairs.get("remote.origin.url") != url:
         raise GitError(
-            f"the folder is there already, a clone of {pairs.get('remote.origin.url', 'nothing')}; remove it"
+            f"the folder already exists, as a clone of {pairs.get('remote.origin.url', 'nothing')}; remove it"
         )
 
 

@@ -59,7 +59,7 @@ def read_distribution(read: Read, name: str, index: str) -> Distribution:
     try:
         known = rosdistro.Index(data, base).distributions
     except Exception as error:  # the library asserts, and trips over what is no table
-        raise UsageError(f'"{index}" is no index of distributions: {error}', expected="an index-v4.yaml") from error
+        raise UsageError(f'"{index}" is not an index of distributions: {error}', expected="an index-v4.yaml") from error
     if name not in known:
         from difflib import get_close_matches
 
@@ -95,12 +95,12 @@ def distribution_of(data: Mapping[str, Any], place: str, name: str = "") -> Dist
 
     repositories = data.get("repositories") or {}
     if not isinstance(repositories, Mapping):
-        raise UsageError(f'"{place}": repositories is no table', expected="a distribution file")
+        raise UsageError(f'"{place}": repositories is not a table', expected="a distribution file")
     try:
         DistributionFile(name, {**data, "repositories": {}, "release_platforms": {}})
     except Exception as error:
         raise UsageError(
-            f'"{place}" is no distribution file that is understood: {error}',
+            f'"{place}" is not a supported distribution file: {error}',
             expected="type: distribution, and version: 1 or 2",
         ) from error
     found: list[Wanted] = []
@@ -113,7 +113,7 @@ def distribution_of(data: Mapping[str, Any], place: str, name: str = "") -> Dist
             failures.append(
                 Failure(
                     "fetch",
-                    f"what is said of it cannot be understood: {what}",
+                    f"its entry could not be parsed: {what}",
                     "source, doc or release with a url",
                     f'See "{place}"',
                     entity=f"repository:{key}",

@@ -141,7 +141,7 @@ def _request(wanted: Wanted, options: FetchOptions) -> Request:
     if wanted.kind != "git":
         raise UrlError(_way_round(wanted))
     if options.at.counted and not wanted.commits:
-        raise UrlError("the filter says no number of commits for it")
+        raise UrlError("the filter has no number of commits for it")
     url = rewritten(wanted.url, options.rewrites)
     url = checked(url, files=options.files or url != wanted.url)
     return Request(wanted, url, options.at, options.depth, options.whole)
@@ -182,7 +182,7 @@ def _kept(git: GitRunner, request: Request, place: Path, locked: Taken | None, o
     if locked is not None:
         if head == locked.commit:
             return still_there(git, request, place, locked)
-        raise GitError(f"it is at {head[:12]}, and the lock says {locked.commit[:12]}; `--update` brings it there")
+        raise GitError(f"it is at {head[:12]}, but the lock requires {locked.commit[:12]}; `--update` brings it there")
     if options.offline and not is_local(request.url):
         at = revision_at(git, str(place), head, request.at, request.count)
         if at == head:

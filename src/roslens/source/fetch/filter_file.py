@@ -40,13 +40,13 @@ def filter_of(data: Mapping[str, Any], place: str) -> Filter:
     wanted: dict[str, tuple[str, ...]] = {}
     for name, names in packages.items():
         if names is not None and not isinstance(names, list):
-            raise _wrong(place, f"packages.{name} is no list of names")
+            raise _wrong(place, f"packages.{name} is not a list of names")
         wanted[str(name)] = tuple(dict.fromkeys(str(one) for one in names or ()))
     commits: dict[str, int] = {}
     levels: dict[str, int] = {}
     facts_of = data.get("meta") or {}
     if not isinstance(facts_of, Mapping):
-        raise _wrong(place, "meta is no table")
+        raise _wrong(place, "meta is not a table")
     for name, facts in facts_of.items():
         if not isinstance(facts, Mapping):
             raise _wrong(place, f"meta.{name} is no table")
@@ -64,12 +64,12 @@ def _commits(count: object, name: str, place: str) -> int:
 
 def _levels(given: object, name: str, place: str) -> dict[str, int]:
     if not isinstance(given, Mapping) or not all(isinstance(level, int) for level in given.values()):
-        raise _wrong(place, f"meta.{name}.levels is no table of numbers")
+        raise _wrong(place, f"meta.{name}.levels is not a table of numbers")
     return {str(package): level for package, level in given.items()}
 
 
 def _wrong(place: str, what: str) -> UsageError:
     return UsageError(
-        f'"{place}" is no filter file: {what}',
+        f'"{place}" is not a filter file: {what}',
         expected="packages: {REPOSITORY: [PACKAGE, …]}, and meta: {REPOSITORY: {commits: N, levels: {…}}}",
     )

@@ -85,7 +85,7 @@ def read_lock(into: Path) -> list[Taken]:
             f"it cannot be read: {error}",
             where=str(path),
             expected="what `roslens fetch` writes",
-            advice="Remove it, and what is there is taken into a new one",
+            advice="Remove it; a new one is created from the existing clones",
         ) from error
 
 

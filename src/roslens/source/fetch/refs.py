@@ -34,7 +34,7 @@ def ref_of(git: GitRunner, folder: str, url: str, version: str) -> Ref:
     if is_commit(version):
         return Ref("", version)
     if version and (not _REF.match(version) or ".." in version or version.endswith((".lock", "/"))):
-        raise GitError(f"{version!r} is no name of a branch or a tag")
+        raise GitError(f"{version!r} is not a valid name of a branch or tag")
     if not version:
         return _head(git, folder, url)
     branch, tag = f"refs/heads/{version}", f"refs/tags/{version}"

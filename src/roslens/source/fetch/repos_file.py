@@ -38,7 +38,7 @@ def repositories_of(data: Mapping[str, Any], place: str, *, remote: bool = False
     """
     entries = data.get("repositories") or {}
     if not isinstance(entries, Mapping):
-        raise UsageError(f'"{place}": repositories is no table', expected="a .repos file")
+        raise UsageError(f'"{place}": repositories is not a table', expected="a .repos file")
     found, failures = [], []
     for name in sorted(entries, key=str):
         entry = entries[name]

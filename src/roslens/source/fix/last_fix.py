@@ -96,7 +96,7 @@ def _read(place: Path) -> LastFix:
         record = msgspec.json.decode(read_bounded(place, MOST_DOCUMENT_BYTES), type=LastFix)
     except FileNotFoundError:
         raise UsageError(
-            "there is no fix to take back", where=str(place), expected="a workspace on which `roslens check --fix` ran"
+            "there is no fix to undo", where=str(place), expected="a workspace on which `roslens check --fix` ran"
         ) from None
     except (OSError, msgspec.DecodeError) as error:
         raise UsageError(

@@ -49,7 +49,7 @@ def git_answer(folder: str, command: str, *arguments: str, given: bytes = b"", l
         raise HistoryError(f"git {command} did not answer in {limit_s:g} s") from error
     if done.returncode:
         said = " ".join(done.stderr.decode("utf-8", "replace").split())
-        raise HistoryError(said or f"git {command} ended with {done.returncode} and says nothing")
+        raise HistoryError(said or f"git {command} ended with {done.returncode} and no message")
     return done.stdout
 
 

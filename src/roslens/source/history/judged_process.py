@@ -35,7 +35,7 @@ def not_judged(models: Sequence[QualityModel]) -> tuple[Failure, ...]:
         Failure(
             "models",
             f"bounds on {', '.join(bound)} were not judged (quality model {', '.join(named)})",
-            "what git's history says",
+            "the Git history",
             "Run with --process-metrics, or set `metrics = true` below [process] in roslens.toml",
             partial=True,
         ),

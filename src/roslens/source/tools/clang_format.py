@@ -69,13 +69,13 @@ class ClangFormat(Tool):
         for line in ended.stderr.decode("utf-8", "replace").splitlines():
             if match := _FINDING.match(line):
                 path, number = below_root(match["path"], request.root), int(match["line"])
-                finding = ToolFinding(path, number, int(match["column"]), CHECK, "not laid out as the style says")
+                finding = ToolFinding(path, number, int(match["column"]), CHECK, "not formatted according to the style")
                 found.setdefault((path, number), finding)
             elif match := _DONE.match(line):
                 passed.add(below_root(match["path"], request.root))
         if not passed:
             raise unreadable(ended.stderr, "`Formatting FILE` for each file")
-        skipped = {path: "it does not say that it looked at it" for path in own_paths(request) if path not in passed}
+        skipped = {path: "it does not report that it checked it" for path in own_paths(request) if path not in passed}
         return Reading(tuple(found.values()), skipped)
 
     def words_for_fixes(self, request: Request) -> list[str]:

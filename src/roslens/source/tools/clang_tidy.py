@@ -143,7 +143,7 @@ class ClangTidy(Tool):
         if ended.code and not found and not wrong and not failed:
             raise unreadable(ended.stdout + ended.stderr, "diagnostics of Clang")
         reason = wrong[0] if wrong else "no reason given"
-        message = f"does not compile here ({reason}): what is said of the file may not be all"
+        message = f"does not compile here ({reason}): findings of the file may be incomplete"
         found += [ToolFinding(below_root(path, request.root), 0, 0, NOT_COMPILED, message) for path in failed]
         return Reading(tuple(found))
 

@@ -83,7 +83,7 @@ class Cpplint(Tool):
         passed = {below_root(path, request.root) for path in done}
         for path in own_paths(request):
             if path not in passed and path not in skipped:
-                skipped[path] = "it does not say that it looked at it"
+                skipped[path] = "it does not report that it checked it"
         findings = tuple(
             ToolFinding(
                 below_root(match["path"], request.root), int(match["line"]), 0, match["check"], match["message"]

@@ -56,7 +56,9 @@ class Ruff(Tool):
     at_once = 4000
     fixes_at_once = 4000
     options = (
-        Option("select", "list", "Rules or families; empty: what the project's settings say, or ruff's own.", []),
+        Option(
+            "select", "list", "Rules or families; empty: those of the project's settings, or the defaults of ruff.", []
+        ),
     )
 
     def words(self, request: Request) -> list[str]:

@@ -193,7 +193,7 @@ def test_what_is_not_there_is_named(tmp_path, recording, content_of):
         with pytest.raises(UsageError, match="a step of"):
             bag.tallies(step)
     assert list(bag.fields({"/a": ["pose..x"]})) == []
-    assert "no path of a field" in bag.failures[-1].what
+    assert "not a path of a field" in bag.failures[-1].what
 
 
 def test_split_files_are_one_recording(tmp_path, kind, recording, content_of, counted_plainly):

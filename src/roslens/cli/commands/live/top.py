@@ -49,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"{option} with HOST:PORT", expected="one of them", advice="The monitor there observes")
     if not (sys.stdout.isatty() and sys.stdin.isatty()):
         raise UsageError(
-            "`roslens top` writes to no terminal", expected="a terminal, as `ssh -t` gives one",
+            "`roslens top` writes to no terminal", expected="a terminal, such as that of `ssh -t`",
             advice="`roslens watch --format json` writes lines for programs",
         )  # fmt: skip
     _require_textual()

@@ -212,7 +212,7 @@ class Bag:
             for number, reader in by_number.items():
                 for path in sorted(reader.absent):
                     channel = part.channels[number]
-                    what = f'"{channel.topic}" has messages of {channel.type} in which "{path}" is no number'
+                    what = f'"{channel.topic}" has messages of {channel.type} in which "{path}" is not a number'
                     part.failures.add(part.path, what, advice="Check the path against the type.")
 
     def graph(self) -> Graph:
@@ -252,7 +252,7 @@ class Bag:
             self._failures.add(path, what, advice="They are left out. Reindex the recording.")
         if steps.counted + steps.late != self.messages:
             what = f"{steps.counted + steps.late:,} messages where the recording says it has {self.messages:,}"
-            self._failures.add(path, what, advice="What is there is counted.")
+            self._failures.add(path, what, advice="The readable part is counted.")
         for begin, end in steps.jumps:
             what = f"nothing at all between {begin / _SECOND:.3f} and {end / _SECOND:.3f} s"
             self._failures.add(path, what, advice="The clock probably jumped. The silence is shortened.")

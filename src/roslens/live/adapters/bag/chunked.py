@@ -20,7 +20,7 @@ from roslens.live.adapters.bag.stamp import stamps_of
 LOST = "Its messages are left out. The other parts of the recording are read."
 
 
-_INDEX_USED = "What the index tells of it is used, its messages are not."
+_INDEX_USED = "Its index is used, its messages are not."
 
 
 class Chunk(NamedTuple):

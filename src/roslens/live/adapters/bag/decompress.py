@@ -37,7 +37,7 @@ def decompress(content: bytes, compression: str, size: int) -> bytes:
     if reason:
         raise DamageError(reason)
     if len(found) != size:
-        raise DamageError(f"a chunk of {len(found):,} bytes that says it has {size:,}")
+        raise DamageError(f"a chunk of {len(found):,} bytes with a declared size of {size:,}")
     return found
 
 
@@ -54,7 +54,7 @@ def unpack_start(content: bytes, compression: str, size: int) -> tuple[bytes, st
         return b"", why
     unpack = _unpackers().get(compression)
     if unpack is None:
-        return b"", f'chunks compressed with "{compression}", which is not known'
+        return b"", f'chunks compressed with "{compression}", which is not supported'
     found = bytearray()
     try:
         _unpack_into(found, content, unpack, size)
@@ -68,7 +68,7 @@ def unpack_start(content: bytes, compression: str, size: int) -> tuple[bytes, st
 def _unbelievable(packed: int, compression: str, size: int) -> str:
     """Return why so many bytes cannot come of so many packed ones; empty where they can."""
     if size > LARGEST:
-        return f"a chunk that says it has {size:,} bytes, more than {LARGEST:,}"
+        return f"a chunk with a declared size of {size:,} bytes, more than {LARGEST:,}"
     if size > most_unpacked(packed):
         return f"{packed:,} bytes of {compression} that claim to be {size:,}, more than {RATIO:,} times as many"
     if compression == "lz4" and size > _LZ4_RATIO * packed + _SLACK:

@@ -71,7 +71,9 @@ class FieldReader:
         try:
             self._paths = {path: steps_of(path) for path in paths}
         except ValueError as error:
-            raise DamageError(f'"{error}", which is no path of a field such as pose.position.x or ranges[0]') from None
+            raise DamageError(
+                f'"{error}", which is not a path of a field such as pose.position.x or ranges[0]'
+            ) from None
         self._messages = MessageReader(channel)
         self.absent: set[str] = set()
 
@@ -117,7 +119,7 @@ def _decoder_of(kind: str, encoding: str, language: str, definition: str) -> Cal
     from rosbags.typesys.msg import normalize_msgtype
 
     if encoding not in {"ros1", "cdr"}:
-        raise DamageError(f'messages encoded as "{encoding}", which is not known')
+        raise DamageError(f'messages encoded as "{encoding}", which is not supported')
     name = normalize_msgtype(kind)
     try:
         if language:

@@ -27,7 +27,7 @@ from roslens.live.adapters.bag.source import Source
 _FOOTER_BYTES = PREFIX.size + 20
 _INDEX_HEAD = PREFIX.size + 6
 _PLACE = struct.Struct("<HQ")
-_REINDEX = "What is there is read. `mcap recover` writes a whole file."
+_REINDEX = "The readable part is used. `mcap recover` writes a whole file."
 
 
 class _Summary(NamedTuple):

@@ -26,7 +26,7 @@ from roslens.live.adapters.bag.ros1_layout import (
 from roslens.live.adapters.bag.source import Source
 
 _LONGEST_HEADER = 1 << 20
-_REINDEX = "What is there is read. `rosbag reindex` writes a whole file."
+_REINDEX = "The readable part is used. `rosbag reindex` writes a whole file."
 
 
 class _Record(NamedTuple):
@@ -81,7 +81,7 @@ def _indexed(source: Source, layout: Ros1Layout, head: dict[str, bytes]) -> list
             infos.append((number(fields, "chunk_pos", 8), fields, _counts(content[start:at])))
     if len(infos) != number(head, "chunk_count", 4) or len(layout.channels) != number(head, "conn_count", 4):
         raise DamageError(
-            f"{len(infos):,} chunks and {len(layout.channels):,} connections, not as many as the header says"
+            f"{len(infos):,} chunks and {len(layout.channels):,} connections, not as many as in the header"
         )
     infos.sort(key=lambda info: info[0])
     ends = [*(place for place, _, _ in infos[1:]), index_at] if infos else []

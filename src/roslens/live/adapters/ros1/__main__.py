@@ -47,9 +47,11 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m roslens.live.adapters.ros1", description=__doc__)
     parser.add_argument("--master", metavar="URI", default=os.environ.get("ROS_MASTER_URI") or DEFAULT_MASTER)
     parser.add_argument("--period", type=_positive, default=1.0, metavar="S", help="seconds between rounds")
-    parser.add_argument("--statistics", action="store_true", help="read what subscribers tell on /statistics")
+    parser.add_argument(
+        "--statistics", action="store_true", help="read the statistics that subscribers publish on /statistics"
+    )
     parser.add_argument("--parameters", action="store_true", help="read the parameter server")
-    parser.add_argument("--reports", action="store_true", help="read what other monitors tell on /diagnostics")
+    parser.add_argument("--reports", action="store_true", help="read the reports of other monitors on /diagnostics")
     parser.add_argument("--tap", action="append", default=[], type=_pattern, metavar="PATTERN", help="topics to read")
     parser.add_argument("--tap-budget", type=_share, default=0.05, metavar="PERCENT", help="CPU of the tap (5)")
     parser.add_argument("--tap-rate", type=_positive, default=5000.0, metavar="N", help="messages/s of the tap (5000)")

@@ -122,7 +122,7 @@ class Contact:
             Trouble.SILENT: "See whether it hangs or is stopped; it is asked again less often until it answers",
             Trouble.UNREACHABLE: "Set ROS_IP or ROS_HOSTNAME where the node runs to what this host can reach",
             Trouble.GARBLED: "See which program listens there",
-            Trouble.DENIED: "What its peers and a tap can tell is still reported; rospy cannot tell counters over 2 GB",
+            Trouble.DENIED: "Data from its peers and taps is still reported; rospy cannot report counters over 2 GB",
         }[error.trouble]
         return Failure(TOOL, str(error), "an answer to the calls of a node's API", advice, entity=entity, partial=True)
 

@@ -67,7 +67,7 @@ class Follower:
             self.there = False
             what = f"no ROS master: {error}"
             if self.ever:
-                what = f"the ROS master is gone: {error}; what is known of nodes is from before"
+                what = f"the ROS master is gone: {error}; the known nodes are those from before"
             advice = "Start roscore, or name the master by ROS_MASTER_URI or --master"
             return Step(news=news, failures=(Failure(TOOL, what, "a master that answers", advice),))
 

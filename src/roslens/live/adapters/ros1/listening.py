@@ -244,5 +244,5 @@ class Listening:
         if self._budget.spend(cpu, messages, size, time.monotonic()) and not rested:
             for source in [source for source in self._streams if source.use is Use.TAP]:
                 self._drop(source)
-            advice = "It goes on when there is budget again; narrow its patterns, or raise --tap-budget"
+            advice = "It resumes when the budget permits; narrow its patterns, or raise --tap-budget"
             self._fail(f"the tap rests: it used {self._budget.why}", "topics that fit the budget", advice, "")

@@ -72,7 +72,7 @@ def _of_monitor(reference: Reference) -> list[dict[str, Any]]:
             "expr": "absent(roslens_records_total)",
             "for": "30s",
             "labels": labels,
-            "annotations": {"summary": "No monitor tells how the robot stands: nothing is known of it."},
+            "annotations": {"summary": "No monitor reports the state of the robot: it is unknown."},
         },
         {
             "alert": NOT_JUDGED,

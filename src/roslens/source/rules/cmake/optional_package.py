@@ -37,7 +37,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         if any(_required_too(other, name) for other in cmake.named("find_package")):
             continue
         if _is_used(name, view):
-            message = f"{name!r} is looked for without REQUIRED, used, and nobody asks whether it was found"
+            message = f"{name!r} is searched for without REQUIRED and used without a check whether it was found"
             yield one.hit("cmake.optional_package", message)
 
 

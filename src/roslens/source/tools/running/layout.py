@@ -19,8 +19,8 @@ FEWEST = 2
 RULE = RuleInfo(
     "layout.differs",
     "Layout differs from the style",
-    "White space, line breaks, braces or the order of includes are not as the style has them. All findings of the "
-    'package are in this one; `[tools] layout = "each"` tells them one by one.',
+    "White space, line breaks, braces or the order of includes deviate from the style. All findings of the "
+    'package are in this one; `[tools] layout = "each"` reports each separately.',
     Severity.NOTE,
     (LAYOUT,),
     "A formatter mends it at one stroke; line by line it hides what matters.",

@@ -108,7 +108,7 @@ def _mended(finding: Finding, known: Mapping[_Place, tuple[Edit, ...]]) -> Findi
 def _failure(tool: Tool, error: Exception) -> Failure:
     return Failure(
         tool.name,
-        f"{tool.name} tells no fixes: it {error}",
+        f"{tool.name} provides no fixes: it {error}",
         "the fixes of its findings",
         f"Run {tool.program} by hand",
     )

@@ -191,7 +191,7 @@ class _Reader:
         for invocation in run.invocations or ():
             if invocation.execution_successful is False:
                 said = next((_plain(one.message) for one in invocation.tool_execution_notifications or ()), "")
-                self._trouble.append(f"{driver.name} says that its run failed" + (f": {said[:200]}" if said else ""))
+                self._trouble.append(f"{driver.name} reports that its run failed" + (f": {said[:200]}" if said else ""))
         if run.results is None:
             self._trouble.append(f"{driver.name} has no `results`: it did not run to its end")
         for result in run.results or ():

@@ -157,5 +157,5 @@ def _not_trusted(name: str) -> Failure:
         name,
         f"{name} was not run, because it is not trusted: [tools.{name}] of roslens.toml names a program",
         "a command whose folder and content you trust",
-        "Read it, then run `roslens trust`; --trust does for one run, in CI say",
+        "Review it, then run `roslens trust`; use --trust for a single run, for example in CI",
     )

@@ -49,7 +49,7 @@ RULE = PackageRule(
     title="Manifest as a template wrote it",
     finds="A description, licence or maintainer in package.xml that still says what `ros2 pkg create` or "
     "`catkin_create_pkg` wrote. Say what holds for this package.",
-    why="Without a licence nobody may use the package, and without a maintainer nobody hears of its faults.",
+    why="Without a licence the package may not be used, and without a maintainer there is no contact for its faults.",
     profiles=("ros2", "ros1"),
     tags=("manifest",),
     bad="<license>TODO: License declaration</license>",

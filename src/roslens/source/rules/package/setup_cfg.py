@@ -34,7 +34,7 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 RULE = PackageRule(
     id="package.setup_cfg",
-    title="Programs of a Python package installed where nobody looks",
+    title="Programs of a Python package not installed to lib/PACKAGE",
     finds="An `ament_python` package with `console_scripts` or `scripts` whose setup.cfg is missing, lacks "
     "`install_scripts` below `[install]`, or names the folder of another package. Expected is `$base/lib/PACKAGE`.",
     why="`ros2 run` and launch files look below `lib/PACKAGE`; setuptools installs to `bin`. The build succeeds "

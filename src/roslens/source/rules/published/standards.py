@@ -45,7 +45,7 @@ _STANDARDS = {
 _HEAD = """\
 # Standards and native rules
 
-Each row of the first two tables is a check of somebody else and what answers it here: a native rule, a check of a
+Each row of the first two tables is a check of another tool and its counterpart here: a native rule, a check of a
 foreign tool that roslens runs, or the reason why nothing does. The other tables list the clauses of published standards
 that native rules cover, in whole or in part; what only a compiler can decide is in none. `make docs` writes this
 page from `src/roslens/source/rules/published/standards.yaml` and the `clauses` of the rules.

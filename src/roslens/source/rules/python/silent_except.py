@@ -28,7 +28,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 RULE = FileRule(
     id="python.silent_except",
-    title="Exception that nobody hears of",
+    title="Exception that is ignored silently",
     finds="`except Exception: pass` (or `BaseException`) without a comment that says why. Log it, or catch the "
     "type that is meant.",
     why="A sensor that stopped, a parameter of the wrong type, a misspelt attribute: the robot goes on with old "

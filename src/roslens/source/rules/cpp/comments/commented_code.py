@@ -31,7 +31,7 @@ RULE = FileRule(
     id="cpp.commented_code",
     title="Code in comments",
     finds="Two or more lines of comments in a row that end like code. Delete them; the repository keeps them.",
-    why="Nobody knows whether it is meant to come back.",
+    why="It is unclear whether it is meant to come back.",
     severity=Severity.NOTE,
     profiles=(
         "hicpp",

@@ -32,7 +32,7 @@ RULE = FileRule(
     id="cpp.copyright",
     title="No copyright",
     finds="A file without the word copyright in its first lines. Say whose it is and under which licence.",
-    why="Nobody may use a file without a licence.",
+    why="A file without a licence may not be used.",
     severity=Severity.NOTE,
     profiles=(
         "google",

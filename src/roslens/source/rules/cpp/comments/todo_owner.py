@@ -24,7 +24,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit_at(
             "cpp.todo_owner",
             view.place(match.start())[0],
-            f"`{text[:60]}` names nobody; expected a name in parentheses",
+            f"`{text[:60]}` has no owner; expected a name in parentheses",
         )
 
 
@@ -32,7 +32,7 @@ RULE = FileRule(
     id="cpp.todo_owner",
     title="Note without a name",
     finds="A `TODO` without `(name)` behind it. Write `// TODO(name): what`.",
-    why="Nobody knows whom to ask.",
+    why="It is unclear whom to ask.",
     severity=Severity.NOTE,
     profiles=(
         "google",

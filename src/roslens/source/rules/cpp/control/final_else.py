@@ -27,7 +27,7 @@ RULE = FileRule(
     id="cpp.final_else",
     title="`else if` without a final `else`",
     finds="A chain of `if … else if` that does not end in `else`. Add one, with a comment where nothing is to be done.",
-    why="The state that nobody thought of passes without a word.",
+    why="An unforeseen state is ignored silently.",
     severity=Severity.NOTE,
     profiles=(
         "hicpp",

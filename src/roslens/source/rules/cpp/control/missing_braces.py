@@ -32,7 +32,7 @@ RULE = FileRule(
     id="cpp.missing_braces",
     title="Body without braces",
     finds="The body of `if`, `else`, `for`, `while` or `do` is no block. Put braces around it.",
-    why="The next line that somebody adds to an emergency branch is not in it.",
+    why="A line added later to an emergency branch is not part of it.",
     severity=Severity.NOTE,
     profiles=(
         "ros-style",

@@ -26,7 +26,7 @@ RULE = FileRule(
     title="`switch` without `default`",
     finds="A `switch` without a `default`. Add one; where all values of an enumeration are handled, let it "
     "report the impossible.",
-    why="A message of a newer version brings a mode that nobody handles, and nothing is said.",
+    why="A message of a newer version has a mode that is not handled, and no error is reported.",
     severity=Severity.NOTE,
     profiles=(
         "hicpp",

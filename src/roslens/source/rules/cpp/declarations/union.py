@@ -24,7 +24,7 @@ RULE = FileRule(
     id="cpp.union",
     title="Union",
     finds="A `union`. Use `std::variant`, or `std::memcpy` to read bytes as something else.",
-    why="Which member counts is known to nobody but the writer; reading another one is undefined.",
+    why="Only the writer knows which member is valid; reading another one is undefined behaviour.",
     severity=Severity.NOTE,
     profiles=(
         "hicpp",

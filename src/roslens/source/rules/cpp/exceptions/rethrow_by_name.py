@@ -51,7 +51,7 @@ RULE = FileRule(
         "ros1",
         "safety",
     ),
-    fix="Writes `throw;` where the exception was caught by reference to const: nobody can have changed it.",
+    fix="Writes `throw;` where the exception was caught by reference to const: it cannot have been changed.",
     bad="void f() { try { g(); } catch (const E& e) { throw e; } }\n",
     good="void f() { try { g(); } catch (const E& e) { throw; } }\n",
     syntax="cpp",

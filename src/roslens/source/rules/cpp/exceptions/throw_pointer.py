@@ -21,7 +21,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="cpp.throw_pointer",
     title="Exception thrown as a pointer",
-    finds="`throw new E(…)`: nobody knows who deletes it, and `catch (const E&)` does not see it. Throw the "
+    finds="`throw new E(…)`: it is unclear who deletes it, and `catch (const E&)` does not see it. Throw the "
     "object itself. It is a note where a handler of the package catches pointers of that type.",
     why="The handler that was meant to stop the robot does not match, and the process ends.",
     profiles=(

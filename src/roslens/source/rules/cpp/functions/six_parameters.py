@@ -32,7 +32,7 @@ RULE = FileRule(
     id="cpp.six_parameters",
     title="More than six parameters",
     finds="A function with more than six parameters. Pass a struct.",
-    why="Two of seven numbers are exchanged at some call, and nobody sees it.",
+    why="If two of seven numbers are swapped at a call, it goes unnoticed.",
     severity=Severity.NOTE,
     profiles=(
         "hicpp",

@@ -27,7 +27,7 @@ RULE = FileRule(
     id="cpp.vlog_level",
     title="Name as the level of `VLOG`",
     finds="`VLOG(INFO)`: verbose levels are numbers. Write `LOG(INFO)` or `VLOG(1)`.",
-    why="The message is written at a level that nobody meant.",
+    why="The message is logged at an unintended level.",
     severity=Severity.NOTE,
     profiles=(
         "google",

@@ -55,7 +55,7 @@ RULE = FileRule(
     finds="`while (true)` or `for (;;)` in a node, without a way out and without a look at `ok()`. Ask `ok()`.",
     why="ROS takes Ctrl-C and the launch's signal away from the process and only sets `ok()` to false: a loop that "
     "does not "
-    "ask keeps the process, and the hardware it drives, until somebody kills it.",
+    "ask keeps the process, and the hardware it drives, running until it is killed.",
     severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),

@@ -76,7 +76,7 @@ RULE = FileRule(
     "at shutdown. Ask `rospy.is_shutdown()`.",
     why="rospy takes Ctrl-C and the launch's signal away from the process and raises no KeyboardInterrupt: the loop "
     "keeps "
-    "the process until somebody kills it.",
+    "the process running until it is killed.",
     profiles=("ros1",),
     tags=("lifetime",),
     bad="import rospy\nrospy.init_node('n')\nwhile True:\n    work()\n",

@@ -39,7 +39,7 @@ def _is_slept_on(call: Node, view: FileView) -> bool:
 
 RULE = FileRule(
     id="node.rate_without_thread",
-    title="Rate that nobody wakes (rclpy)",
+    title="Rate without a spinning thread (rclpy)",
     finds="`create_rate` and `sleep()` of that rate in a program that spins in no other thread. "
     "Use a timer, or spin in a thread.",
     why="`Rate.sleep()` of rclpy waits for a timer of the node, and timers run in the executor: slept on in the "

@@ -33,7 +33,7 @@ def of_string(node: Node, view: FileView, rule: str, expected: str) -> Iterator[
 
 RULE = FileRule(
     id="node.home_path",
-    title="Path into somebody's home",
+    title="Path in a user's home folder",
     finds="A text that begins with `/home/name/` or `/Users/name/`. Make it a parameter, or find files of packages by "
     "the "
     "package's share folder.",

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 RULE = FileRule(
     id="node.home_path_python",
-    title="Path into somebody's home (Python)",
+    title="Path in a user's home folder (Python)",
     finds="A text that begins with `/home/name/` or `/Users/name/`, launch files included. Make it a parameter or "
     "argument, or "
     "find files of packages by the package's share folder.",

@@ -56,7 +56,7 @@ RULE = FileRule(
     finds="`create_rate`, or as a note `rospy.Rate`, made and slept on in each round of a loop. Make it before.",
     why="A rate subtracts what the round took from its sleep only if it lives longer than the round: made anew, the "
     "loop "
-    "is slower than its number says. In rclpy each call adds a timer that nobody removes.",
+    "is slower than its number says. In rclpy each call adds a timer that is never removed.",
     profiles=("ros2", "ros1"),
     tags=("time", "real-time"),
     bad="import rospy\nwhile not rospy.is_shutdown():\n    work()\n    rospy.Rate(10).sleep()\n",

@@ -54,7 +54,7 @@ def _is_asked(call: Node, body: Node, view: FileView) -> bool:
 
 RULE = FileRule(
     id="node.transform_unhandled",
-    title="Look-up of a transform that nobody catches",
+    title="Unhandled exception of a transform look-up",
     finds="`lookupTransform` outside of `try`, in a callback that neither asks `canTransform` nor waits before. Catch "
     "`tf2::TransformException` and go on without.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up throws: the node "

@@ -38,7 +38,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 RULE = FileRule(
     id="node.transform_unhandled_python",
-    title="Look-up of a transform that nobody catches (Python)",
+    title="Unhandled exception of a transform look-up (Python)",
     finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before. "
     "Catch `TransformException` and go on without. Handlers of services and actions of rospy are left out: the caller "
     "is told.",

@@ -94,6 +94,27 @@ def test_a_node_that_is_gone_is_told_before_a_busy_host_with_what_it_leads_to():
     assert [(one["entity"], one["severity"]) for one in others] == [("host:rover", "warning")]
 
 
+def test_what_was_low_before_its_node_was_absent_is_told_under_the_node_as_why_draws_it():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(10)
+    assert [one["entity"] for one in document(robot)["alerts"]] == ["topic:/scan"]
+    robot.gone.add("/lidar")
+    robot.rates["/scan"] = 0
+    robot.run(5)
+    found = document(robot)
+    (first,) = found["alerts"]
+    assert first["entity"] == "node:/lidar"
+    scan = next(one for one in first["follows"] if one["entity"] == "topic:/scan")
+    assert scan["sentence"] == (
+        "is silent, expected 8..12 Hz; Look at the cable of the lidar; "
+        "out of range since 12:00:07.0, its node absent since 12:00:17.0"
+    )
+    boxes = found["causes"]["boxes"]
+    assert [one["entity"] for one in boxes if one["first"]] == ["node:/lidar"]
+    assert "topic:/scan" in [one["entity"] for one in boxes]
+
+
 def test_an_observer_that_is_not_heard_is_the_first_cause_of_what_is_unknown():
     robot = ScriptedRobot()
     robot.cpu["rover"] = 99.0

@@ -38,6 +38,12 @@ def test_first_causes_stand_at_the_left_and_what_is_shared_is_drawn_once():
     assert len(set(places)) == len(places)
 
 
+def test_an_alert_on_the_way_to_a_graver_one_is_a_first_cause_in_both():
+    ways = [[step("topic:/b", "topic:/a"), step("topic:/a", "node:/n")]]
+    picture = cause_picture(ways, {"topic:/a": "low"}, {"topic:/a", "node:/n"})
+    assert [one.entity for one in picture.boxes if one.first] == ["node:/n", "topic:/a"]
+
+
 def test_no_curve_goes_through_words():
     """A line changes its height beside its cause, and is straight where the words about it stand."""
     ways = [[step(f"topic:/{number}", "node:/n")] for number in range(5)]

@@ -14,6 +14,7 @@ from roslens.cli.page.watch_causes import causes_of
 from roslens.cli.page.watch_graph import GraphPicture
 from roslens.cli.page.watch_screen import urgency
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Picture, Snapshot
+from roslens.live.explain.causes import LATE_S
 from roslens.live.publish.diagnostics import verdict_message
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityKind
@@ -122,11 +123,21 @@ def _alerts(verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> tuple
         if cause is None:
             firsts.append(place)
         else:
-            followers.setdefault(cause, []).append(_alert(one, clock, ()))
+            followers.setdefault(cause, []).append(_alert(one, clock, (), _before(one, bad[cause], clock)))
     return tuple(_alert(bad[place], clock, tuple(followers.get(place, ()))) for place in firsts)
 
 
-def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ...]) -> Alert:
+def _before(one: Verdict, cause: Verdict, clock: Callable[[float], str]) -> str:
+    """Return since when both are so, where something was wrong before the node was gone or stopped that explains it."""
+    states = {"presence": "absent", "stopped": "stopped"}
+    if cause.quantity not in states or cause.since - one.since <= LATE_S:
+        return ""
+    node = "its node" if one.entity.kind is EntityKind.TOPIC else cause.entity.name
+    began, ended = clock(one.since).strip(), clock(cause.since).strip()
+    return f"; out of range since {began}, {node} {states[cause.quantity]} since {ended}"
+
+
+def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ...], before: str = "") -> Alert:
     entity = str(one.entity)
     name = one.entity.name
     if one.entity.kind is EntityKind.CONNECTION:
@@ -140,7 +151,7 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
         state=one.state.value,
         # What an error follows from matters as much as the error.
         severity=max([one.severity.value, *(other.severity for other in follows)], key=_GRAVITY.__getitem__),
-        sentence=shown_text(verdict_message(msgspec.structs.replace(one, cause=""))),
+        sentence=shown_text(verdict_message(msgspec.structs.replace(one, cause="")) + before),
         since=one.since,
         when=clock(one.since),
         cause=encodable(one.cause),

@@ -5,7 +5,7 @@ Pure: ways from faults to their causes in, boxes and lines with places out.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import msgspec
 
@@ -21,7 +21,7 @@ MOST_BOXES = 40
 
 
 class CauseBox(msgspec.Struct, frozen=True):
-    """An entity; ``x`` and ``y`` are the upper left corner, ``first`` says that nothing else explains it."""
+    """An entity; ``x`` and ``y`` are the upper left corner, ``first`` says that it is a first cause."""
 
     entity: str
     name: str
@@ -73,12 +73,15 @@ class Step(msgspec.Struct, frozen=True):
     evidence: str
 
 
-def cause_picture(ways: Iterable[Sequence[Step]], states: Mapping[str, str]) -> CausePicture:
+def cause_picture(
+    ways: Iterable[Sequence[Step]], states: Mapping[str, str], alerts: Collection[str] = ()
+) -> CausePicture:
     """Return the graph of ways from faults to first causes, each from the fault on.
 
     Args:
         ways: of faults that another explains; what several share is drawn once.
         states: worst state of each entity that is judged.
+        alerts: entities that are bad and that nothing explains, even where they stand on the way to a graver cause.
     """
     steps: dict[tuple[str, str], Step] = {}
     left_out = 0
@@ -103,7 +106,7 @@ def cause_picture(ways: Iterable[Sequence[Step]], states: Mapping[str, str]) -> 
     drawn = tuple(
         CauseBox(
             entity=entity, name=entity.partition(":")[2], kind=entity.partition(":")[0],
-            state=states.get(entity, "unjudged"), first=entity not in explained,
+            state=states.get(entity, "unjudged"), first=entity not in explained or entity in alerts,
             x=MARGIN + levels[entity] * (WIDE + BETWEEN), y=MARGIN + placed[entity] * (HIGH + APART),
         )
         for entity in order

@@ -10,6 +10,7 @@ from roslens.live.explain.blame import TIMES, only_clock, why_host
 from roslens.live.explain.causes import first_causes
 from roslens.live.explain.links import links
 from roslens.live.explain.node_faults import GONE, LASTING_S, LEFT_S, STOPPED, NodeFault, chain_of, severity_of
+from roslens.live.explain.taken_over import taken_over
 from roslens.live.standing.standing import Standing
 from roslens.live.system.world import World
 from roslens.model.entity import EntityId, EntityKind
@@ -84,10 +85,12 @@ class Explained:
         def evidence(before: EntityId, entity: EntityId) -> str:
             return self._evidence(before, entity, gone, stopped, now)
 
+        faulty = {**stopped, **gone}
         causes = first_causes(since, self._fine, upstream, weights, until)
         causes = {entity: cause for entity, cause in causes.items() if self._can_break(cause, entity)}
+        causes = taken_over(causes, since, faulty, self._world)
         changed = self._reported(causes, upstream, evidence)
-        changed += self._blamed(causes, {**stopped, **gone}, gone, now)
+        changed += self._blamed(causes, faulty, gone, now)
         self._lead(causes)
         return changed
 

@@ -69,6 +69,11 @@ def test_a_package_in_a_folder_named_as_the_repository_is_a_copy(tree: Tree) -> 
     assert copied(root) == {"zed_node": "stereolabs/zed-ros-wrapper 2.7.0"}
 
 
+def test_a_package_of_a_maker_of_drivers_is_a_copy(tree: Tree) -> None:
+    root = tree({**OWN, "src/laser/package.xml": manifest("laser", "2.1.4", "ROS Maintainer|ros@slamtec.com")})
+    assert copied(root) == {"laser": "laser 2.1.4"}
+
+
 def test_its_files_are_vendored_unless_the_user_says_otherwise(tree: Tree) -> None:
     root = tree(
         {
@@ -107,6 +112,15 @@ AT_HOME: dict[str, dict[str, str]] = {
     "the same person with another address": {
         "src/arm/package.xml": manifest("arm", "1.2.0", "Ada L|ada@arms.org"),
         "src/arm/CHANGELOG.rst": log("arm", "1.2.0"),
+    },
+    "a package of a maker and of others": {
+        "src/laser/package.xml": manifest("laser", who="A B|ros@slamtec.com").replace(
+            "<license>", '<maintainer email="c@gmail.com">C D</maintainer><license>'
+        ),
+    },
+    "half of all packages of a maker": {
+        "src/laser/package.xml": manifest("laser", who="A B|ros@slamtec.com"),
+        "src/laser_msgs/package.xml": manifest("laser_msgs", who="A B|ros@slamtec.com"),
     },
     "a version of which one package is at home": {
         "src/arm/package.xml": manifest("arm", "1.2.0", "Bo|bo@uni.edu"),

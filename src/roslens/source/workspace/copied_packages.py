@@ -47,7 +47,7 @@ _MAKERS = re.compile(
     r"|(?:sim|fsr)\.tu-darmstadt\.de|bovbel\.com|ericperko\.com)",
     re.IGNORECASE,
 )
-"""Hosts of the addresses of makers of drivers, simulators and libraries; in data of 500 repositories, of several owners."""
+"""Hosts of the addresses of makers of drivers, simulators and libraries: each was seen in repositories of others."""
 _HALF = 0.5
 
 

@@ -1,13 +1,14 @@
-"""Curves over revisions: where lines, ticks and marks stand in a plot of a fixed size."""
+"""Curves over time: where lines, ticks and marks of revisions stand in a plot of a fixed size."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from datetime import datetime, timezone
+from itertools import accumulate
 
 import msgspec
 
+from roslens.dashboard.charts.dates import dates_between, day_of
 from roslens.dashboard.charts.figures import number
 from roslens.model.trend import TrendEvent, TrendPoint
 
@@ -42,12 +43,16 @@ class Mark(msgspec.Struct, frozen=True):
 
 
 class LineChart(msgspec.Struct, frozen=True):
-    """A plot: lines, ticks of both axes and marks of events, in units of :data:`WIDTH` and :data:`HEIGHT`."""
+    """A plot: lines, ticks of both axes and marks of events, in units of :data:`WIDTH` and :data:`HEIGHT`.
+
+    ``places`` are those of all revisions along the axis.
+    """
 
     lines: tuple[Line, ...]
     across: tuple[tuple[float, str], ...]
     up: tuple[tuple[float, str], ...]
     marks: tuple[Mark, ...]
+    places: tuple[float, ...] = ()
 
     @property
     def dense(self) -> bool:
@@ -63,7 +68,8 @@ def line_chart(
 ) -> LineChart | None:
     """Return the plot; None where no column has a value.
 
-    Revisions stand at equal distances: commits come in bursts, and what happened in one would be a single stroke.
+    Revisions stand where their time is, so that a slope tells how fast something changed; none stands before the one
+    that it follows, even if a clock was wrong. Those of a single instant stand at equal distances.
 
     Args:
         points: the revisions.
@@ -75,11 +81,9 @@ def line_chart(
     known = [one for _, values in held for one in values if one is not None]
     if not known:
         return None
-    low, high, ticks = _ticks(min(known), max(known))
-    step = WIDTH / max(1, len(points) - 1)
-
-    def x(place: int) -> float:
-        return round(place * step if len(points) > 1 else WIDTH / 2, 1)
+    low, high, ticks = _ticks(min(known), max(known), whole=all(one == int(one) for one in known))
+    places = _places([one.time_s for one in points])
+    x = places.__getitem__
 
     def y(value: float) -> float:
         return round(HEIGHT * (1 - (value - low) / (high - low)), 1)
@@ -93,7 +97,18 @@ def line_chart(
         _across(points, x),
         tuple((y(tick), _tick_text(tick, ticks)) for tick in ticks),
         _marks(events, x),
+        places,
     )
+
+
+def _places(times: Sequence[float]) -> tuple[float, ...]:
+    if len(times) == 1:
+        return (WIDTH / 2,)
+    ordered = list(accumulate(times, max))
+    span = ordered[-1] - ordered[0]
+    if not span:
+        return tuple(round(WIDTH * place / (len(times) - 1), 1) for place in range(len(times)))
+    return tuple(round(WIDTH * (one - ordered[0]) / span, 1) for one in ordered)
 
 
 def _line(
@@ -126,14 +141,18 @@ def _thinned(count: int, kept: set[int]) -> list[int]:
     return sorted(even | kept)
 
 
-def _ticks(least: float, most: float) -> tuple[float, float, list[float]]:
-    """Return the ends of the axis and three to six ticks; amounts begin at 0 unless they all are far from it."""
+def _ticks(least: float, most: float, *, whole: bool = False) -> tuple[float, float, list[float]]:
+    """Return the ends of the axis and three to six ticks; amounts begin at 0 unless they all are far from it.
+
+    Between whole numbers, as those of what is counted, there are no ticks.
+    """
     low = 0.0 if least >= 0 and least < 0.7 * most else least
     if most <= low:
         low, most = (low - 1, low + 1) if low else (0.0, 1.0)
     raw = (most - low) / 4
     power = 10.0 ** math.floor(math.log10(raw))
     width = next(step * power for step in (1, 2, 5, 10) if step * power >= raw * 0.999)
+    width = max(width, 1.0) if whole else width
     first, last = math.floor(low / width), math.ceil(most / width)
     return first * width, last * width, [place * width for place in range(first, last + 1)]
 
@@ -152,19 +171,20 @@ def _digits_of(ticks: Sequence[float]) -> int:
 
 
 def _across(points: Sequence[TrendPoint], x: Callable[[int], float]) -> tuple[tuple[float, str], ...]:
-    """Return at most seven dates along the axis, the first and the last among them; none stands on another."""
+    """Return the first and the last day, and round dates between, as many as do not stand on one another."""
+    first, last = points[0].time_s, max(one.time_s for one in points)
     if len(points) == 1:
         return ((x(0), day(points[0])),)
-    many = min(6, len(points) - 1)
-    last = len(points) - 1
-    kept, free = [0], DAY_WIDTH
-    for place in sorted({round(turn * last / many) for turn in range(1, many)}):
+    if last <= first:
+        return ((0.0, day_of(first)), (WIDTH, day_of(last)))
+    between = []
+    for time, text in dates_between(first, last, most=int(WIDTH / DAY_WIDTH)):
+        place = round(WIDTH * (time - first) / (last - first), 1)
         # The dates between are centred, those at the ends stand inside the plot.
-        begin = x(place) - DAY_WIDTH / 2
-        if begin >= free and begin + 2 * DAY_WIDTH <= WIDTH:
-            kept.append(place)
-            free = begin + DAY_WIDTH
-    return tuple((x(place), day(points[place])) for place in (*kept, last))
+        apart = DAY_WIDTH * (1 + len(text) / (2 * len("2026-01-31")))
+        if apart <= place <= WIDTH - apart:
+            between.append((place, text))
+    return ((0.0, day_of(first)), *between, (WIDTH, day_of(last)))
 
 
 def _marks(events: Sequence[TrendEvent], x: Callable[[int], float]) -> tuple[Mark, ...]:
@@ -185,4 +205,4 @@ def _marks(events: Sequence[TrendEvent], x: Callable[[int], float]) -> tuple[Mar
 
 def day(point: TrendPoint) -> str:
     """Return the day of a revision, in UTC."""
-    return datetime.fromtimestamp(point.time_s, tz=timezone.utc).strftime("%Y-%m-%d")
+    return day_of(point.time_s)

@@ -1,20 +1,20 @@
 // A stretch drawn over a curve leads to what is different between its ends; the form below does the same by keyboard.
 
-const WIDTH = 860;
+const placesOf = (svg) => svg.dataset.places.split(" ").map(Number);
 
+/** The revision nearest to where the pointer is. */
 function place(svg, event) {
   const matrix = svg.getScreenCTM();
-  const count = svg.dataset.commits.split(" ").length;
   const x = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()).x;
-  return Math.min(count - 1, Math.max(0, Math.round((x / WIDTH) * (count - 1))));
+  const away = placesOf(svg).map((one) => Math.abs(one - x));
+  return away.indexOf(Math.min(...away));
 }
 
 function draw(svg, first, last) {
-  const commits = svg.dataset.commits.split(" ");
-  const step = WIDTH / Math.max(1, commits.length - 1);
+  const places = placesOf(svg);
   const stretch = svg.querySelector(".stretch");
-  stretch.setAttribute("x", Math.min(first, last) * step);
-  stretch.setAttribute("width", Math.abs(last - first) * step);
+  stretch.setAttribute("x", Math.min(places[first], places[last]));
+  stretch.setAttribute("width", Math.abs(places[last] - places[first]));
 }
 
 export function startTrend(root) {

@@ -41,7 +41,7 @@ def test_a_section_says_everything():
         "## holes",
         "How many holes there are.",
         "- **Measured on**: function, file",
-        "- **Goes up as**: mean (`holes`), max (`holes.max`)",
+        "- **Aggregated as**: mean (`holes`), max (`holes.max`)",
         "- **Range**: 0 to 4,000",
         "- **Formula**: count",
         "- **Source**: Lennon 1967",
@@ -54,5 +54,5 @@ def test_what_has_no_upper_bound_and_no_folds_says_so():
     plain = Quantity(key="x", title="X", unit="", kinds=(EntityKind.FILE,), text="x")
     page = metrics_page([plain])
     assert "- **Range**: 0 or more" in page
-    assert "Goes up as**:" not in page
-    assert "- **Unit**: none, a number" in page
+    assert "Aggregated as**:" not in page
+    assert "- **Unit**: dimensionless" in page

@@ -1,4 +1,4 @@
-"""``roslens init``: write a commented ``roslens.toml`` that says what can be configured."""
+"""``roslens init``: write a commented ``roslens.toml`` with all options."""
 
 from __future__ import annotations
 
@@ -11,45 +11,45 @@ EXAMPLES = """\
   roslens init ~/robot_ws --force"""
 
 TEMPLATE = """\
-# What roslens looks at and how it judges. Every line is optional; the values shown are the defaults.
+# Configuration of roslens. Every line is optional; the values shown are the defaults.
 
 # Quality models: ros, nasa-satc, his, kth, akureyri, verifysoft, microsoft, paper2016, or a path to your own YAML.
 models = ["ros"]
 
-# Exit with 1 from this severity on: note, warning, error or never.
+# Exit with 1 on findings of at least this severity: note, warning, error or never.
 fail_on = "error"
 
-# Exit with 0 instead of 3 when only parts of files could not be parsed.
+# Exit with 0 instead of 3 if only parts of files could not be parsed.
 accept_partial = false
 
 # Findings in files of these roles count for the gate: own, test, generated, vendored.
 gate_roles = ["own"]
 
-# Plug-ins by path (installed ones are found by themselves), and plug-ins to leave out by name.
+# Plug-ins by path (installed ones are found automatically), and plug-ins to disable, by name.
 plugins = []
 disable = []
 
-# Seconds that one call of a plug-in may take.
+# Time limit of one call of a plug-in, in seconds.
 time_limit_s = 60
 
 # Worker processes; 0 means one per processor.
 jobs = 0
 
 [workspace]
-# Globs on paths below the workspace root; ** stands for any depth.
+# Globs on paths below the workspace root; ** matches any depth.
 ignore = []
-# Files that are to be seen as test, generated, vendored or own code, besides what roslens sees by itself.
+# Files to treat as test, generated, vendored or own code, in addition to automatic detection.
 test = []
 generated = []
 vendored = []
 own = []
 
 [workspace.environment]
-# What conditions in package.xml see; default: ROS_VERSION, ROS_DISTRO, ROS_PYTHON_VERSION of the shell.
+# Variables for conditions in package.xml; default: ROS_VERSION, ROS_DISTRO, ROS_PYTHON_VERSION of the shell.
 # ROS_VERSION = "2"
 
 [counting]
-# Decisions inside lambdas count for the function around them.
+# Decisions inside lambdas count for the enclosing function.
 lambdas = true
 # Decisions in every arm of #if count, not only those of the first.
 alternatives = true
@@ -57,62 +57,62 @@ alternatives = true
 duplicate_lines = 10
 
 [macros]
-# Regular expressions of C++ macros that stand for nothing the parser should see (export and visibility macros).
+# Regular expressions of C++ macros that the parser should ignore (export and visibility macros).
 blank = []
-# Macros that stand for a whole statement or declaration without a semicolon.
+# Macros that expand to a whole statement or declaration without a semicolon.
 statement = []
 
 [rules]
 # Which coding rules are on: auto (ros2 or ros1, by package), google, misra-cpp-2008 … (docs/reference/rules.md).
 profiles = ["auto"]
-# Single rules beside the profiles, by id or pattern (cpp.*), and rules that are off.
+# Additional rules, by id or pattern (cpp.*), and rules to disable.
 enable = []
 disable = []
-# Another severity for a rule: { "node.console_output" = "note" }
+# Severity of single rules: { "node.console_output" = "note" }
 severity = {}
 
 [process]
-# What git's history says, too: revisions, contributors, churn, hotspots … (docs/reference/metrics/process.md).
+# Metrics of the git history: revisions, contributors, churn, hotspots … (docs/reference/metrics/process.md).
 metrics = false
-# Ages are taken at each repository's head, or at this date: "2026-01-31"
+# Ages are relative to the date of each repository's head, or to this date: "2026-01-31"
 as_of = ""
 
 [tools]
-# Foreign tools that look at the source, too: cpplint, ruff … or all (docs/reference/tools.md).
+# Foreign tools to run: cpplint, ruff … or all (docs/reference/tools.md).
 use = []
-# Findings about white space and line breaks become one a package (fold), or stay as they are (each).
+# Findings about white space and line breaks are combined into one per package (fold), or reported singly (each).
 layout = "fold"
-# Seconds that one process of a tool may take.
+# Time limit of one process of a tool, in seconds.
 time_limit_s = 600
-# SARIF files whose findings are taken, too.
+# SARIF files whose findings are added.
 imports = []
-# Anything else that writes SARIF; it runs once you trust it (`roslens trust`):
+# Any other program that writes SARIF; it runs once you trust it (`roslens trust`):
 # [tools.semgrep]
 # command = ["semgrep", "scan", "--sarif", "--quiet", "{root}"]
 
-# Findings that stay, and why; `roslens accept` is for single ones (docs/reference/silencing.md).
+# Accepted findings, with a reason; `roslens accept` is for single ones (docs/reference/silencing.md).
 # [[ignore]]
 # paths = ["src/legacy/**"]
 # rules = ["ros.calls.max"]
 # reason = "frozen until the drive is replaced"
 
-# Conditions under which a check passes, beside fail_on (docs/reference/new_findings.md).
+# Conditions under which a check passes, besides fail_on (docs/reference/new_findings.md).
 # [gate]
 # new_errors = 0                   # with --baseline
 # comment_ratio_of_new_code = 20
 
-# Systems that run together, by name: `roslens check` looks for what does not fit together in them, and pages show them.
+# Systems that run together, by name: `roslens check` reports mismatches within them, and pages show them.
 # [graph.configurations.robot]
 # launch = "my_bringup/robot.launch.py"
 # arguments = { simulation = false }
-# whole = true    # nothing runs beside it: a node that waits for something not provided within it waits for ever
+# whole = true    # nothing else runs: a node that waits for something not provided within it waits for ever
 [graph.configurations]
 
-# What code cannot tell of a node, for `roslens graph`; by its name, or by package/executable:
+# Facts about a node that its source does not contain, for `roslens graph`; by its name, or by package/executable:
 # [graph.hints."/driver"]
 # publishes = ["odom nav_msgs/msg/Odometry 10"]
 # names = { "src/driver/src/driver.cpp:31" = "cmd_vel" }
-# loads = ["driver_plugins/Filter"]    # code of the workspace that is in it: plug-ins, classes, functions, files
+# loads = ["driver_plugins/Filter"]    # workspace code that it loads: plug-ins, classes, functions, files
 [graph.hints]
 """
 

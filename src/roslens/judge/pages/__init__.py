@@ -1,4 +1,4 @@
-"""Reference pages and JSON Schemas of documents, made from the declarations that read them.
+"""Reference pages and JSON Schemas of documents, generated from the declarations that read them.
 
 In come declarations; out come Markdown and JSON Schema. Begin with ``references_page.py``.
 """

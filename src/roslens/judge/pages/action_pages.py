@@ -1,4 +1,4 @@
-"""The reference pages of actions, one for each kind, made from their declarations."""
+"""The reference pages of actions, one for each kind, generated from their declarations."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from roslens.model.acting.action_kind import ACTION_KINDS, ActionKind, Argument,
 from roslens.model.entity import EntityKind
 
 _INTRODUCTION = (
-    "What [reactions](../reactions.md) may call for, and who carries it out. `roslens react` does none of it unless "
-    "its `--mode` says so. This page is made from `src/roslens/model/acting/action_kind.py`; `make docs` writes it."
+    "The actions of [reactions](../reactions.md), and what carries them out. `roslens react` takes no action unless "
+    "its `--mode` allows it. `make docs` generates this page from `src/roslens/model/acting/action_kind.py`."
 )
 
 
@@ -21,7 +21,7 @@ def action_pages() -> dict[str, str]:
             "",
             _INTRODUCTION,
             "",
-            "| action | carried out by | what it does |",
+            "| action | carried out by | effect |",
             "| --- | --- | --- |",
             *rows,
             "",
@@ -44,7 +44,7 @@ def action_page(kind: ActionKind) -> str:
     if kind.details:
         lines += [kind.details, ""]
     if not kind.touches:
-        lines += ["It changes nothing on the robot: `--mode ask` does not ask for it.", ""]
+        lines += ["It changes nothing on the robot: `--mode ask` does not ask before it.", ""]
     return "\n".join(lines)
 
 

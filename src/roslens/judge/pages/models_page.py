@@ -1,4 +1,4 @@
-"""The reference page of quality models and the JSON Schema of their documents, made from what reads them."""
+"""The reference page of quality models and the JSON Schema of their documents, generated from the accepted keys."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from roslens.model.finding import Severity
 EXAMPLE = """\
 kind: quality model
 name: our-robot
-title: What we ask of our own code
+title: Requirements on our own code
 extends: ros
 without: [noc]
 tags: [team]
@@ -46,13 +46,13 @@ constraints:
 _HEAD = """\
 # Quality models
 
-A quality model is a YAML document that says which values of which quantities are fine. `roslens check --model NAME`
-judges by one of the built-in models below, `--model PATH` by your own; several may be given, and `models = [...]` in
-`roslens.toml` sets them for a workspace. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
+A quality model is a YAML document with limits of quantities. `roslens check --model NAME` applies one of the built-in
+models below, `--model PATH` your own; several may be given, and `models = [...]` in `roslens.toml` sets them for a
+workspace. `make docs` generates this page from `src/roslens/judge/`.
 
-A value equal to a bound is fine: a finding is a value *above* `maximum` or *below* `minimum`. Its rule is called
+Bounds are inclusive: a finding is a value *above* `maximum` or *below* `minimum`. Its rule is called
 `<model>.<id>.max` or `<model>.<id>.min`; its tags are `metrics`, the name of the model, and those of the model and
-the constraint. What was not measured breaks nothing.
+the constraint. A quantity that was not measured violates nothing.
 
 ## Writing your own
 
@@ -62,12 +62,12 @@ the constraint. What was not measured breaks nothing.
 _AFTER_EXAMPLE = """\
 ```
 
-Faults are reported with file, line and column, what was found and what would be right. Keys that are not in the
-tables below are faults too. Texts are taken as written (`name: no` is the text `no`), numbers are decimal.
+Errors are reported with file, line and column, what was found and what was expected. Keys that are not in the
+tables below are errors too. Texts are taken literally (`name: no` is the text `no`), numbers are decimal.
 [`model.schema.json`](model.schema.json) lets editors check and complete such documents.
 
-`extends` takes over the constraints of other models, later ones before earlier ones; a constraint of your own
-replaces all inherited ones with its `id`. Their rules are then called after your model.
+`extends` inherits the constraints of other models, and those of later ones take precedence; a constraint of your own
+replaces all inherited ones with its `id`. The rules of inherited constraints are named after your model.
 """
 
 
@@ -133,7 +133,7 @@ def _keys(heading: str, keys: Mapping[str, str]) -> str:
 def _section(model: QualityModel) -> str:
     rows = [_row(constraint) for constraint in model.constraints]
     lines = [f"### {model.name}", "", f"{model.title}. {model.text}", "", f"Source: {model.source}.", ""]
-    return "\n".join([*lines, "| of a | quantity | fine | from |", "| --- | --- | --- | --- |", *rows, ""])
+    return "\n".join([*lines, "| kind | quantity | limit | source |", "| --- | --- | --- | --- |", *rows, ""])
 
 
 def _row(constraint: Constraint) -> str:

@@ -1,4 +1,4 @@
-"""The reference page of reactions, made from what reads them."""
+"""The reference page of reactions, generated from the accepted keys."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ conditions:
     when: {node: /base, lifecycle: active}
 
 reactions:
-  # The driver of the lidar is gone or stopped: start it again, twice as long as that does not help stop the robot.
+  # The lidar driver is gone or stopped: restart it; if it is not back within 10 s, stop the robot.
   - id: lidar
     text: "{entity} on {host} is {state}"
     when: {node: /lidar, is: [gone, stopped], for: 2 s}
@@ -46,7 +46,7 @@ reactions:
           fields: {data: true}
           how: repeated
 
-  # Whatever the cause, a robot without scans does not drive.
+  # Whatever the cause, stop a robot without scans.
   - id: blind
     when:
       all:
@@ -76,10 +76,10 @@ expect:
 _HEAD = """\
 # Reactions
 
-Under `reactions` a [reference](references.md) says what is done when something of it does not hold: a condition, and a
-chain of actions; each next one follows where the previous one did not remove the cause. Nothing of it is done
-unless `roslens react` runs in a mode that acts; `roslens react --simulate` says what would have been done, when and
-why. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
+The section `reactions` of a [reference](references.md) defines what to do about violations: a condition, and a chain of
+actions; each action follows if the previous one did not remove the cause. No action is taken unless `roslens react`
+runs in a mode that acts; `roslens react --simulate` reports what would have been done, when and why. `make docs`
+generates this page from `src/roslens/judge/`.
 
 ```yaml
 """
@@ -89,54 +89,54 @@ _AFTER = """\
 
 ## When a condition is true
 
-A condition is true, false or **unknown**, and only what is true is acted upon. It is unknown where nothing is judged:
-no constraint covers it, its observer is silent, time stands still, or the first cause has not been the same for long
-enough. `not` of unknown is unknown; `all` is false where one part is false, else unknown where one is; `any` is true
-where one part is true, else unknown where one is. A statement may say what unknown is taken for (`unknown: false`),
-and that something *is* unknown can be asked for (`is: unknown`).
+A condition is true, false or **unknown**, and only a true condition triggers actions. It is unknown without a verdict:
+no constraint covers it, its observer is silent, the clock does not advance, or the first cause has not been the same
+for long enough. `not` of unknown is unknown; `all` is false if one part is false, otherwise unknown if one is; `any` is
+true if one part is true, otherwise unknown if one is. A statement may set the value to use for unknown
+(`unknown: false`), and `is: unknown` tests for it.
 
-Nodes that go together with all others of their host, within 10 s, are unknown as well: the host is off, or somebody
-ended them, and starting each of them again would be wrong. What an observer watches stays unknown until 3 s after it is
-heard again.
+Nodes that disappear together with all others of their host, within 10 s, are unknown as well: the host is off, or all
+of them were shut down, and restarting each would be wrong. What an observer watches stays unknown until 3 s after the
+observer reports again.
 
-A reaction about any of a pattern begins anew once its condition is no longer true of any entity. What has ended
-meanwhile, or was never judged, does not keep it from that; a host that is no longer sampled does, if it was judged
-before: what was wrong with it may still be.
+A reaction with `match: any` can start again once its condition is no longer true of any entity. Entities that have
+ended meanwhile, or were never judged, do not prevent that; a host that is no longer sampled does, if it was judged
+before: its fault may persist.
 
-Everything is unknown while the monitor itself is not well: in its first seconds, while its looks come late, while it
-sheds records, and after its clock was set. A hold time (`for`) then begins anew. That of
-silence (`absent`) counts from when nothing came any more, any other from when it was reported.
+Everything is unknown while the monitor itself is impaired: in its first seconds, while its evaluations are late, while
+it sheds records, and after its clock was set. Hold times (`for`) then restart. The hold time of silence (`absent`)
+counts from the last message, any other from the first report.
 
-A verdict that is bad counts only as a **first cause**: where another fault explains it, that one is to be repaired.
-`effects: true` takes both, which is right for a stop of the robot and wrong for a restart. The cause must have been the
+A bad verdict counts only as a **first cause**: if another fault explains it, that fault is the one to repair.
+`effects: true` counts both, which is right for stopping the robot and wrong for a restart. The cause must have been the
 same for the `settled` time of the reaction.
 
-Of the entities that a pattern selects one is enough (`match: any`). With `match: all` each that is known has to be so.
-With `match: each` the reaction is about each of them on its own, with hold times, cool-downs and chains of its own, and
-`{entity}` is that one. `for` counts per entity.
+By default, one of the entities that a pattern selects is enough (`match: any`). With `match: all`, all known entities
+must match. With `match: each`, the reaction applies to each of them separately, with hold times, cool-downs and chains
+of its own, and `{entity}` is that entity. `for` counts per entity.
 
-## What is done, and what follows
+## The chain of actions
 
-Actions are done one after the other. After one with `verify`, the condition has to become false within that time, else
-the next one follows; where it is unknown at the end of that time, the next one waits until that is known. When the
-condition becomes false the chain ends, and it can begin anew after the cool-down. When the last action did not help
-either, nothing more is done until the condition has been false.
+Actions are carried out in order. After an action with `verify`, the condition has to become false within that time,
+otherwise the next one follows; if the condition is unknown at the end of that time, the next one waits until it is
+known. The chain ends when the condition becomes false, and can start again after the cool-down. If the last action did
+not help either, nothing more is done until the condition has been false.
 
-An action that failed, or that reached its limit, is followed by the next one at once; where a gate refused it or
-everything is on hold, the chain ends.
+An action that failed, or that reached its limit, is followed by the next one at once; if a gate refused it or all
+reactions are on hold, the chain ends.
 
 `{entity}`, `{host}` and `{cause}` may name a target; the other fields are for texts. Names of targets have no
-wildcards: what is to be done to each of several wants `match: each`.
+wildcards: use `match: each` to act on each of several entities.
 
-## What is refused
+## Errors in documents
 
-Conditions that can never be true or always are, circles of named conditions, unknown actions, missing or unknown
-arguments, values of the wrong type, templates that name what there is not, a target that nothing fills, and two
-documents where one ends what the other starts: each with `file:line:column`. `roslens reference check FILE…
---bag FILE` says which targets were not there in a recording. Messages, services and fields that do not exist are
-refused there and by `roslens react`, as far as their definitions are here.
+Conditions that are never or always true, cyclic named conditions, unknown actions, missing or unknown arguments, values
+of the wrong type, templates with unknown fields, a target that nothing fills, and two documents where one stops what
+the other starts are errors, reported with `file:line:column`. `roslens reference check FILE… --bag FILE` reports
+targets that do not exist in a recording. Unknown messages, services and fields are rejected there and by
+`roslens react`, as far as their definitions are installed.
 
-## Trying it
+## Testing reactions
 
 ```yaml
 """
@@ -144,12 +144,12 @@ refused there and by `roslens react`, as far as their definitions are here.
 _AFTER_TIME_LINE = """\
 ```
 
-Saved as `front.test.yaml` beside `front.yaml`, `roslens reference test front.yaml` runs it, and `roslens react
---simulate front.yaml --timeline front.test.yaml` prints what would have been done. `given` is what is known from an
-instant on: `is` of verdicts (with `signal`, `severity`, `cause` and `value`) and of entities, `lifecycle` states and
-`value`s of parameters. `expect` lists every decision, each within 0.5 s of `at` unless `within` says otherwise; no
-`expect` means that nothing may be done. `tests` is a list of such time lines with a `name`. Actions that `done:
-failed` names come out so; others count as done.
+If it is saved as `front.test.yaml` next to `front.yaml`, `roslens reference test front.yaml` runs it, and `roslens
+react --simulate front.yaml --timeline front.test.yaml` prints what would have been done. `given` lists what is known
+from an instant on: `is` of verdicts (with `signal`, `severity`, `cause` and `value`) and of entities, `lifecycle`
+states and `value`s of parameters. `expect` lists every decision, each within 0.5 s of `at` or within the tolerance
+`within`; without `expect`, no action may be taken. `tests` is a list of such time lines, each with a `name`. Kinds of
+actions that `done` lists as failed (`done: {restart: failed}`) fail; all others succeed.
 
 """
 
@@ -162,13 +162,13 @@ def reactions_page() -> str:
     return "\n".join(
         [
             _HEAD + EXAMPLE + _AFTER + TIME_LINE + _AFTER_TIME_LINE + _keys("## Keys of a reaction", REACTION_KEYS),
-            _keys("## Keys of a step beside its action", STEP_KEYS),
+            _keys("## Keys of a step besides its action", STEP_KEYS),
             _keys("## Actions", actions),
             _keys("## Keys of a condition", TREE_KEYS),
-            "or a statement about entities, selected as in a [constraint](references.md#keys-of-a-constraint):",
+            "or a statement on entities, selected as in a [constraint](references.md#keys-of-a-constraint):",
             "",
             _keys("## Keys of a statement", statement),
-            _keys("## Keys that add time to any condition", TIME_KEYS),
+            _keys("## Time keys of any condition", TIME_KEYS),
             _keys("## Keys of a named condition", NAMED_CONDITION_KEYS),
             _keys("## Fields of templates", fields),
         ]

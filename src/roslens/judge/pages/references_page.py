@@ -1,4 +1,4 @@
-"""The reference page of reference documents and the JSON Schema for editors, made from what reads them."""
+"""The reference page of reference documents and their JSON Schema for editors, generated from the accepted keys."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ constraints:
     severity: error
     text: Look at the cable of the lidar.
 
-  # Every camera but those for debugging; the 95th of 100 values in a window counts.
+  # All cameras except those for debugging; the latency limit is for the 95th percentile of a window.
   - topic: /camera_{left,right}/**
     without: [/**/debug/*]
     latency: p95 <= 30 ms
     bandwidth: 1..5 MB/s
 
-  # What one node receives from one other.
+  # A single publisher and subscriber.
   - connection: /scan
     publisher: /lidar
     subscriber: /amcl
@@ -57,23 +57,23 @@ constraints:
     cpu: <= 80 %
     disk_free: ">= 2 GB"
 
-  # Each of the three; `any` would be content with one of them.
+  # All three; `any` would require only one of them.
   - node: "/{lidar,planner,controller}"
     expected: always
 
   - node: /joy
     expected: while node /teleop
 
-  # In the configuration it was tested with, and up.
+  # The tested configuration, and the state of a managed node.
   - {parameter: /base/max_speed, value: 0.2..0.5}
   - {parameter: "/*/use_sim_time", value: false}
   - {node: /map_server, lifecycle: active}
 
-  # What joins nothing, and what stands still.
+  # Endpoints that do not match, and processes that are stopped or hung.
   - {topic: "/**", misfits: 0}
   - {node: "/*", stopped: <= 0 s, hung: <= 5 s}
 
-  # Takes the place of what `wheels` of drive.yaml says of `rate`.
+  # Replaces the constraint `wheels` on `rate` of drive.yaml.
   - id: wheels
     override: true
     topic: /odom
@@ -85,7 +85,7 @@ fields:
     range: 3..4.2
     when: {field: present, range: 1}
 
-  # An encoder counts on while the wheel turns, makes no jumps, and stays with the one on the other side.
+  # While the robot drives, an encoder keeps counting without jumps, in step with the one on the other side.
   - topic: "/{front,rear}/left/encoder"
     field: ticks
     change: 1..50
@@ -101,14 +101,14 @@ chains:
 _HEAD = """\
 # References
 
-A reference is a YAML document that says how a running robot should behave: which values of which signals of which
-hosts, nodes, processes, topics, connections, services and parameters are fine. `roslens reference check FILE…` says
-what is wrong with documents and what they expect together; `roslens reference explain FILE… topic:/scan` tells what is
-expected of one entity, and where that stands; `roslens reference import FILE` makes a reference of a specification of
-ARNI. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
-[`reference.schema.json`](reference.schema.json) lets editors check and complete such documents. What is done where
-something does not hold stands in the same documents: [reactions](reactions.md).
-[Trying references](trying_references.md) says what they see in a recording, what they miss, and what they would do.
+A reference is a YAML document that specifies the expected behaviour of a running robot: acceptable values of signals
+of hosts, nodes, processes, topics, connections, services and parameters. `roslens reference check FILE…` reports errors
+in documents and the constraints that they add up to; `roslens reference explain FILE… topic:/scan` lists the
+constraints on one entity and where they are defined; `roslens reference import FILE` converts a specification of ARNI.
+`make docs` generates this page from `src/roslens/judge/`.
+[`reference.schema.json`](reference.schema.json) lets editors check and complete such documents. The same documents
+define what to do about violations: [reactions](reactions.md). [Trying references](trying_references.md) describes how
+to find out what they detect in a recording, what they miss, and what they would do.
 
 ```yaml
 """
@@ -116,68 +116,70 @@ something does not hold stands in the same documents: [reactions](reactions.md).
 _AFTER_EXAMPLE = """\
 ```
 
-Texts are taken as written: `node: no` is about a node named `no`. YAML itself wants quotes around a value that begins
+Texts are taken literally: `node: no` selects a node named `no`. YAML itself requires quotes around a value that begins
 with one of ``* { [ > & ! % @ ` |``, such as `"**/scan"` and `">= 5 Hz"`; `at least 5 Hz` needs none.
 
 ## Names and patterns
 
-| written | is |
+| pattern | matches |
 | --- | --- |
 | `*` | any text within one segment of a name, that is, without `/` |
 | `**` | any text |
 | `?` | one character, but not `/` |
-| `{a,b}` | one of these; they may hold patterns and each other |
-| `\\` | the next character as it is |
+| `{a,b}` | one of these; they may contain patterns and be nested |
+| `\\` | the next character literally |
 | `re:…` | a regular expression in Python's syntax that matches the whole name, without look-around |
 
-Everything else stands for itself: `[::1]` is a host. A name that does not begin with `/` is below the `namespace` of
-the document; without one, below `/`. There `**` means everything below the namespace. Hosts, processes and types are in
-no namespace. The namespace of a document goes before that of what it includes, so that one file can describe each
-robot of a fleet. A name that was recorded without `/` is the one below the root that playing the recording makes of it.
+All other characters are literal: `[::1]` is a host. A name that does not begin with `/` is relative to the `namespace`
+of the document, or to `/` without one; there `**` matches everything below the namespace. Hosts, processes and types
+have no namespace. The namespace of a document is prepended to those of the documents that it includes, so that one
+file can describe each robot of a fleet. A name that was recorded without `/` is resolved in the root namespace, as it
+is when the recording is played.
 
-`{a,b}` lists names: `expected: always` of `/{lidar,planner}` is about `/lidar` and `/planner`, each on its own, and
-`expected: any` about the two together. Of `/camera_*` one match is enough for both.
+`{a,b}` lists names: `expected: always` of `/{lidar,planner}` requires both `/lidar` and `/planner`, and `expected: any`
+at least one of them. Of `/camera_*`, one match is enough for either.
 
 ## Ranges
 
-| written | is |
+| range | meaning |
 | --- | --- |
-| `25..35 Hz` | from 25 to 35, bounds included; the unit may stand at both ends |
-| `<= 20 ms`, `at most 20 ms` | up to a bound |
-| `>= 5 Hz`, `at least 5 Hz` | from a bound on |
-| `30 Hz ± 10 %`, `30 Hz +- 2 Hz` | around a value, by a share of it or by an amount |
+| `25..35 Hz` | from 25 to 35, inclusive; both bounds may have the unit |
+| `<= 20 ms`, `at most 20 ms` | upper bound |
+| `>= 5 Hz`, `at least 5 Hz` | lower bound |
+| `30 Hz ± 10 %`, `30 Hz +- 2 Hz` | a value with a relative or absolute tolerance |
 | `p95 <= 30 ms` | this percentile of the values in the window, not their mean |
-| `1` | exactly this, only of what has no unit |
-| `any` | nothing; only to take a constraint away with `override` |
+| `1` | exactly this value; only of signals without a unit |
+| `any` | no range; only to remove a constraint with `override` |
 
-A number without a unit is in the unit of the signal. A signal that has not been measured breaks nothing: it is unknown.
+A number without a unit is in the unit of the signal. A signal that has not been measured violates nothing: it is
+unknown.
 
 """
 
 _MERGING = """\
 ## Several documents
 
-All constraints of all documents hold. What is included comes first, then the document itself, then the next one given.
-The id of a constraint is `<document>.<id in the document>.<signal>`, with `presence`, `value` or `age` in the place of
-the signal for `expected`, fields and chains. A constraint takes the place of an earlier one only where its constraint
-has the same `id` (with the name of the document before it where several have that id) and says `override: true`; the
-id of the earlier one stays.
+All constraints of all documents apply. Included documents come first, then the document itself, then the next one
+given. The id of a constraint is `<document>.<id in the document>.<signal>`, with `presence`, `value` or `age` in place
+of the signal for `expected`, fields and chains. A constraint replaces an earlier one only if it has the same `id`
+(preceded by the name of the document where several have that id) and `override: true`; it keeps the id of the earlier
+one.
 
-Two constraints on one signal that some entity could never satisfy both are an error which names both places and such an
-entity, and so are `expected: always` and `expected: never` of the same.
+Two constraints on one signal that an entity could never satisfy together are an error which states both places and such
+an entity, and so are `expected: always` and `expected: never` of the same entity.
 """
 
 
 _FIELDS = """\
-At least one of `range`, `change` and `difference` has to be there. `change` is the value less that of the message
-before, `difference` the value less the newest one of the field in `to`; both are taken when a message on `topic` comes,
-so that fields of one message are compared within it. A message that is wrong counts although the next one is fine
-before anybody looks; with `for` every message is judged at its time.
+At least one of `range`, `change` and `difference` is required. `change` is the value minus that of the previous
+message, `difference` the value minus the newest value of the field in `to`; both are computed when a message on `topic`
+arrives, so that fields of one message are compared within it. A bad message counts even if the next one is fine before
+the next evaluation; with `for`, every message is judged at its own time.
 """
 
 _ALSO = f"""\
 and the signals below, each with a range; and the keys of every constraint. Exactly one of
-{", ".join(f"`{kind.value}`" for kind in KINDS)} selects.
+{", ".join(f"`{kind.value}`" for kind in KINDS)} selects the entities.
 """
 
 
@@ -186,7 +188,7 @@ def references_page(known: Mapping[str, Quantity]) -> str:
     units = [f"| {unit or 'none'} | {', '.join(f'`{one}`' for one in sizes)} |" for unit, sizes in UNITS.items()]
     return "\n".join(
         [
-            _HEAD + EXAMPLE + _AFTER_EXAMPLE + "| unit of the signal | may be written in |",
+            _HEAD + EXAMPLE + _AFTER_EXAMPLE + "| unit of the signal | units accepted |",
             "| --- | --- |",
             *units,
             "",
@@ -197,8 +199,8 @@ def references_page(known: Mapping[str, Quantity]) -> str:
             _keys("## Keys of every constraint", TOLD_KEYS),
             _keys("## Keys of a field check", _without(FIELD_KEYS)),
             _FIELDS,
-            _keys("## Keys of the field it is compared with", TO_KEYS),
-            _keys("## Keys of its condition", WHEN_KEYS),
+            _keys("## Keys of `to`, the field to compare with", TO_KEYS),
+            _keys("## Keys of `when`, the condition of a field check", WHEN_KEYS),
             _keys("## Keys of a chain", _without(CHAIN_KEYS)),
             _signals(known),
         ]

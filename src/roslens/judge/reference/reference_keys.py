@@ -1,4 +1,4 @@
-"""The words of a reference document: every key, and what it means."""
+"""The keys of a reference document and their meaning."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ DOCUMENT_KIND = "reference"
 REFERENCE_KEYS = {
     "kind": f"what the document is: `{DOCUMENT_KIND}`",
     "name": "of the reference: small letters, digits, `-` and `_`; constraints are called after it",
-    "title": "one line on what it is for",
-    "text": "more about it",
-    "include": "other reference documents whose constraints hold too, as paths relative to this file",
-    "namespace": "put before names that do not begin with `/`, here and in what is included; may have wildcards",
-    "defaults": "what holds for every constraint of this document that does not say otherwise",
-    "constraints": "what is expected of hosts, nodes, processes, topics, connections, services and parameters",
-    "fields": "what is expected of fields of messages",
-    "chains": "how old data may be at the end of a path over topics",
-    "conditions": "conditions with a name, for reactions",
-    "reactions": "what is done when something of it does not hold, and when not",
+    "title": "its purpose, in one line",
+    "text": "description",
+    "include": "other reference documents whose constraints apply too, as paths relative to this file",
+    "namespace": "prefix of names that do not begin with `/`, here and in included documents; may have wildcards",
+    "defaults": "default values of the keys of every constraint of this document",
+    "constraints": "constraints on hosts, nodes, processes, topics, connections, services and parameters",
+    "fields": "constraints on fields of messages",
+    "chains": "maximum age of data at the end of a path over topics",
+    "conditions": "named conditions, for reactions",
+    "reactions": "actions on violations, with their conditions",
 }
 
 TIMING_KEYS = {
-    "for": "how long it must be wrong before it is reported (`2 s`); by default at once",
-    "recover": "how long it must be fine before that is reported; by default as long as `for`",
+    "for": "how long a violation must last before it is reported (`2 s`); by default it is reported at once",
+    "recover": "how long the value must be fine before that is reported; by default as long as `for`",
     "margin": "how far inside its range a wrong value must come to count as fine, as a share of the bound (`5 %`)",
-    "grace": "after something appears, or its clock jumps, nothing is wrong for this long; by default 5 s",
-    "window": "over which values are taken; by default sized by the expected period",
+    "grace": "no violation is reported for this long after an entity appears or its clock jumps; by default 5 s",
+    "window": "time window that values are computed over; by default derived from the expected period",
 }
 
 DEFAULT_KEYS = {
-    "severity": "of being broken: note, warning or error; by default warning",
-    "group": "under which operators see it",
+    "severity": "of a violation: note, warning or error; by default warning",
+    "group": "heading under which it is shown to operators",
     **TIMING_KEYS,
 }
 
 TOLD_KEYS = {
-    "id": "name of the constraint, by default made from what it is about",
+    "id": "name of the constraint, by default derived from its entities",
     "override": "`true` replaces the constraint of the same `id` in an included or earlier document",
     "text": "message for the operator",
     **DEFAULT_KEYS,
@@ -76,16 +76,16 @@ NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
     "subscriber": (EntityKind.CONNECTION,),
     "on": (EntityKind.NODE, EntityKind.PROCESS, EntityKind.CONNECTION, EntityKind.PARAMETER),
 }
-"""Of which kinds a key can narrow the choice."""
+"""The kinds whose selection a key can narrow."""
 
 EXPECTED_KEY = {
-    "expected": "being there: `always` or `while KIND NAME` is there, each name that `{a,b}` lists; `any` or "
-    "`any while KIND NAME`, one that matches is enough; `at most one`; `never`"
+    "expected": "presence: `always`, or `while KIND NAME` is present, of each name that `{a,b}` lists; `any` or "
+    "`any while KIND NAME`: one match is enough; `at most one`; `never`"
 }
 
 STATE_KEYS = {
-    "lifecycle": "state that a managed node has to be in, such as `active`, or a list of those that are fine",
-    "value": "what a parameter has to be: a value (`true`), a list of those that are fine, or a range (`0.2..0.5`)",
+    "lifecycle": "required state of a managed node, such as `active`, or a list of accepted states",
+    "value": "required value of a parameter: a value (`true`), a list of accepted values, or a range (`0.2..0.5`)",
 }
 
 FIELD_KEYS = {
@@ -93,10 +93,10 @@ FIELD_KEYS = {
     "type": "only topics with such a message type",
     "without": "names to leave out",
     "field": "path of the field: `pose.position.x`, `ranges[0]`",
-    "range": "values that are fine, such as `-2..2` or `<= 15`",
-    "change": "how much it may change from one message to the next: `-0.5..0.5`; `>= 1` of a counter that must go on",
-    "difference": "how much more than the field in `to` it may be: `-0.1..0.1`",
-    "to": "the other field of a difference, with its newest value",
+    "range": "accepted values, such as `-2..2` or `<= 15`",
+    "change": "accepted change from one message to the next: `-0.5..0.5`; `>= 1` for a counter that must advance",
+    "difference": "accepted difference from the field in `to`: `-0.1..0.1`",
+    "to": "the other field of a difference, of which the newest value is used",
     "when": "only while this other field is in this range",
     **TOLD_KEYS,
 }
@@ -113,8 +113,8 @@ WHEN_KEYS = {
 }
 
 CHAIN_KEYS = {
-    "topics": "names of the topics, the first on which data is stamped, the last on which its age counts",
-    "age": "how old it may be there, such as `<= 200 ms`",
+    "topics": "names of the topics: data is stamped on the first, and its age is measured on the last",
+    "age": "accepted age there, such as `<= 200 ms`",
     **TOLD_KEYS,
 }
 

@@ -9,19 +9,19 @@ from typing import Any
 from roslens.plugins.nearest import did_you_mean
 
 FIELDS = {
-    "entity": "name of the entity that it is about",
+    "entity": "name of the entity concerned",
     "kind": "kind of that entity: `node`, `topic`…",
     "host": "host on which it is",
-    "state": "how it stands: `absent`, `low`, `gone`…",
+    "state": "its state: `absent`, `low`, `gone`…",
     "signal": "key of the signal that is wrong",
     "value": "value that was judged, with its unit",
-    "since": "for how many seconds it has been so",
+    "since": "seconds since it has been in this state",
     "cause": "name of the first cause",
-    "evidence": "what shows it, in words",
+    "evidence": "evidence, as text",
     "reaction": "name of the reaction",
     "step": "number of the action in its chain, from 1",
 }
-"""What templates may name, with its meaning."""
+"""The fields of templates and their meaning."""
 
 _PART = re.compile(r"\{\{|\}\}|\{([^{}]*)\}|[{}]")
 

@@ -70,7 +70,7 @@ class ActionKind(msgspec.Struct, frozen=True):
 
     Attributes:
         key: under which documents call it.
-        summary: one sentence, for pages and completion.
+        summary: one line, for pages and completion.
         by: who carries it out.
         targets: kinds of entities that it is done to; empty where it has no target.
         arguments: of the action.
@@ -106,30 +106,30 @@ class ActionKind(msgspec.Struct, frozen=True):
 
 _T = ArgumentType
 _NODE = (EntityKind.NODE,)
-_TIMEOUT = Argument("timeout", _T.DURATION, "How long is waited for the answer.", default=5.0)
-_TEXT = Argument("text", _T.TEXT, "What is said; templates are filled in.", required=True)
+_TIMEOUT = Argument("timeout", _T.DURATION, "How long to wait for the response.", default=5.0)
+_TEXT = Argument("text", _T.TEXT, "Text of the message; templates are filled in.", required=True)
 _GRACE = Argument(
-    "grace", _T.DURATION, "How long the process may take to end by itself after it was asked (SIGINT, half of it later "
-    "SIGTERM).", default=5.0,
+    "grace", _T.DURATION, "How long the process may take to exit after SIGINT; SIGTERM follows after half of it.",
+    default=5.0,
 )  # fmt: skip
 _WHOLE = Argument(
-    "whole_process", _T.FLAG, "Whether other nodes of the same process may end with it; without, such a process is "
-    "left alone.", default=False,
+    "whole_process", _T.FLAG, "Whether other nodes of the same process may be ended with it; if not, such a process is "
+    "not touched.", default=False,
 )  # fmt: skip
 _LEVELS = ("info", "warning", "error")
 
 ACTION_KINDS: tuple[ActionKind, ...] = (
     ActionKind(
         "notify",
-        "Say it to whoever watches: in the log of ROS and as a diagnostic.",
+        "Notify operators: in the log of ROS and as a diagnostic.",
         By.ROS,
         arguments=(
             _TEXT,
-            Argument("level", _T.CHOICE, "How bad it is.", default="warning", choices=_LEVELS),
+            Argument("level", _T.CHOICE, "Severity of the message.", default="warning", choices=_LEVELS),
             Argument(
                 "to",
                 _T.NAMES,
-                "Where it is said: `rosout` is /rosout, `diagnostics` a status on /diagnostics.",
+                "Where to publish it: `rosout` is /rosout, `diagnostics` a status on /diagnostics.",
                 default=("rosout", "diagnostics"),
                 choices=("rosout", "diagnostics"),
             ),
@@ -139,15 +139,15 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
     ),
     ActionKind(
         "webhook",
-        "Post what happened, as JSON, to a page of the web.",
+        "Post the event as JSON to a URL.",
         By.MONITOR,
         arguments=(
-            Argument("url", _T.TEXT, "Where it is posted to: `http://` or `https://`.", required=True),
-            Argument("text", _T.TEXT, "What is said; templates are filled in.", default=""),
+            Argument("url", _T.TEXT, "URL to post to: `http://` or `https://`.", required=True),
+            Argument("text", _T.TEXT, "Text of the message; templates are filled in.", default=""),
             _TIMEOUT,
         ),
         details="The JSON has `text`, `reaction`, `entity`, `time` (seconds since the epoch) and `because`. "
-        "Redirections are not followed. An answer that is not 2xx is a failure.",
+        "Redirects are not followed. A status other than 2xx is a failure.",
         touches=False,
     ),
     ActionKind(
@@ -155,21 +155,21 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         "Publish a message, such as an emergency stop.",
         By.ROS,
         arguments=(
-            Argument("topic", _T.TOPIC, "Where it is published.", required=True),
+            Argument("topic", _T.TOPIC, "Topic to publish on.", required=True),
             Argument("type", _T.INTERFACE, "Type of the message.", required=True),
             Argument("fields", _T.MAPPING, "Values of its fields; others keep their default.", default={}),
             Argument(
                 "how",
                 _T.CHOICE,
-                "`once`; `latched`: kept for subscribers that come later; `repeated`: again and again until "
-                "what it is done about is gone.",
+                "`once`; `latched`: kept for subscribers that connect later; `repeated`: repeatedly until "
+                "the cause is gone.",
                 default="once",
                 choices=("once", "latched", "repeated"),
             ),
-            Argument("rate", _T.NUMBER, "Of `repeated`, in Hz, up to 100.", default=10.0),
+            Argument("rate", _T.NUMBER, "Rate of `repeated`, in Hz, up to 100.", default=10.0),
         ),
-        details="The publisher is made when reactions begin, so that subscribers know it before it is needed. A field "
-        "that the type does not have, or a value that does not fit, is refused then, too.",
+        details="The publisher is created when reactions start, so that subscribers know it before it is needed. A "
+        "field that the type does not have, or a value that does not fit, is rejected then, too.",
     ),
     ActionKind(
         "call",
@@ -181,8 +181,8 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             Argument("fields", _T.MAPPING, "Values of the request; others keep their default.", default={}),
             _TIMEOUT,
         ),
-        details="An answer whose field `success` is false is a failure. A call that was not answered may have been "
-        "done all the same: it is reported as failed.",
+        details="A response whose field `success` is false is a failure. A call without a response may have taken "
+        "effect all the same: it is reported as failed.",
     ),
     ActionKind(
         "set_parameter",
@@ -204,30 +204,30 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             ),
             _TIMEOUT,
         ),
-        details="In ROS 2 the node may refuse it, which is a failure with its reason. In ROS 1 it is set in the "
-        "parameter server, and nodes that ask it only at their start see nothing of it.",
+        details="In ROS 2 the node may reject the value, which is a failure with its reason. In ROS 1 it is set in the "
+        "parameter server, and has no effect on nodes that read it only at their start.",
     ),
     ActionKind(
         "lifecycle",
-        "Take a managed node to another state.",
+        "Change the state of a managed node.",
         By.ROS,
         targets=_NODE,
         arguments=(
             Argument(
                 "transition",
                 _T.CHOICE,
-                "What it is asked to do.",
+                "Transition to request.",
                 required=True,
                 choices=("configure", "activate", "deactivate", "cleanup", "shutdown"),
             ),
             _TIMEOUT,
         ),
         ros=(2,),
-        details="A transition that does not begin in the node's state, or that the node does not manage, is a failure.",
+        details="A transition that is not available in the state of the node, or that the node fails, is a failure.",
     ),
     ActionKind(
         "unload",
-        "Take a component out of its container.",
+        "Unload a component from its container.",
         By.ROS,
         targets=_NODE,
         arguments=(
@@ -235,7 +235,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             _TIMEOUT,
         ),
         ros=(2,),
-        details="The container is asked which of its components has the name.",
+        details="The component is looked up by name in the container.",
     ),
     ActionKind(
         "load",
@@ -245,15 +245,14 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             Argument("container", _T.TEXT, "Name of the container's node.", required=True),
             Argument("package", _T.TEXT, "Package of the component.", required=True),
             Argument("plugin", _T.TEXT, "Its class: `demo_nodes_cpp::Talker`.", required=True),
-            Argument("name", _T.TEXT, "Name that the node gets.", default=""),
-            Argument("namespace", _T.TEXT, "Namespace that it gets.", default=""),
+            Argument("name", _T.TEXT, "Name of the node.", default=""),
+            Argument("namespace", _T.TEXT, "Namespace of the node.", default=""),
             Argument("remap", _T.NAMES, "Remappings: `from:=to`.", default=()),
             Argument("parameters", _T.MAPPING, "Its parameters.", default={}),
             _TIMEOUT,
         ),
         ros=(2,),
-        details="Where the container already has a component of that name, nothing is loaded and it is reported as a "
-        "failure.",
+        details="If the container already has a component of that name, nothing is loaded, and a failure is reported.",
     ),
     ActionKind(
         "stop",
@@ -261,9 +260,8 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         By.HOST,
         targets=_NODE,
         arguments=(_GRACE, _WHOLE),
-        details="It is asked to end and not killed: a process that is still there after its grace is a failure. Where "
-        "something that supervises it (a launch file's respawn, systemd) starts it again, this is reported, not "
-        "fought.",
+        details="The process is asked to exit and never killed: if it still runs after its grace, that is a failure. "
+        "If a supervisor (a launch file's respawn, systemd) restarts it, this is reported and not prevented.",
     ),
     ActionKind(
         "restart",
@@ -275,38 +273,38 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             Argument(
                 "kill_after",
                 _T.DURATION,
-                "A process that is still there after its grace is killed so long later; 0 never.",
+                "How long after its grace a process that still runs is killed; 0: never.",
                 default=5.0,
             ),
             _WHOLE,
         ),
-        details="Command line, environment, folder, namespace and parameters are those that the agent recorded while "
-        "the process ran. Where what supervises the process has started it again, it is not started twice.",
+        details="Command line, environment, working directory, namespace and parameters are those that the agent "
+        "recorded while the process ran. If a supervisor has already restarted the process, it is not started twice.",
     ),
     ActionKind(
         "start",
         "Start a node that is gone, as it was.",
         By.HOST,
         targets=_NODE,
-        details="As `restart` starts it. A node that runs is left alone, and that is reported as done.",
+        details="It is started as by `restart`. A node that runs is not touched, which is reported as done.",
     ),
     ActionKind(
         "kill",
-        "Kill the process of a node, after it had the chance to end.",
+        "Kill the process of a node, after giving it the chance to exit.",
         By.HOST,
         targets=_NODE,
         arguments=(_GRACE, _WHOLE),
-        details="SIGINT, half of the grace later SIGTERM, then SIGKILL. A process that is stopped or hangs gets "
-        "there, too.",
+        details="SIGINT, SIGTERM after half of the grace, SIGKILL at its end. This also ends processes that are "
+        "stopped or hung.",
     ),
     ActionKind(
         "command",
         "Run a command that the host has on its allow-list.",
         By.HOST,
         targets=(EntityKind.HOST, EntityKind.NODE),
-        arguments=(Argument("name", _T.TEXT, "Under which the allow-list has it.", required=True),),
-        details="What is run is in the allow-list alone, as a list of arguments that no shell reads; nothing of it "
-        "comes over the line. Of a node, it is run on the host of the node.",
+        arguments=(Argument("name", _T.TEXT, "Its name in the allow-list.", required=True),),
+        details="The command itself is defined in the allow-list only, as a list of arguments without a shell; no part "
+        "of it is transmitted. For a node, it runs on the host of the node.",
     ),
     ActionKind(
         "record",
@@ -317,16 +315,16 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             Argument("before", _T.DURATION, "Duration to keep from before the action.", default=10.0),
             Argument("after", _T.DURATION, "Duration to record after it.", default=10.0),
         ),
-        details="One MCAP file for each time, below the folder of the journal. Recent messages are held in "
+        details="One MCAP file per action, below the folder of the journal. Recent messages are held in "
         "memory, at most 64 MB; beyond that the oldest are dropped. The result states the length of the recording.",
         touches=False,
     ),
     ActionKind(
         "snapshot",
-        "Keep how things stand for the post-mortem: graph, verdicts, values, processes, last log lines, /rosout.",
+        "Store the current state for a post-mortem: graph, verdicts, values, processes, last log lines, /rosout.",
         By.MONITOR,
-        details="A folder for each time, below the folder of the journal, with JSON files, a page of text, and what "
-        "nodes said on /rosout in the last 60 s as MCAP (`rosout-ros2.mcap`). That is held in memory, at most 64 MB.",
+        details="One folder per action, below the folder of the journal, with JSON files, a text summary, and the "
+        "messages on /rosout of the last 60 s as MCAP (`rosout-ros2.mcap`), held in memory, at most 64 MB.",
         touches=False,
     ),
 )

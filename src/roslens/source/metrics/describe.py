@@ -1,6 +1,6 @@
 """The reference page of all metrics, written from their declarations.
 
-``python -m roslens.source.metrics.describe docs/reference/metrics/quantities.md`` writes it anew.
+``python -m roslens.source.metrics.describe docs/reference/metrics/quantities.md`` regenerates it.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from roslens.model.quantity import Quantity
 _HEAD = """\
 # Metrics
 
-What roslens measures of source code, one section per metric. This page is made from the declarations in
-`src/roslens/source/metrics/`; `make docs` writes it anew.
+The metrics of source code, one section each. `make docs` generates this page from the declarations in
+`src/roslens/source/metrics/`.
 
-- The **key** stands in models, in JSON and CSV.
-- **Measured on** says which entities have a value of their own; **goes up as** how it becomes a value of the file
-  and the package around them, and under which keys. Where nothing goes up, a file or package has a value only if it
-  is measured on it.
+- The **key** identifies a metric in models, JSON and CSV.
+- **Measured on** lists the kinds of entities that have values of their own; **aggregated as** lists how these are
+  combined into a value of the enclosing file and package, and its key. Without an aggregation, a file or package has
+  a value only if the metric is measured on it.
 - A value is *absent*, not zero, where there is nothing to measure.
-- The values of a package are those of its own code: tests, generated and vendored files have values, but none of
-  them goes into their package's.
-- `counting.lambdas`, `counting.alternatives` and `counting.duplicate_lines` are set in `roslens.toml`.
+- The values of a package cover its own code: tests, generated and vendored files have values of their own, but do not
+  contribute to those of their package.
+- `counting.lambdas`, `counting.alternatives` and `counting.duplicate_lines` are options in `roslens.toml`.
 
 """
 
@@ -43,12 +43,12 @@ def metrics_page(quantities: Iterable[Quantity]) -> str:
 
 
 def section(quantity: Quantity) -> str:
-    """Return what the page says of one metric."""
+    """Return the section on one metric."""
     rows = {
         "Title": quantity.title,
-        "Unit": quantity.unit or "none, a number",
+        "Unit": quantity.unit or "dimensionless",
         "Measured on": _kinds(quantity.kinds),
-        "Goes up as": _folds(quantity),
+        "Aggregated as": _folds(quantity),
         "Better": quantity.better.value,
         "Range": _range(quantity),
         "Formula": quantity.formula,

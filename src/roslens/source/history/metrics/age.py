@@ -16,8 +16,8 @@ QUANTITY = Quantity(
     formula="(date of the head - earliest date of a commit that counts) / 86400 s; with `process.as_of` that time "
     "instead of the head's",
     source="plain difference of committer dates",
-    limits="Dates are those of the committers' clocks; commits that are dated before a parent of theirs are counted in "
-    "what is reported of the repository. Taken at the head's date, not today's, so that a commit always has one age.",
+    limits="Dates are those of the committers' clocks; commits that are dated before one of their parents are "
+    "reported with the repository. Relative to the head's date, not today's, so that a commit always has one age.",
     decimals=1,
 )
 

@@ -1,4 +1,4 @@
-"""How few people stand behind half of the work."""
+"""How few people contributed half of the work."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ QUANTITY = Quantity(
     formula="least n such that the n people with most contributions have at least half of all; contributions as in "
     "`ownership`",
     source="CHAOSS, Contributor Absence Factor (chaoss.community/kb/metric-contributor-absence-factor)",
-    limits="Over all of history: who left years ago counts. Contributions are commits, whatever their size.",
+    limits="Over the whole history: people who left years ago count. Contributions are commits, whatever their size.",
 )
 
 COMMANDS = {

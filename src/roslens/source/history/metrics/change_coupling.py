@@ -12,10 +12,10 @@ from roslens.model.process import Coupling
 from roslens.model.quantity import Quantity
 
 LARGEST_COMMIT = 30
-"""A commit that changes more says nothing of what belongs together: a reformatting, a licence."""
+"""A commit that changes more is no evidence of coupling: a reformatting, a licence."""
 FEWEST_SHARED = 5
 RELEASE_FILES = re.compile(r"(?:.*/)?(?:package\.xml|CHANGELOG\.\w+)")
-"""What every release changes in every package, which says nothing either."""
+"""Files that every release changes in every package, which is no evidence either."""
 LEAST_DEGREE = 0.3
 
 QUANTITY = Quantity(
@@ -29,7 +29,7 @@ QUANTITY = Quantity(
     f"than {LARGEST_COMMIT} files do not count, and neither do `package.xml` and `CHANGELOG.*`, which releases change",
     source="Gall, Hajek and Jazayeri, Detection of Logical Coupling Based on Product Release History, ICSM 1998; the "
     "limits are the defaults of code-maat (github.com/adamtornhill/code-maat)",
-    limits="What is committed apart although it belongs together is not seen.",
+    limits="Related changes in separate commits are not detected.",
 )
 
 COMMANDS = {

@@ -15,9 +15,9 @@ QUANTITY = Quantity(
     better=Better.NEITHER,
     formula="lines added + lines deleted, over all commits that are no merge",
     source="Nagappan and Ball, Use of Relative Code Churn Measures to Predict System Defect Density, ICSE 2005",
-    limits="A line that changed counts twice; binary files count none. Of a file that was renamed only lines that are "
-    "other count, of its package and the repository all its lines twice. A "
-    "clone without the contents of past files (`--filter=blob:none`) has none.",
+    limits="A line that changed counts twice; binary files count none. For a renamed file, only changed lines count; "
+    "for its package and the repository, all its lines count twice. A clone without the contents of past files "
+    "(`--filter=blob:none`) has no churn.",
 )
 
 COMMANDS = {

@@ -16,8 +16,8 @@ QUANTITY = Quantity(
     formula="number of distinct names of authors and of `Co-authored-by:` trailers, after `.mailmap`",
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#DC, typed in by hand "
     "there)",
-    limits="A person with two names counts twice until `.mailmap` says so; programs that commit count as people. Names "
-    "are compared and not kept.",
+    limits="A person with two names counts twice unless `.mailmap` joins them; programs that commit count as people. "
+    "Names are compared but not stored.",
 )
 
 COMMANDS = {

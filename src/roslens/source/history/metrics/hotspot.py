@@ -10,8 +10,8 @@ QUANTITY = Quantity(
     title="Hotspot",
     unit="",
     kinds=(EntityKind.FILE,),
-    text="Where effort goes and is hard: a file that changes much and is complex. What stands first is worth looking "
-    "at first; the number itself means nothing.",
+    text="Where changes are frequent and difficult: a file that changes often and is complex. Files with the highest "
+    "values are worth reviewing first; the number itself has no meaning.",
     formula="`churn` of the file x sum of the cyclomatic complexity of its functions",
     source="Tornhill, Your Code as a Crime Scene, 2015, chapter 3 (change frequency and complexity)",
     limits="Grows with the size and age of a file. A file without functions has none.",

@@ -14,11 +14,11 @@ QUANTITY = Quantity(
     title="Revisions since the last release",
     unit="commits",
     kinds=(EntityKind.REPOSITORY,),
-    text="How many commits no release has yet.",
+    text="How many commits are not in any release yet.",
     better=Better.NEITHER,
     formula="number of commits behind the head that are not behind the newest release; releases as in `releases`",
     source="plain count",
-    limits="The newest release is the one whose commit comes first from the head; where none was made there is none.",
+    limits="The newest release is the one whose commit comes first from the head; absent without a release.",
 )
 
 COMMANDS = {"repository": "git rev-list --count HEAD ^TAG"}

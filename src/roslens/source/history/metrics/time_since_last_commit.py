@@ -11,12 +11,12 @@ QUANTITY = Quantity(
     title="Time since the last commit",
     unit="d",
     kinds=(EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE),
-    text="How many days it had not been changed for when the head was committed.",
+    text="How many days before the head it was last changed.",
     better=Better.NEITHER,
     formula="(date of the head - latest date of a commit that counts) / 86400 s, at least 0; with `process.as_of` that "
     "time instead of the head's",
     source="plain difference of committer dates",
-    limits="A repository has it with `process.as_of` only: of itself its head is its last commit.",
+    limits="A repository has it only with `process.as_of`, because its head is its last commit.",
     decimals=1,
 )
 

@@ -18,9 +18,9 @@ QUANTITY = Quantity(
     formula="1 + number of if, elif (else if), for, while, do, case (not default), catch / except, ?:, && and ||; in "
     "Python also every for and if of a comprehension and the if of a match case",
     source="McCabe, A Complexity Measure, IEEE TSE 2(4), 1976, with conditions counted one by one (his section V)",
-    limits="Decisions are counted as written: a macro that hides a branch counts none. Lambdas count in the function "
-    "they stand in unless `counting.lambdas` is off; all arms of `#if` count unless `counting.alternatives` is off "
-    "(then the first arm alone), `#if` itself never does. A function inside a Python function is one of its own. "
+    limits="Decisions are counted as written: a macro that hides a branch counts none. Lambdas count in the enclosing "
+    "function unless `counting.lambdas` is off; all arms of `#if` count unless `counting.alternatives` is off "
+    "(then the first arm alone), `#if` itself never does. A nested Python function is measured separately. "
     "goto, throw, assert, finally, else and `else` of a loop count none.",
     minimum=1,
     decimals=1,

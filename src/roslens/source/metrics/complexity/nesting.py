@@ -15,14 +15,14 @@ QUANTITY = Quantity(
     title="Nesting",
     unit="levels",
     kinds=(EntityKind.FUNCTION,),
-    text="How many control structures stand inside each other at the deepest place of a function.",
+    text="How many control structures are nested at the deepest place of a function.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="largest number of if, for, while, do, switch / match and try around any place, that structure included; "
     "elif, else, catch and finally are arms of their structure and as deep as it; 0 without control structures",
     source="STMIF of the ROS, KTH and HIS models as QA-C measures it (maximum nesting of control structures)",
-    limits="?:, `with`, comprehensions, blocks of nothing but braces and cases add no level. A lambda adds none "
-    "itself; what is in it is as deep as the place it stands at plus its own structures, unless `counting.lambdas` "
-    "is off. `#if` adds none. A function inside a Python function starts at 0.",
+    limits="?:, `with`, comprehensions, plain blocks and cases add no level. A lambda adds none "
+    "itself; its content is as deep as its place plus its own structures, unless `counting.lambdas` "
+    "is off. `#if` adds none. A nested Python function starts at 0.",
     decimals=1,
 )
 

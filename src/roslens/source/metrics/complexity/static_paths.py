@@ -11,15 +11,15 @@ from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import Control, FunctionFacts
 
 MOST = 10**9
-"""Larger numbers are cut off here: nobody tests a billion paths."""
+"""Larger numbers are cut off here: a billion paths are never tested."""
 
 QUANTITY = Quantity(
     key="static_paths",
     title="Static paths",
     unit="paths",
     kinds=(EntityKind.FUNCTION,),
-    text="How many ways lead through a function when every condition may go either way: an upper bound of the tests "
-    "that would take them all.",
+    text="How many paths lead through a function if all conditions are independent: an upper bound of the tests "
+    "that cover all paths.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="a sequence multiplies; if: paths of its arms added up, + 1 without else; for, while, do: paths of the "
     "body + 1 (with `else`: + paths of that); switch / match: paths of its distinct arms added up, + 1 without "
@@ -28,9 +28,9 @@ QUANTITY = Quantity(
     source="STPTH of the ROS, KTH and HIS models (QA-C), after Nejmeh, NPATH, CACM 31(2), 1988, without his count of "
     "logical operators",
     limits="Cut off at 1,000,000,000. return, break, goto and falling through do not shorten a path. Conditions that "
-    "exclude each other are not seen. Case labels of C and C++ with no control between them share an arm; labels "
+    "exclude each other are not detected. Case labels of C and C++ with no control between them share an arm; labels "
     "inside a loop inside the switch (Duff's device) are none of its arms. Both arms of `#if` count as one after the "
-    "other unless `counting.alternatives` is off, a lambda as if it ran where it stands unless `counting.lambdas` is "
+    "other unless `counting.alternatives` is off, a lambda as if it ran at its place unless `counting.lambdas` is "
     "off.",
     minimum=1,
     maximum=MOST,

@@ -13,12 +13,12 @@ QUANTITY = Quantity(
     title="Halstead volume",
     unit="bits",
     kinds=(EntityKind.FUNCTION, EntityKind.FILE),
-    text="How many bits it takes to write the code down with the shortest code for each token.",
+    text="How many bits are needed to encode the source with the shortest code for each token.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="V = N * log2(n), with the length N and the vocabulary n; 0 without tokens",
     source="Halstead, Elements of Software Science, 1977; the bound 8000 for a file is Verifysoft's",
     limits="See halstead_length for what is an operator. The volume of a file is not the sum over its functions: "
-    "names are shared, and what stands outside functions is in it.",
+    "names are shared, and code outside functions is included.",
     decimals=1,
 )
 

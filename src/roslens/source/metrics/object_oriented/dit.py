@@ -12,13 +12,13 @@ QUANTITY = Quantity(
     title="Depth of inheritance",
     unit="levels",
     kinds=(EntityKind.CLASS,),
-    text="How many ancestors stand above a class on the longest way up.",
+    text="How many ancestors a class has along its longest inheritance path.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="0 without bases, else 1 + the largest depth of its bases; a base outside the package has depth 0, as "
     "has Python's object, which as the only base counts as none",
     source="Chidamber and Kemerer, A Metrics Suite for Object Oriented Design, IEEE TSE 20(6), 1994",
-    limits="What is above a base of another package is not seen, so the depth is a lower bound. A template parameter "
-    "as base counts as a base outside.",
+    limits="The ancestors of a base in another package are unknown, so the depth is a lower bound. A template "
+    "parameter as base counts as a base outside.",
     decimals=1,
 )
 

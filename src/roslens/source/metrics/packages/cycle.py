@@ -11,7 +11,7 @@ QUANTITY = Quantity(
     title="Dependency cycle",
     unit="packages",
     kinds=(EntityKind.PACKAGE,),
-    text="How many packages depend on each other in a circle with this one; 0 is none, and as it must be.",
+    text="How many packages depend on each other in a cycle with this one; 0, as required, without a cycle.",
     formula="number of packages in the strongly connected component of the package; 0 if it is alone there, 1 if it "
     "depends on itself",
     source="Tarjan, Depth-First Search and Linear Graph Algorithms, SIAM J. Computing 1(2), 1972; REP-149 asks for a "

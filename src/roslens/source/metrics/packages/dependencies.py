@@ -11,12 +11,12 @@ QUANTITY = Quantity(
     title="Dependencies",
     unit="packages",
     kinds=(EntityKind.PACKAGE,),
-    text="How many other packages and system libraries a package declares that it needs.",
+    text="How many other packages and system libraries a package declares as dependencies.",
     formula="number of distinct names in the active dependency tags of the manifest (build, buildtool, export, exec, "
     "run, test and depend), members of a group it depends on included",
     source="REP-127, REP-140, REP-149",
-    limits="What the manifest says, in the workspace or not; doc, conflict and replace do not count. What code uses "
-    "but the manifest does not name is not seen.",
+    limits="As declared in the manifest, in the workspace or not; doc, conflict and replace do not count. Undeclared "
+    "dependencies of the code do not count either.",
 )
 
 

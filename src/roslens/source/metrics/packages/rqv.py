@@ -23,5 +23,5 @@ QUANTITY = Quantity(
 
 
 def of_findings(findings: Iterable[Finding]) -> float:
-    """Return how many thresholds of quality models the findings say are broken."""
+    """Return how many thresholds of quality models the findings report as violated."""
     return sum(len(limits_broken(finding)) for finding in findings)

@@ -11,12 +11,12 @@ QUANTITY = Quantity(
     title="Tier",
     unit="levels",
     kinds=(EntityKind.PACKAGE,),
-    text="How high a package stands on others of the workspace; 0 stands on none.",
+    text="The level of a package above its dependencies in the workspace; 0 has none there.",
     better=Better.NEITHER,
     formula="length of the longest chain of dependencies below the package inside the workspace; packages of one "
     "cycle count as one package and share their tier",
     source="Lakos, Large-Scale C++ Software Design, 1996 (levelisation; his level is one more)",
-    limits="Packages outside the workspace count as ground.",
+    limits="Packages outside the workspace do not count.",
 )
 
 

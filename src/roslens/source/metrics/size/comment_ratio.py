@@ -20,8 +20,8 @@ QUANTITY = Quantity(
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (%Com = LOCom / LOC, "
     "there as a ratio); thresholds of the ROS, NASA SATC, HIS and Akureyri models are in per cent",
     limits="Above 100 where there is more comment than code. HIS divides by statements, others by all lines: their "
-    "values are lower or higher by a constant habit of layout. Absent where there is no code. What is too low in a "
-    "``setup.py`` or ``.cfg`` of dynamic_reconfigure is a note.",
+    "values differ by the layout of the code. Absent where there is no code. A value that is too low in "
+    "a ``setup.py`` or ``.cfg`` of dynamic_reconfigure is a note.",
     decimals=1,
 )
 
@@ -30,7 +30,7 @@ _TABLES = re.compile(r"(?:.*/)?(?:setup\.py|[^/]+\.cfg)")
 
 
 def speaks_for_itself(path: str) -> bool:
-    """Return whether a file is a table that says what it holds: parameters for dynamic_reconfigure, a ``setup.py``."""
+    """Return whether a file is a self-describing table: parameters for dynamic_reconfigure, a ``setup.py``."""
     return _TABLES.fullmatch(path) is not None
 
 

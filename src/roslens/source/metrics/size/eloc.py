@@ -12,15 +12,16 @@ QUANTITY = Quantity(
     title="Executable lines",
     unit="lines",
     kinds=(EntityKind.FUNCTION,),
-    text="Lines of a function's body that do something when it runs.",
+    text="Lines of a function's body that contain executable code.",
     folds=(Fold.SUM, Fold.MAX),
-    formula="number of lines of the body that hold a token of something executable: an expression, a condition, a "
-    "jump, a declaration with an initialiser. Lines with nothing but brackets and punctuation, `else`, `try`, `do` "
+    formula="number of lines of the body that contain a token of an executable construct: an expression, a condition, "
+    "a jump, a declaration with an initialiser. Lines with nothing but brackets and punctuation, `else`, `try`, `do` "
     "or `finally`, labels, preprocessor directives, comments, docstrings and declarations without initialiser do not "
     "count",
     source="STXLN of the HIS and KTH models as QA-C measures it (number of executable lines)",
-    limits="Arms of `#if` and lambdas count where they stand, whatever the options say. A declaration whose "
-    "constructor runs code (`std::lock_guard lock(m);`) has arguments and counts; `Foo foo;` does not.",
+    limits="Arms of `#if` and lambdas always count for the enclosing function, regardless of the options. A "
+    "declaration whose constructor runs code (`std::lock_guard lock(m);`) has arguments and counts; `Foo foo;` does "
+    "not.",
 )
 
 

@@ -1,4 +1,4 @@
-"""The reference pages of foreign tools, made from what declares them: one of all, and one for each."""
+"""The reference pages of foreign tools, generated from their declarations: one of all, and one for each."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from roslens.source.tools.witnesses import equivalents
 _HEAD = """\
 # Foreign tools
 
-Tools that a team knows already, as part of a run: their findings stand beside those of roslens, in every format, with
-severity, tags and the clauses of standards that they are about. None runs unless it is asked for:
+Established analysers as part of a run: their findings are reported together with those of roslens, in every format,
+with severity, tags and the related clauses of standards. None runs unless it is requested:
 
 ```sh
 roslens check --tools cpplint,ruff           # these
-roslens check --tools all                    # every one that is installed
-roslens check --import result.sarif          # what some other tool wrote
-roslens plugins                              # which are there, and how to get the others
+roslens check --tools all                    # all that are installed
+roslens check --import result.sarif          # the result of another tool
+roslens plugins                              # list installed tools, and how to install the others
 ```
 
-or for good, in `roslens.toml`:
+or permanently, in `roslens.toml`:
 
 ```toml
 [tools]
@@ -33,25 +33,25 @@ use = ["cpplint", "ruff"]
 line_length = 120
 ```
 
-`pip install 'roslens[tools]'` brings those that are wheels. This page is made from `src/roslens/source/tools/`; `make
-docs` writes it anew.
+`pip install 'roslens[tools]'` installs those that are available as wheels. `make docs` generates this page from
+`src/roslens/source/tools/`.
 
-- A tool gets many files at once, in as many processes as there are processors. What it says of a file is kept under a
-  hash of the file, the tool's version, its options, and the settings files in the folders above; a second run starts
-  nothing.
-- A tool that is named and missing, too old, of an unknown version, or unable to look at the workspace is a failure
-  that says why and what to do: "not run, because …". Where `all` asked for it, it is a remark.
-- A tool that crashes, hangs, prints too much or what cannot be read loses nothing of the others. The files that it
-  failed on are found by halves, reported, and tried again by the next run.
-- It looks at own code and tests, not at generated and vendored code. Comments by which its users silence it hold, and
-  so do those of roslens: `NOLINT(runtime/int)`, `noqa: F401`, `roslens: ignore[cpplint.runtime/int] reason`.
-- Nothing of the workspace runs: settings that would load code (`init-hook` of pylint, plug-ins of the compiler) are
-  not taken over. `use` in a stranger's configuration starts only what you have installed.
-- What several tools report of one place by [equivalent checks](#one-finding) is one finding. Findings about layout
-  are one a package: "214 layout findings in 12 files: run clang-format"; `layout = "each"` below `[tools]` tells
-  each.
+- A tool receives files in batches, in as many processes as there are processors. Its findings in a file are cached by
+  a hash of the file, the version of the tool, its options, and the settings files in the parent folders; a second run
+  starts no process.
+- A tool that is requested by name but missing, too old, of an unknown version, or unable to process the workspace is a
+  failure that states the reason and the remedy: "not run, because …". If it was requested by `all`, it is a remark.
+- If a tool crashes, hangs, or prints too much or unreadable output, the findings of the others are kept. The files
+  that it failed on are found by bisection, reported, and tried again by the next run.
+- Tools check own code and tests, not generated and vendored code. Suppression comments of the tool apply, and so do
+  those of roslens: `NOLINT(runtime/int)`, `noqa: F401`, `roslens: ignore[cpplint.runtime/int] reason`.
+- No code of the workspace is executed: settings that would load code (`init-hook` of pylint, plug-ins of the compiler)
+  are not used. `use` in an untrusted configuration starts only tools that you have installed.
+- If several tools report the same place by [equivalent checks](#one-finding), it is one finding. Findings about layout
+  are combined into one per package: "214 layout findings in 12 files: run clang-format"; `layout = "each"` below
+  `[tools]` reports each.
 
-| tool | looks at | languages | how to get it |
+| tool | checks | languages | installation |
 | --- | --- | --- | --- |
 """
 
@@ -59,12 +59,12 @@ _SARIF = """
 ## Anything that writes SARIF
 
 `--import FILE` (again for more), or `imports = ["result.sarif"]` below `[tools]`, takes the results of a SARIF 2.1.0
-file as findings: of semgrep, CodeQL, bandit, Infer, MSVC, GCC. Results that the tool says are suppressed, that have
-no place, or that point outside of the workspace are left out, and how many is said. A file of more than 128 MB or
-200,000 results is refused.
+file as findings: of semgrep, CodeQL, bandit, Infer, MSVC, GCC. Results that are marked as suppressed, have no
+location, or point outside the workspace are left out, and their number is reported. A file of more than 128 MB or
+200,000 results is rejected.
 
-A program that writes SARIF is named by a table. It runs once you trust it, see `roslens trust`, and again when a file
-of the workspace changed:
+A program that writes SARIF is configured by a table. It runs once you trust it, see `roslens trust`, and again when a
+file of the workspace changed:
 
 ```toml
 [tools.semgrep]
@@ -74,16 +74,17 @@ command = ["semgrep", "scan", "--sarif", "--quiet", "{root}"]
 command = ["bandit", "-r", "{root}", "-f", "sarif", "-o", "{output}"]
 ```
 
-`{root}` is the folder of the workspace, in which it is started; `{output}` a file to write to, without which standard
-output is read. Its exit code does not matter where it leaves SARIF.
+`{root}` is the folder of the workspace, its working directory; `{output}` a file to write to, without which standard
+output is read. Its exit code is ignored if it writes SARIF.
 
 ## One finding
 
-Rules of a row look for the same. Where they report the same line (or file, where that is said), one finding stands:
-that of the first rule, with the ids of the others as its `witnesses`. A suppression that names any of them holds. The
-rows are data: `src/roslens/source/tools/equivalent.toml`, and the checks of tools that native rules name as clauses.
+The rules of a row find the same mistake. If they report the same line (or the same file, for rows marked so), they are
+one finding: that of the first rule, with the ids of the others as its `witnesses`. A suppression of any of them
+applies. The rows are `src/roslens/source/tools/equivalent.toml`, and the checks of tools that native rules list as
+clauses.
 
-| what they look for | rules |
+| mistake | rules |
 | --- | --- |
 """
 
@@ -109,13 +110,13 @@ def tool_page(name: str) -> str:
     return "".join(
         (
             f"# {name}\n\n{tool.text} Documented at <{checks.about}>. See [all tools](../tools.md).\n\n",
-            f"- **Get it**: {_code(tool.get)}\n",
+            f"- **Installation**: {_code(tool.get)}\n",
             f"- **Reads**: {', '.join(tool.languages)}; one call gets at most {tool.at_once:,} files\n",
             *_facts(tool),
             _options(tool),
             "\n## Its checks\n\nThe id of a check here is the name of the tool, a dot, and its own name: ",
             f"`{rule_id(name, 'CHECK')}`.",
-            " Where no severity is given, that of the tool counts. Checks that no line names are notes.\n\n",
+            " Without a severity, that of the tool applies. Checks that are not listed are notes.\n\n",
             "| check | severity | tags | clauses | what it finds |\n| --- | --- | --- | --- | --- |\n",
             *(_row(f"`{check}`", checks.of(check)) for check in sorted(checks.checks)),
             *(_row(f"`{family.match}`", family) for family in checks.family if family.match != "*"),
@@ -127,15 +128,15 @@ def tool_page(name: str) -> str:
 
 def _facts(tool: Tool) -> Iterable[str]:
     if tool.oldest:
-        yield f"- **Oldest version** that was tried: {'.'.join(map(str, tool.oldest))}\n"
+        yield f"- **Oldest version** tested: {'.'.join(map(str, tool.oldest))}\n"
     if tool.settings_files:
         names = ", ".join(f"`{name}`" for name in tool.settings_files)
-        yield f"- **Settings of the project** that it reads, in the folder of a file and above: {names}\n"
+        yield f"- **Project settings** that it reads, in the folder of a file and its parents: {names}\n"
     if tool.whole_packages:
         where = "any package" if tool.across_packages else "the package"
-        yield f"- **Looks again** at a file when one that it may depend on changed, in {where}\n"
+        yield f"- **Checks a file again** if a file that it may depend on changed, in {where}\n"
     if tool.asks_the_net:
-        yield "- **Asks the net**, so it only runs where it is named: `all` does not stand for it\n"
+        yield "- **Uses the network**, so it runs only if named: `all` does not include it\n"
 
 
 def _options(tool: Tool) -> str:
@@ -146,7 +147,7 @@ def _options(tool: Tool) -> str:
         for one in sorted(tool.options, key=_name)
     )
     head = f"\n## Options\n\nBelow `[options.{tool.name}]` in `roslens.toml`.\n\n"
-    return f"{head}| option | type | default | what it says |\n| --- | --- | --- | --- |\n{lines}"
+    return f"{head}| option | type | default | meaning |\n| --- | --- | --- | --- |\n{lines}"
 
 
 def _name(option: object) -> str:

@@ -62,6 +62,9 @@ def callbacks_of(view: FileView) -> tuple[str, ...]:
     streams = _STREAM_CPP if view.syntax == "cpp" else _STREAM_PYTHON
     found: set[str] = set()
     for call in _registrations(view):
+        if view.text(call.child_by_field_name("function")) == "threading.Timer":
+            # It calls once, and in a thread of its own.
+            continue
         named = set(_named_cpp(call, view) if view.syntax == "cpp" else _named_python(call, view))
         found |= named
         if callee_name(call, view) in streams and b"cancel()" not in view.code[call.start_byte : call.end_byte]:

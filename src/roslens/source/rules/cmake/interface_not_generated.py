@@ -17,7 +17,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each definition whose name stands nowhere in CMake, in a package that generates others by name."""
     cmake = view.cmake
     commands = list(cmake.named(*_COMMANDS))
-    if not commands or re.search(r"\bGLOB\b|ament_auto_generate|file\s*\(\s*STRINGS", cmake.text):
+    if not commands or re.search(r"\bGLOB(?:_RECURSE)?\b|ament_auto_generate|file\s*\(\s*STRINGS", cmake.text):
         return
     if not any(word.endswith((".msg", ".srv", ".action")) for one in cmake.commands for word in one.words):
         return

@@ -25,10 +25,19 @@ def found(view: PackageView) -> Iterator[Hit]:
             continue
         written = " ".join(argument.written for argument in one.command.arguments)
         match = _NATIVE.search(written)
+        if _is_for_c_alone(one, view):
+            continue
         if match is None or match[0].startswith(_TUNE) or _is_asked_for(one, off):
             continue
         message = f"{match[0]!r} makes code of the processor that builds; expected an option that is off by default"
         yield one.hit("cmake.machine_flags", message)
+
+
+def _is_for_c_alone(one: Written, view: PackageView) -> bool:
+    """Return whether a command sets flags of C in a package that has no source in C."""
+    if not any(word.startswith("CMAKE_C_FLAGS") for word in one.words[:1]):
+        return False
+    return not any(file.path.endswith(".c") for file in view.files)
 
 
 def _off(one: Written) -> str:

@@ -32,12 +32,18 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield project.hit("cmake.minimum_version", message)
         return
     version = next((match for word in command.words if (match := _VERSION.match(word))), None)
-    if version is None or 2 not in view.ros:
+    if version is None or 2 not in view.ros or _is_of_catkin_alone(view):
         return
     highest = tuple(int(one) for one in (version.group(3, 4) if version[3] else version.group(1, 2)))
     if highest < OLDEST:
         message = f"the minimum is CMake {version[0]}, which CMake 4 refuses; expected at least 3.5"
         yield command.hit("cmake.minimum_version", message)
+
+
+def _is_of_catkin_alone(view: PackageView) -> bool:
+    """Return whether the file is one of ROS 1, whatever the manifest says for ROS 2."""
+    looked_for = {word for one in view.cmake.named("find_package") for word in one.words[:1]}
+    return "catkin" in looked_for and not any(name.startswith("ament_cmake") for name in looked_for)
 
 
 def _is_for_ros_1(one: Written) -> bool:

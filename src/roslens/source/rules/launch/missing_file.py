@@ -6,15 +6,23 @@ import re
 from collections.abc import Collection, Iterator
 from posixpath import normpath
 
+import msgspec
+
+from roslens.model.finding import Severity
+from roslens.source.rules.by_package.left_behind import is_left_behind
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.workspace.elements import Element
+from roslens.source.workspace.globs import compiled
 
 _OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
 _SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
 _WRITTEN = re.compile(r"(?i)result|output|save|record|dump|export|write")
 """In names of parameters: the program makes the file."""
+_USED = re.compile(rb"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
+_SHOWN = ".rviz"
+"""RViz opens its usual display where the file is not there."""
 _FILES = frozenset({"file", "textfile", "binfile", "from", "value", "args", "command", "default"})
 _ENDINGS = (
     ".launch",
@@ -38,11 +46,28 @@ def found(view: PackageView) -> Iterator[Hit]:
     if _installs_what_it_builds(view):
         return
     names = {path.rpartition("/")[2] for path in view.listing}
+    ignored = _ignored(view)
     for file in view.launch:
+        used = frozenset(_USED.findall(view.read(file.path)))
         for element, _ in () if file.is_test else file.elements:
+            if element.tag == "arg" and element.attributes.get("name", "").encode() not in used:
+                continue
             for path in _own_paths(element, view):
-                if not _is_there(path, names, view):
-                    yield file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
+                if _is_there(path, names, view) or (ignored is not None and ignored.fullmatch(path)):
+                    continue
+                hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
+                is_note = path.endswith(_SHOWN) or is_left_behind(file.path)
+                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
+
+
+def _ignored(view: PackageView) -> re.Pattern[str] | None:
+    """Return what matches paths of the package that git ignores: each user has a file of their own there."""
+    lines = [line.strip() for name in (".gitignore", view.path(".gitignore")) for line in _lines(view, name)]
+    return compiled(line for line in lines if line and not line.startswith(("#", "!")))
+
+
+def _lines(view: PackageView, path: str) -> list[str]:
+    return view.read(path).decode("utf-8", "replace").splitlines()
 
 
 def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
@@ -103,7 +128,8 @@ RULE = PackageRule(
     id="launch.missing_file",
     title="Launch file that names a missing file",
     finds="`$(find PACKAGE)/…` or `$(find-pkg-share PACKAGE)/…` of the own package, with an ending of "
-    "configuration, launch, model or map, that leads to no file and is made by no build. Correct the path.",
+    "configuration, launch, model or map, that leads to no file, is made by no build and is not "
+    "ignored by git. Correct the path. A missing display of RViz is a note: it opens its usual one.",
     why="Launching fails with that file, on the robot, when that branch is first taken.",
     profiles=("ros2", "ros1"),
     tags=("launch",),

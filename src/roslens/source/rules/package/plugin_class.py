@@ -51,6 +51,9 @@ def _unregistered_hit(one: PluginClass, view: PackageView) -> Hit:
             "description in the package that registers it"
         )
         severity = Severity.NOTE
+    elif _is_commented_out(one, view):
+        message = f"the registration of class {one.type!r} is commented out; expected its description to go, too"
+        severity = Severity.NOTE
     else:
         expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
         message, severity = f"no source registers class {one.type!r}; expected {expected}", None
@@ -62,6 +65,13 @@ def _has_namespace(name: str, view: PackageView) -> bool:
     written = re.compile(rb"\bnamespace\s+(?:\w+::)*%b\b|\(\s*(?:::)?%b::" % (name.encode(), name.encode()))
     files = view.of_language(Language.CPP, Language.C)
     return any(written.search(view.read(file.path)) for file in files)
+
+
+def _is_commented_out(one: PluginClass, view: PackageView) -> bool:
+    """Return whether the registration of a class stands behind `//`."""
+    name = re.escape(one.type.removeprefix("::").encode())
+    written = re.compile(rb"//[^\n]*\b(?:PLUGINLIB_EXPORT_CLASS|PLUGINLIB_DECLARE_CLASS)\s*\([^\n]*\b%b\b" % name)
+    return any(written.search(view.read(file.path)) for file in view.of_language(Language.CPP, Language.C))
 
 
 def _is_elsewhere(one: PluginClass, view: PackageView) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
@@ -10,6 +11,7 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
 _FILES = ("setup.py", "setup.cfg", "pyproject.toml")
+_NAMED = re.compile(rb"resource/([A-Za-z]\w*)")
 _INDEX = b"resource_index"
 
 
@@ -30,6 +32,11 @@ def found(view: PackageView) -> Iterator[Hit]:
         yield Hit("package.resource_marker", message, at, context="data_files", path=path, severity=Severity.WARNING)
         return
     naming = next((path for path, text in texts.items() if b"resource/" in text), None)
+    if any(
+        view.exists(view.path(f"resource/{name.decode()}")) for text in texts.values() for name in _NAMED.findall(text)
+    ):
+        # Another name is named and is there, which is another mistake.
+        return
     if naming is not None and not view.exists(view.path(marker)):
         message = f"{marker!r} does not exist; expected an empty file of that name"
         line = texts[naming].partition(b"resource/")[0].count(b"\n") + 1

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from roslens.source.workspace.elements import Element
 
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)/")
+_SUBSTITUTION = re.compile(r"\$\([^()]*\)")
 _GOES_ON = re.compile(rb"\\\r?\n")
 
 
@@ -64,8 +65,14 @@ class Passing:
         """Return whether an include is of a path below the package; where a folder is open, its name decides."""
         file = element.attributes.get("file", "")
         if match := _FIND.match(file):
-            return match[1] == self._package.package.name and file[match.end() :].lstrip("/") == path
-        return basename(file) == basename(path)
+            return match[1] == self._package.package.name and _may_be(file[match.end() :].lstrip("/"), path)
+        return _may_be(basename(file), basename(path))
+
+
+def _may_be(written: str, path: str) -> bool:
+    """Return whether a path with substitutions may be another."""
+    pattern = ".*".join(map(re.escape, _SUBSTITUTION.split(written)))
+    return re.fullmatch(pattern, path) is not None
 
 
 def _passes(file: LaunchXml, include: Element, name: str) -> bool:

@@ -25,6 +25,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     declarator = function_declarator(function) if function is not None else None
     if declarator is None:
         return
+    body = function.child_by_field_name("body") if function is not None else None
+    if body is not None and re.search(rf"\b{name}\b".encode(), view.code[body.start_byte : body.end_byte]):
+        # The body may set it, piece by piece.
+        return
     names = {
         view.text(name_node(one.child_by_field_name("declarator"))).lstrip("&* ") for one in parameters_of(declarator)
     }

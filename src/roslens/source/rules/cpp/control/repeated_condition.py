@@ -11,6 +11,8 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_DIRECTIVE = re.compile(rb"^[ \t]*#", re.MULTILINE)
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each condition of a chain that stands in it before."""
@@ -20,6 +22,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     seen: dict[str, int] = {}
     moved_on = False
+    if _DIRECTIVE.search(view.content, node.start_byte, node.end_byte):
+        # Of branches between `#ifdef` and `#endif` only one may be built.
+        return
     for condition in _conditions(node):
         text = " ".join(view.content[condition.start_byte : condition.end_byte].decode("utf-8", "replace").split())
         if text in seen and _is_pure(text) and not (moved_on and "(" in text[1:]):

@@ -10,7 +10,7 @@ from tree_sitter import Node
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, callee_name, spoken
 from roslens.source.rules.calls import AT_ONCE, arguments, body_of, call_at, function_around, receiver
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
@@ -57,6 +57,10 @@ def _is_spun_for(name: str, call: Node, body: Node, view: FileView) -> bool:
 
 def _asks_whether_it_is_there(name: str, call: Node, body: Node, view: FileView) -> bool:
     """Return whether a call does not wait, or stands behind such a call for the same future."""
+    around = above(call, "if_statement", "function_definition", "lambda_expression")
+    condition = around.child_by_field_name("condition") if around is not None else None
+    if condition is not None and condition.end_byte <= call.start_byte and "ready" in view.text(condition):
+        return True
     if callee_name(call, view) == "wait_for":
         return any(AT_ONCE.search(view.text(one)) for one in arguments(call))
     asked = re.search(

@@ -40,11 +40,7 @@ def findings_of(repository: Repository, tool: str = GRAPH) -> list[dict[str, Any
     """
     with TemporaryDirectory() as folder:
         root = Path(folder, "ws")
-        root.mkdir()
-        try:
-            check_out(repository.clone, repository.commit, root)
-        except subprocess.CalledProcessError as error:
-            raise NotReadError(f"the clone has no commit {repository.commit}") from error
+        _lay_out(repository, root)
         if tool != GRAPH:
             report = _report_of(root)
             return [one for one in report["findings"] if one.get("tool") == tool and one.get("gated", True)]
@@ -68,12 +64,19 @@ def report_of(repository: Repository) -> Any:
     """
     with TemporaryDirectory() as folder:
         root = Path(folder, "ws")
-        root.mkdir()
-        try:
-            check_out(repository.clone, repository.commit, root)
-        except subprocess.CalledProcessError as error:
-            raise NotReadError(f"the clone has no commit {repository.commit}") from error
+        _lay_out(repository, root)
         return _report_of(root)
+
+
+def _lay_out(repository: Repository, root: Path) -> None:
+    """Write the files of a commit into a folder that is a repository of that name, as a clone is."""
+    root.mkdir()
+    try:
+        check_out(repository.clone, repository.commit, root)
+    except subprocess.CalledProcessError as error:
+        raise NotReadError(f"the clone has no commit {repository.commit}") from error
+    for words in (("init", "--quiet"), ("remote", "add", "origin", f"https://forge.invalid/{repository.name}.git")):
+        subprocess.run(["git", "-C", str(root), *words], check=True, capture_output=True)
 
 
 def _report_of(root: Path) -> Any:

@@ -16,7 +16,7 @@ _ENVIRONMENT = {**os.environ, "GIT_NO_LAZY_FETCH": "1"}
 
 
 def check_out(clone: Path, commit: str, target: Path) -> None:
-    """Write the files of a commit below ``target``.
+    """Write the files of a commit below ``target``, and the links between them.
 
     Raises:
         CalledProcessError: the clone has no such commit.
@@ -28,15 +28,15 @@ def check_out(clone: Path, commit: str, target: Path) -> None:
     for row in filter(None, tree.stdout.split(b"\0")):
         about, _, path = row.partition(b"\t")
         mode, kind, blob = about.split()
-        if kind == b"blob" and mode != _LINK and not path.decode().lower().endswith(_LEFT_OUT):
-            wanted.append((blob, path.decode()))
+        if kind == b"blob" and not path.decode().lower().endswith(_LEFT_OUT):
+            wanted.append((blob, path.decode(), mode == _LINK))
     with subprocess.Popen(
         ["git", "-C", str(clone), "cat-file", "--batch"],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=_ENVIRONMENT,
     ) as reading:  # fmt: skip
         assert reading.stdin is not None
         assert reading.stdout is not None
-        for blob, name in wanted:
+        for blob, name, is_link in wanted:
             reading.stdin.write(blob + b"\n")
             reading.stdin.flush()
             head = reading.stdout.readline().split()
@@ -46,4 +46,7 @@ def check_out(clone: Path, commit: str, target: Path) -> None:
             reading.stdout.read(1)
             file = target / name
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(content)
+            if not is_link:
+                file.write_bytes(content)
+            elif (file.parent / content.decode()).resolve().is_relative_to(target.resolve()):
+                file.symlink_to(content.decode())

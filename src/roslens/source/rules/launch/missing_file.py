@@ -9,7 +9,6 @@ from posixpath import normpath
 import msgspec
 
 from roslens.model.finding import Severity
-from roslens.source.rules.by_package.left_behind import is_left_behind
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -56,8 +55,7 @@ def found(view: PackageView) -> Iterator[Hit]:
                 if _is_there(path, names, view) or (ignored is not None and ignored.fullmatch(path)):
                     continue
                 hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
-                is_note = path.endswith(_SHOWN) or is_left_behind(file.path)
-                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
+                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if path.endswith(_SHOWN) else hit
 
 
 def _ignored(view: PackageView) -> re.Pattern[str] | None:

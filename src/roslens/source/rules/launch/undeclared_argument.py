@@ -7,7 +7,6 @@ from collections.abc import Iterator
 import msgspec
 
 from roslens.model.finding import Severity
-from roslens.source.rules.by_package.left_behind import is_left_behind
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -36,8 +35,8 @@ def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Ite
     what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
     message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
     hit = file.hit("launch.undeclared_argument", element, message, name)
-    is_note = is_left_behind(file.path) or passing.is_on_a_command_line(file, name)
-    yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
+    is_said = passing.is_on_a_command_line(file, name)
+    yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_said else hit
 
 
 def _used(element: Element) -> Iterator[str]:
@@ -54,7 +53,7 @@ RULE = PackageRule(
     finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
     "where there is one. The files of ROS 2 are left out: they inherit what the including file declares. So is "
     "what all files that include this one pass on by `pass_all_args`; where a script or README starts it with "
-    "`name:=`, or where the file lies below `legacy/` or `old/`, it is a note.",
+    "`name:=` it is a note.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
     severity=Severity.ERROR,
     profiles=("ros1",),

@@ -11,6 +11,7 @@ from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.source.rules.by_package.caught_type import as_notes_of_caught_types
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
+from roslens.source.rules.by_package.named_by_launch import as_notes_where_launch_names
 from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
 from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
@@ -65,6 +66,7 @@ def rule_findings(
     placed = as_notes_in_nested_package(as_notes_of_caught_types(placed, view), view)
     placed = as_notes_where_left_behind(as_notes_of_unused_scripts(placed, view))
     placed = as_notes_of_unbuilt_sources(as_notes_where_used_once(placed, view), view)
+    placed = as_notes_where_launch_names(placed, view)
     return place_hits(placed, callbacks, selection, rules, entities)
 
 

@@ -65,7 +65,8 @@ def _of_initializer(initializer: Node, view: FileView) -> Node | None:
 RULE = FileRule(
     id="node.node_name",
     title="Name of a node that ROS refuses",
-    finds="A literal name of a node with a dash, a slash, a space or a digit at its beginning. Rename it.",
+    finds="A literal name of a node with a dash, a slash, a space or a digit at its beginning. Rename it. Where a "
+    "launch file of ROS 1 starts a node of the package it is a note, as that names the node.",
     why="The constructor throws InvalidNodeNameError, `ros::init` InvalidNodeNameException: the program ends at its "
     "start.",
     severity=Severity.ERROR,

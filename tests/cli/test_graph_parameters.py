@@ -72,7 +72,7 @@ def test_parameters_of_a_generated_library(capsys: pytest.CaptureFixture[str], w
     speed = found["speed"]
     assert (speed["type"], speed["default"], speed["value"], speed["range"]) == ("double", "0.5", "1e1", "0.0..1.0")
     assert (speed["proof"]["path"], speed["proof"]["line"]) == ("arm/src/arm.yaml", 3)
-    assert speed["proof"]["how"] == "declared by the ParamListener made at arm/src/arm.cpp:7"
+    assert speed["proof"]["how"] == "declared by the ParamListener created at arm/src/arm.cpp:7"
     assert (found["joints"]["read_only"], found["joints"]["description"]) == (True, "To move")
     assert {name for name, one in found.items() if one.get("access") and name.startswith("gains")} == {
         "gains.left.p",

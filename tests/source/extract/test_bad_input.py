@@ -146,7 +146,7 @@ def test_launch_files_in_python(workspace):
 def test_includes_end(workspace):
     ((_, nodes, reasons),) = told(workspace, "chain0.launch")
     assert nodes == 0
-    assert "more than 200 files, or 30 inside each other" in reasons[0]
+    assert "more than 200 files, or 30 levels of includes" in reasons[0]
 
 
 def test_what_is_not_utf_8_is_told_and_read(workspace):

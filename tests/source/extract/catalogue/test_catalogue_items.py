@@ -33,8 +33,8 @@ EACH = "{~topics[].topic} geometry_msgs/Twist 1"
         ("[{name: joy, topic: joy/cmd_vel, timeout: 0.5}, {topic: /navi, name: n}]", ["joy/cmd_vel", "/navi"]),
         ("[{name: joy}, 3, {topic: [1]}]", []),
         ("[]", []),
-        ("{a: 1}", ["{topic of each item of ~topics, which is no list}"]),
-        ("[{a: ", ["{topic of each item of ~topics, which is no list}"]),
+        ("{a: 1}", ["{topic of each item of ~topics, which is not a list}"]),
+        ("[{a: ", ["{topic of each item of ~topics, which is not a list}"]),
         (unknown("argument x"), ["{topic of each item of ~topics}"]),
     ],
 )

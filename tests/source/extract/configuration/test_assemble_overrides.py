@@ -116,7 +116,7 @@ def test_in_doubt_only_what_somebody_sets_is_unknown(overrides, topic):
 
 
 def test_what_the_code_gives_may_be_unknown():
-    _, declared = overridden(end(USUAL, qos_unknown="its depth is not known"), TOPIC, values())
+    _, declared = overridden(end(USUAL, qos_unknown="its depth is unknown"), TOPIC, values())
     assert set(told(declared).values()) == {None}
 
 

@@ -102,7 +102,7 @@ def test_code_is_joined_where_a_hint_says_so(told, tmp_path, capsys, code):
     found = launched(tmp_path, capsys, "--config", str(tmp_path / "roslens.toml"))
     assert [name for name, _ in found["/host"]] == ["/seen", "/host/light"]
     assert {proof["sure"] for _, proof in found["/host"]} == {"likely"}
-    assert all("says that" in proof["how"] for _, proof in found["/host"])
+    assert all("is loaded according to" in proof["how"] for _, proof in found["/host"])
 
 
 @pytest.fixture

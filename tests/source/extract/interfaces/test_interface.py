@@ -20,5 +20,5 @@ def test_checksum():
     assert Checksum("abc")
     assert not Checksum(unknown="no such file")
     assert unknown_field_type("a/msg/M", InterfaceField("pose", FieldType("Pose", "g"))).unknown == (
-        "'g/msg/Pose', the type of field 'pose' of a/msg/M, is not known"
+        "'g/msg/Pose', the type of field 'pose' of a/msg/M, is unknown"
     )

@@ -54,7 +54,7 @@ def test_an_action_has_the_sum_of_its_message():
     action = read("a/action/Go", "int32 x\n---\n---\n")
     header_only = {**ALL, "actionlib_msgs/msg/GoalID": read("actionlib_msgs/msg/GoalID", "time stamp\nstring id\n")}
     assert md5_of(action, header_only.get).unknown == (
-        "'actionlib_msgs/msg/GoalStatus', the type of field 'status' of a/msg/GoActionResult, is not known"
+        "'actionlib_msgs/msg/GoalStatus', the type of field 'status' of a/msg/GoActionResult, is unknown"
     )
     status = read("actionlib_msgs/msg/GoalStatus", "GoalID goal_id\nuint8 status\nstring text\n")
     found = md5_sums(action, {**header_only, status.full_name: status}.get)
@@ -65,7 +65,7 @@ def test_an_action_has_the_sum_of_its_message():
 
 def test_what_is_not_known_says_why():
     assert of("a/msg/Self") == Checksum(unknown="a/msg/Self contains itself")
-    lost = "'b/msg/Missing', the type of field 'm' of a/msg/Lost, is not known"
+    lost = "'b/msg/Missing', the type of field 'm' of a/msg/Lost, is unknown"
     assert of("a/msg/Lost") == of("a/msg/Above") == Checksum(unknown=lost)
     broken = Checksum(unknown="the file of a/msg/Broken could not be parsed completely")
     assert of("a/msg/Broken") == of("a/msg/OverBroken") == broken
@@ -75,4 +75,4 @@ def test_what_is_not_known_says_why():
 
 def test_depth_is_limited():
     chain = {f"a/msg/M{n}": read(f"a/msg/M{n}", f"M{n + 1} next\n") for n in range(5000)}
-    assert md5_of(chain["a/msg/M0"], chain.get).unknown.startswith("more than 100 messages in each other")
+    assert md5_of(chain["a/msg/M0"], chain.get).unknown.startswith("more than 100 levels of nested messages")

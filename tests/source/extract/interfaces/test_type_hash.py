@@ -70,14 +70,14 @@ def test_what_services_and_actions_consist_of():
 
 def test_what_is_not_known_says_why():
     assert of("a/msg/Self") == Checksum(unknown="a/msg/Self contains itself")
-    lost = "'b/msg/Missing', the type of field 'm' of a/msg/Lost, is not known"
+    lost = "'b/msg/Missing', the type of field 'm' of a/msg/Lost, is unknown"
     assert of("a/msg/Lost") == of("a/msg/Above") == Checksum(unknown=lost)
     broken = Checksum(unknown="the file of a/msg/Broken could not be parsed completely")
     assert of("a/msg/Broken") == of("a/msg/OverBroken") == broken
     other = read_interface(b"", "M.msg", "a", 1)[0]
     assert type_hash(other, ALL.get).unknown == "a/msg/M is an interface of ROS 1"
     wrong = {"b/msg/Missing": other}
-    assert type_hash(ALL["a/msg/Lost"], wrong.get).unknown == "b/msg/Missing is no message of ROS 2"
+    assert type_hash(ALL["a/msg/Lost"], wrong.get).unknown == "b/msg/Missing is not a message of ROS 2"
 
 
 def test_what_rosidl_misreads_is_not_known():
@@ -87,4 +87,4 @@ def test_what_rosidl_misreads_is_not_known():
 
 def test_depth_is_limited():
     chain = {f"a/msg/M{n}": read(f"a/msg/M{n}", f"M{n + 1} next\n") for n in range(5000)}
-    assert type_hash(chain["a/msg/M0"], chain.get).unknown.startswith("more than 100 messages in each other")
+    assert type_hash(chain["a/msg/M0"], chain.get).unknown.startswith("more than 100 levels of nested messages")

@@ -100,7 +100,7 @@ UNKNOWN = "its endpoints are unknown"
     [
         ((GAZEBO, spawner("base")), (), f"no parameter file states its type; {UNKNOWN}"),
         ((GAZEBO, spawner("base")), (set_to("/base/type", "own/C"),), f"own/C is not a known controller; {UNKNOWN}"),
-        ((spawner("base"),), (VELOCITY,), "which node has the manager of this controller is unknown"),
+        ((spawner("base"),), (VELOCITY,), "the node with the manager of this controller is unknown"),
     ],
 )  # fmt: skip
 def test_what_is_unknown_is_said(nodes, settings, why):

@@ -55,10 +55,10 @@ def test_a_file_declares_parameters():
     ]
     assert [one.terms for one in found] == [
         Terms(),
-        Terms(read_only=True, constraints=("no item twice", "size above 0", "items among a, b")),
+        Terms(read_only=True, constraints=("no duplicate items", "size above 0", "items among a, b")),
         Terms(),
         Terms(allowed=("fast", "slow"), constraints=("checked by demo::checks_mode", "no others")),
-        Terms(constraints=("not empty", "at most 25 signs")),
+        Terms(constraints=("not empty", "at most 25 characters")),
     ]
     assert found[0].description == "How often, in hertz"
 

@@ -41,7 +41,7 @@ class Limits:
         """
         self._text += text
         if self._text > MOST_TEXT:
-            raise ExhaustedError(f"it makes more than {MOST_TEXT:,} characters")
+            raise ExhaustedError(f"it produces more than {MOST_TEXT:,} characters")
 
     @contextmanager
     def deeper(self) -> Iterator[None]:

@@ -43,7 +43,7 @@ def _of_list(parameter: str, values: Values) -> Iterator[Text]:
         return
     items = items_of(name, values)
     if items is None:
-        yield unknown(f"{key} of each item of {name}, which is no list")
+        yield unknown(f"{key} of each item of {name}, which is not a list")
     for item in items or ():
         if key in item:
             yield Text.of(item[key])

@@ -45,13 +45,13 @@ def parts_of(
 
 
 def _named(given: Given, facts: NodeFacts, units: Units, hints: Mapping[str, NodeHint]) -> Iterator[tuple[str, str]]:
-    """Yield names of code that is loaded into a node, and who says so."""
+    """Yield names of code that is loaded into a node, and the source of that fact."""
     node, launched = place_of(given, facts).node.pattern, given.launched
     what = (launched.plugin if launched.plugin.parts else launched.executable).pattern
     hint = hint_of(hints, node, launched.package.pattern, what)
     if hint is not None:
         for name in hint[1].loads:
-            yield name, f'[graph.hints."{hint[0]}"] says that {name} is loaded'
+            yield name, f'{name} is loaded according to [graph.hints."{hint[0]}"]'
     plugins = units.plugins() if given.by_launch else frozenset[str]()
     if not plugins:
         return

@@ -224,7 +224,7 @@ def _as_formatted(value: Value) -> Text:
 def _joined(separator: Text, values: list[Value]) -> Text:
     parts: list[Text] = []
     if not is_counted(values):
-        return unknown("a string made from a list")
+        return unknown("a string built from a list")
     for place, one in enumerate(values):
         parts += [separator, as_text(one)] if place else [as_text(one)]
     return Text.of(*parts)

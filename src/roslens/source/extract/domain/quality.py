@@ -121,7 +121,7 @@ def lasting(base: QosValue, name: str, value: Value) -> QosValue:
         value = 0
     if is_number(value):
         return QosValue(msgspec.structs.replace(base.qos, **{DURATIONS[name]: float(value)}), base.unknown)
-    return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
+    return QosValue(base.qos, f"its {name.replace('_', ' ')} is unknown")
 
 
 def with_policy(base: QosValue, name: str, value: Value) -> QosValue:
@@ -132,7 +132,7 @@ def with_policy(base: QosValue, name: str, value: Value) -> QosValue:
         case _:
             word = ""
     if not word:
-        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
+        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is unknown")
     return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
 
 

@@ -108,4 +108,4 @@ class Checksum(msgspec.Struct, frozen=True, omit_defaults=True):
 
 def unknown_field_type(owner: str, field: InterfaceField) -> Checksum:
     """Return the checksum of an interface one of whose fields is of a type that is not found."""
-    return Checksum(unknown=f"{field.type.message!r}, the type of field {field.name!r} of {owner}, is not known")
+    return Checksum(unknown=f"{field.type.message!r}, the type of field {field.name!r} of {owner}, is unknown")

@@ -189,7 +189,7 @@ class _Reader:
 
     def _fail(self, line: int, column: int, found: str, expected: str) -> None:
         place = Location(self._path, line, column)
-        advice = f"Correct the line, or build the package with ROS {self._generation} to see what it says"
+        advice = f"Correct the line, or build the package with ROS {self._generation} to see its error"
         self.failures.append(
             Failure("interfaces", found, expected, advice, place, entity=f"file:{self._path}", partial=True)
         )

@@ -60,7 +60,7 @@ class _Sums:
         if name in self._open:
             return Checksum(unknown=f"{name} contains itself")
         if len(self._open) > _DEEPEST:
-            return Checksum(unknown=f"more than {_DEEPEST} messages in each other, down to {name}")
+            return Checksum(unknown=f"more than {_DEEPEST} levels of nested messages, down to {name}")
         self._open.append(name)
         self._known[name] = found = self._summed(name, interface.parts)
         self._open.pop()

@@ -85,7 +85,7 @@ class _Known:
         if name in above:
             return f"{name} contains itself"
         if len(above) > _DEEPEST:
-            return f"more than {_DEEPEST} messages in each other, down to {name}"
+            return f"more than {_DEEPEST} levels of nested messages, down to {name}"
         if name in self._references:
             return self._references[name]
         if any(field["type"]["type_id"] == _MISREAD for field in self._descriptions[name]["fields"]):
@@ -117,7 +117,7 @@ class _Known:
         if not interface.complete:
             return f"the file of {name} could not be parsed completely"
         if interface.generation != 2 or interface.kind != "msg":
-            return f"{name} is no message of ROS 2"
+            return f"{name} is not a message of ROS 2"
         self._descriptions.update(_described(interface))
         return ""
 

@@ -107,7 +107,7 @@ class _Whole:
             self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
             return space.private
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
-            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other", opens=True)
+            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} levels of includes", opens=True)
             return space.private
         content = self.files.content(path)
         if content is None:
@@ -330,7 +330,7 @@ class _File:
         """Return the space inside an element; None where a condition says that it is not there."""
         space = msgspec.structs.replace(space, own=()) if space.own else space
         if "if" in element.attributes and "unless" in element.attributes:
-            self._miss(element, element.written()[:80], "it has if and unless; expected one of them")
+            self._miss(element, element.written()[:80], "both `if` and `unless` are given; expected one of them")
         for attribute, wanted in (("if", True), ("unless", False)):
             written = element.attributes.get(attribute)
             if written is None:

@@ -93,7 +93,7 @@ class _Whole:
             self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
             return
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
-            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other", opens=True)
+            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} levels of includes", opens=True)
             return
         content = self.files.content(path)
         if content is None:

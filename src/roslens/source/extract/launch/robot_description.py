@@ -255,7 +255,7 @@ def _call(macro: _Macro, element: Element, place: _Place) -> tuple[Described, ..
         elif default is not None:
             space.properties[name] = _text(default, place)
         else:
-            space.properties[name] = unknown(f"{name}, which the macro is not given")
+            space.properties[name] = unknown(f"{name}, which the macro call does not set")
     return _children(macro.body, _Place(macro.document, macro.path, space, place.conditions))
 
 

@@ -49,7 +49,7 @@ def of_param(element: Element, reading: Reading) -> list[Setting]:
     name = substitute(needed(element, "name").strip(), reading.scope)
     sources = [one for one in _SOURCES if one in given]
     if len(sources) != 1:
-        found = f"it has {' and '.join(sources)}" if sources else "it has no value"
+        found = f"{' and '.join(sources)} are given" if sources else "no value is given"
         reading.miss(element, f"<param name={name}>", f"{found}; expected one of {', '.join(_SOURCES)}")
         return []
     (source,) = sources

@@ -110,7 +110,7 @@ def _command(inside: str, scope: Scope) -> Text:
     if command == "dirname":
         return Text.of(scope.folder)
     if not rest:
-        raise SubstitutionError(f"$({command}) names nothing; expected $({command} NAME)")
+        raise SubstitutionError(f"$({command}) has no argument; expected $({command} NAME)")
     return _NAMED[command](rest, scope)
 
 

@@ -78,7 +78,7 @@ class _Started:
         made, why = _made(spawned, spawner, {_resolved(one): one for one in self._settings})
         place = _manager(self._nodes, spawned.space)
         if made and place is None:
-            why = "which node has the manager of this controller is unknown"
+            why = "the node with the manager of this controller is unknown"
         later = _for_later(spawned, spawner, self._settings, made, why) if why else None
         if later is not None:
             held = self._nodes[number]

@@ -141,7 +141,7 @@ def _one(inside: str, depth: int) -> Value:
     if kind is None:
         return unknown_value(f"unsupported substitution $({inside})")
     if not arguments and kind not in ("folder", "file"):
-        return unknown_value(f"substitution $({inside}), which names nothing")
+        return unknown_value(f"substitution $({inside}) without an argument")
     return Deferred(kind, tuple(arguments))
 
 

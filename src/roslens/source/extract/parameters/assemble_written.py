@@ -124,7 +124,7 @@ def taken_by_server(
     if not wanted or not kind:
         return value, ""
     if kind != wanted and not {kind, wanted} <= _NUMBERS:
-        return (value, "") if python else (default, f"`{value}` is no {wanted}, so the default is used")
+        return (value, "") if python else (default, f"`{value}` is not of type {wanted}, so the default is used")
     if wanted not in _NUMBERS:
         return value, ""
     try:
@@ -136,7 +136,7 @@ def taken_by_server(
     if kind == wanted or python:
         return value, ""
     converted = repr(number) if wanted == "double" else str(_rounded(number))
-    return converted, f"`{value}` is made {'an' if wanted == 'int' else 'a'} {wanted}"
+    return converted, f"`{value}` is converted to {wanted}"
 
 
 def _limited(value: str, number: float, range_: str) -> tuple[str, str] | None:

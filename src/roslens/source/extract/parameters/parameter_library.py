@@ -117,7 +117,7 @@ def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: P
     validation = node.nodes.get("validation")
     checks = dict(_checks(validation))
     constraints = [one for name, values in checks.items() if (one := _words(name, values))]
-    constraints += [f"at most {fixed[2]} {'signs' if kind == 'string' else 'items'}"] if fixed else []
+    constraints += [f"at most {fixed[2]} {'characters' if kind == 'string' else 'items'}"] if fixed else []
     allowed = checks.get("one_of", ())
     return Declaration(
         name,
@@ -185,7 +185,7 @@ _WORDS = {
     "size_gt": "size above {0}",
     "size_lt": "size below {0}",
     "not_empty": "not empty",
-    "unique": "no item twice",
+    "unique": "no duplicate items",
     "subset_of": "items among {0}",
     "element_bounds": "items in {1}",
     "lower_element_bounds": "items in {0}..",

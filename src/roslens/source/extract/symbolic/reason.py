@@ -43,7 +43,7 @@ class OfNode(_Reason, frozen=True, tag="of node"):
 
     def __str__(self) -> str:
         """Write it for people."""
-        return f"{self.what.value} the node{' that makes it' if self.node == MAKER else _numbered(self.node)}"
+        return f"{self.what.value} the node{' that creates it' if self.node == MAKER else _numbered(self.node)}"
 
 
 class OfParameter(_Reason, frozen=True, tag="of parameter"):
@@ -55,7 +55,7 @@ class OfParameter(_Reason, frozen=True, tag="of parameter"):
     def __str__(self) -> str:
         """Write it for people."""
         if self.node == MAKER:
-            return f"parameter {self.name} of the node that makes it"
+            return f"parameter {self.name} of the node that creates it"
         return f"parameter {self.name}{' of node' if self.node else ''}{_numbered(self.node)}"
 
 

@@ -63,7 +63,7 @@ def assign_referred(ctx: Context, name: str, value: Value) -> None:
     """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
     expression, pointer = ctx.state.frame.aliases[name]
     if pointer:
-        reason = f"what {name} points to"
+        reason = f"the object that {name} points to"
         value = Unknown(reason) if text_of(ctx.value(expression)) is None else unknown(reason)
     ctx.assign(expression, value)
 

@@ -121,6 +121,6 @@ class NamedFunctions:
         if not makes:
             return
         places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
-        reason = f"{name}() is called, but no definition is known to be linked here: there is {places}"
+        reason = f"{name}() is called, but none of its definitions is known to be linked here: {places}"
         if (self._ctx.state.site, reason) not in self._ctx.emitter.node.unresolved:
             self._ctx.emitter.node.unresolved.append((self._ctx.state.site, reason))

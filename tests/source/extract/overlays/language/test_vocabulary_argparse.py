@@ -174,5 +174,5 @@ if __name__ == '__main__':
 """
     (facts,) = units(a_py=text)
     assert [(str(one.name), as_written(one.conditions)) for one in facts.endpoints] == [
-        ("arm", ("the command line asks for it",))
+        ("arm", ("the command line requests it",))
     ]

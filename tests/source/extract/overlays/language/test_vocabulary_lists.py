@@ -46,7 +46,7 @@ def test_a_loop_over(units, over, found):
         ("enumerate(['x', 'y'], start=1)", ["t/1/x", "t/2/y"]),
         ("enumerate(self.p)", ["t/{a number}/{each of parameter p}"]),
         ("zip(['a', 'b', 'c'], ['x', 'y'])", ["t/a/x", "t/b/y"]),
-        ("zip(['a', 'b'], self.p)", ["t/{one of a list}/{each of parameter p}"]),
+        ("zip(['a', 'b'], self.p)", ["t/{an item of a list}/{each of parameter p}"]),
         ("zip(self.q, self.p)", ["t/{each of parameter q}/{each of parameter p}"]),
     ],
 )

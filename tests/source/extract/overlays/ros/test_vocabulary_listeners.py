@@ -55,7 +55,7 @@ def test_a_listener_declares_what_its_file_says(declared):
     ]
     out = facts.parameters[1]
     assert (out.evidence.path, out.evidence.line) == ("pkg/demo_parameters.yaml", 6)
-    assert out.evidence.how == "declared by the ParamListener made at pkg/a.cpp:7"
+    assert out.evidence.how == "declared by the ParamListener created at pkg/a.cpp:7"
     assert (out.description, out.terms.read_only, out.evidence.sure) == ("Where to", True, Sure.CERTAIN)
     assert facts.parameters[3].evidence.sure is Sure.LIKELY
     assert facts.unresolved == ()

@@ -33,9 +33,9 @@ def test_a_costmap_that_a_server_makes_is_a_node_of_its_own(units):
     (server,) = [one for one in found if str(one.name) == "server"]
     words = " ".join(str(one) for one in costmap.arguments)
     assert words == (
-        "--ros-args -r __ns:={namespace of the node that makes it}/local_costmap"
+        "--ros-args -r __ns:={namespace of the node that creates it}/local_costmap"
         " --ros-args -r local_costmap:__node:=local_costmap"
-        " --ros-args -p use_sim_time:={parameter use_sim_time of the node that makes it}"
+        " --ros-args -p use_sim_time:={parameter use_sim_time of the node that creates it}"
     )
     assert costmap.inherits is Inherits.ARGUMENTS
     assert [str(one.name) for one in costmap.endpoints] == ["costmap"]

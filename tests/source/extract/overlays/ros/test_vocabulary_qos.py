@@ -155,7 +155,7 @@ def test_limits_of_rclpy(units, written, seconds):
 @pytest.mark.parametrize("written", ["Duration(seconds=period())", "period()"])
 def test_a_deadline_that_is_no_number_is_unknown_and_not_none(units, written):
     (one,) = python_endpoints(units, f"self.create_publisher(String, 'a', QoSProfile(depth=1, deadline={written}))")
-    assert (one.qos.reliability, one.qos_unknown) == ("reliable", "its deadline is not known")
+    assert (one.qos.reliability, one.qos_unknown) == ("reliable", "its deadline is unknown")
 
 
 @pytest.mark.parametrize(

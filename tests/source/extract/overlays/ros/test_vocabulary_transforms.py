@@ -41,7 +41,7 @@ def services(facts):
         ("b = tf2_ros.Buffer(debug=False)", []),
         (
             "b = tf2_ros.Buffer(None, rospy.get_param('~debug'))",
-            [("~tf2_frames", "tf2_msgs/FrameGraph", ("its buffer of transforms is made with debug",))],
+            [("~tf2_frames", "tf2_msgs/FrameGraph", ("its buffer of transforms is created with debug",))],
         ),
     ],
 )

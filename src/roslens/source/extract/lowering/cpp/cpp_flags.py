@@ -42,5 +42,5 @@ def unsettled(body: list[Statement], source: bytes, left_out: Sequence[int]) -> 
     for name in flags.keys() & found:
         one = body[flags[name]]
         if isinstance(one, Assign):
-            settled[flags[name]] = msgspec.structs.replace(one, value=Opaque(f"what {name.decode()} was set to"))
+            settled[flags[name]] = msgspec.structs.replace(one, value=Opaque(f"the value of {name.decode()}"))
     return settled

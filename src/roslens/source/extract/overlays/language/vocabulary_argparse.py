@@ -92,7 +92,7 @@ def defaults(ctx: Context, thing: Value, called: CallSite) -> Value:
             held = thing.fields[_DEFAULTS] = {**table_of(thing.fields.get(_DEFAULTS))}
             held.update(called.keywords.items())
     for one in called.keywords.values():
-        ctx.callbacks.give(one, Written("the command line asks for it"))
+        ctx.callbacks.give(one, Written("the command line requests it"))
     return None
 
 
@@ -147,7 +147,7 @@ def parsed(ctx: Context, thing: Obj, called: CallSite) -> Value:
             known = None
     values = {**given, **known} if known is not None else _unknown_all(options, given)
     space = Obj(_SPACE, None, values)
-    return [space, Unknown("arguments that the parser does not know")] if rest else space
+    return [space, Unknown("arguments unknown to the parser")] if rest else space
 
 
 def _known(options: Sequence[Option], words: Sequence[Value], *, rest: bool) -> Names | None:

@@ -49,7 +49,7 @@ def side_by_side(ctx: Context, _thing: Value, called: CallSite) -> Value:
     if len(known) == len(lists) and all(map(is_counted, known)):
         return [list(one) for one in zip(*known, strict=False)]
     items = zip(called.arguments, lists, strict=True)
-    return Each([each_of(one) if found is None else Unknown("one of a list") for one, found in items])
+    return Each([each_of(one) if found is None else Unknown("an item of a list") for one, found in items])
 
 
 @outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)

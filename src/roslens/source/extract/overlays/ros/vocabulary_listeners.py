@@ -99,7 +99,7 @@ class _Declaring:
         called = self._called
         at = f"{called.evidence.path}:{called.evidence.line}"
         sure = Sure.LIKELY if name.holes else Sure.CERTAIN
-        evidence = msgspec.structs.replace(one.evidence, how=f"declared by the {LISTENER} made at {at}", sure=sure)
+        evidence = msgspec.structs.replace(one.evidence, how=f"declared by the {LISTENER} created at {at}", sure=sure)
         value = parameter(
             self._ctx, called.argument(0), called, "declared", name,
             default=None if one.default is None else Text.of(one.default), given=one.default is not None,

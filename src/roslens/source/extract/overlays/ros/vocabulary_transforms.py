@@ -35,7 +35,7 @@ def buffer(ctx: Context, thing: Value, called: CallSite) -> Value:
     holds, name = ctx.truth(debug), Text.of("~", _FRAMES)
     if holds is False or any(one.name == name for one in ctx.emitter.node.endpoints):
         return found
-    note = [] if holds else [Written("its buffer of transforms is made with debug")]
+    note = [] if holds else [Written("its buffer of transforms is created with debug")]
     ctx.state.conditions += note
     endpoint(ctx, Handle(ctx.emitter.node), called, Role.SERVICE_SERVER, name, _TYPE)
     del ctx.state.conditions[len(ctx.state.conditions) - len(note) :]

@@ -48,5 +48,5 @@ def check_out(clone: Path, commit: str, target: Path) -> None:
             file.parent.mkdir(parents=True, exist_ok=True)
             if not is_link:
                 file.write_bytes(content)
-            elif (file.parent / content.decode()).resolve().is_relative_to(target.resolve()):
-                file.symlink_to(content.decode())
+            elif content and (file.parent / os.fsdecode(content)).resolve().is_relative_to(target.resolve()):
+                file.symlink_to(os.fsdecode(content))

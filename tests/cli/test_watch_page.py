@@ -273,10 +273,27 @@ def test_nodes_of_several_hosts_stand_in_boxes_of_these():
         }
         for box in picture["boxes"]
     }
-    assert around["host rover"] == {"node:/lidar", "node:/camera", "node:/odometry"}
-    assert {"node:/slam", "node:/planner", "node:/ui", "topic:/planner/status"} <= around["host base"]
+    # Topics stand where they are published.
+    assert around["host rover"] == {
+        "node:/lidar", "node:/camera", "node:/odometry", "topic:/scan", "topic:/image", "topic:/odom"
+    }  # fmt: skip
+    assert {"node:/slam", "node:/planner", "node:/ui", "topic:/planner/status", "topic:/cmd_vel"} <= around["host base"]
     alone = ScriptedRobot({"/a": "x", "/b": "x"}, [("/a", "/t", ("/b",), 1, 1)], OF_ALL)
     assert "boxes" not in document(alone)["picture"]
+
+
+def test_no_topic_moves_to_another_host_when_its_publisher_goes():
+    robot = ScriptedRobot()
+    before = places(document(robot)["picture"])
+    robot.gone.add("/lidar")
+    robot.run(70)
+    after = places(document(robot)["picture"])
+    assert after.items() <= before.items()
+    assert "topic:/scan" in after
+
+
+def places(picture):
+    return {one["entity"]: (one["x"], one["y"]) for one in picture["items"]}
 
 
 def test_lines_say_age_and_bandwidth():

@@ -6,6 +6,7 @@ import time
 from types import ModuleType
 
 import pytest
+from msgspec.structs import replace
 from pace import turned_s
 
 from roslens.dashboard.computation.picture import (
@@ -87,3 +88,14 @@ def test_a_large_system_takes_less_than_a_second(made_up: ModuleType) -> None:
     took = turned_s(begun)
     assert graph.many
     assert took < 1.0, f"{took:.2f} s"
+
+
+def test_topics_stand_on_the_machine_that_publishes_them(made_up: ModuleType) -> None:
+    robot = made_up.robot()
+    nodes = tuple(replace(one, machine="arm") if one.name == "/lidar" else one for one in robot.nodes)
+    system = System("rover", replace(robot, nodes=nodes))
+    lanes = {part.key: part.lane for part in parts_in(system)}
+    assert lanes["node:/lidar"] == lanes["topic:/scan"] == "/@arm"
+    assert lanes["node:/odometry"] == lanes["topic:/odom"] == lanes["service:/odometry/reset"] == "/@of the launch"
+    assert lanes["topic:/rosout"] == "/", "nodes of both publish it"
+    assert {part.lane for part in parts_in(System("rover", robot)) if part.key == "topic:/scan"} == {"/"}

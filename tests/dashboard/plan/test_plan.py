@@ -73,7 +73,7 @@ def holds(box: Box, x: float, y: float) -> bool:
 
 def points(path: str) -> list[tuple[float, float]]:
     """Return points along a line, but for its tip."""
-    line = re.findall(r"[MHC][^MHCL]*", path.rpartition("M")[0])
+    line = re.findall(r"[MHVQC][^MHVQCL]*", path.rpartition("M")[0])
     found: list[tuple[float, float]] = []
     x = y = 0.0
     for one in line:
@@ -84,7 +84,12 @@ def points(path: str) -> list[tuple[float, float]]:
         elif one[0] == "H":
             found += [(x + (numbers[0] - x) * step / 20, y) for step in range(1, 21)]
             x = numbers[0]
+        elif one[0] == "V":
+            found += [(x, y + (numbers[0] - y) * step / 20) for step in range(1, 21)]
+            y = numbers[0]
         else:
+            if one[0] == "Q":
+                numbers = numbers[:2] + numbers
             (a, b, c, d, e, f), (x0, y0) = numbers, (x, y)
             for step in range(1, 21):
                 t = step / 20
@@ -207,6 +212,31 @@ def test_a_word_about_a_line_stands_on_it() -> None:
     found = drawn_on(Ground(), parts, wires)[1]
     for path, (x, y) in zip(found.paths, found.words, strict=True):
         assert min(abs(x - a) + abs(y - b) for a, b in points(path)) < 10
+
+
+def test_wires_that_rise_and_fall_beside_each_other_have_tracks_of_their_own() -> None:
+    parts = [Part(f"node:/{host}{number}", 60, 26, f"/@{host}") for host in "ab" for number in range(8)]
+    wires = [(f"node:/a{number}", f"node:/b{7 - number}") for number in range(8)]
+    wires += [(f"node:/a{number}", f"node:/a{number + 1}") for number in (0, 4)]
+    found = drawn_on(Ground(), parts, wires)[1]
+    tracks = [x for path in found.paths for x in upright(path)]
+    assert len(tracks) >= 6
+    assert min(b - a for a, b in pairwise(sorted(set(tracks)))) >= 2
+    assert len(set(tracks)) == len(tracks)
+
+
+def test_wires_of_one_element_share_a_track() -> None:
+    parts = [Part(f"node:/{host}{number}", 60, 26, f"/@{host}") for host in "ab" for number in range(4)]
+    wires = [("node:/a0", f"node:/b{number}") for number in range(4)]
+    found = drawn_on(Ground(), parts, wires)[1]
+    tracks = [x for path in found.paths for x in upright(path)]
+    assert len(tracks) > 1
+    assert len(set(tracks)) == 1
+
+
+def upright(path: str) -> list[float]:
+    """Return where a line runs straight up or down."""
+    return [float(x) for x in re.findall(r"Q([\d.]+) [\d.]+ [\d.]+ [\d.]+V", path)]
 
 
 def made_up(count: int, seed: int = 3) -> Graph:

@@ -63,6 +63,7 @@ class GraphPicture:
         self._drawn: DrawnLines | None = None
         self._hosts = False
         self._nodes: Collection[str] = ()
+        self._homes: dict[str, str] = {}
         self.base: Base | None = None
 
     def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
@@ -99,7 +100,8 @@ class GraphPicture:
         place_of = {entity: place for place, entity in enumerate(drawn)}
         lines |= {ends: (line, []) for ends, line in halves.items() if {*ends} <= place_of.keys()}
         ends = sorted(pair for pair in lines if {*pair} <= place_of.keys())
-        parts = _parts(drawn, ends, hosts, self._short)
+        self._homes = _homes(ends, hosts, self._homes) if hosts else {}
+        parts = _parts(drawn, {**self._homes, **hosts}, self._short)
         plan = self._plan(parts, ends, (grounds.lines if as_lines else grounds.marks) if grounds else NOWHERE)
         self.base = Base(self._sheet.ground, as_lines)
         items = tuple(
@@ -162,21 +164,34 @@ class PastPicture(GraphPicture):
         return _PAST + self._sheet.version
 
 
-def _parts(
-    drawn: Sequence[str], ends: Sequence[Ends], hosts: Mapping[str, str], short: Callable[[str], str]
-) -> list[Part]:
-    lanes = {namespace_of(entity.partition(":")[2]) for entity in drawn if entity.startswith("node:")}
-    users: dict[str, set[str]] = {}
+def _homes(ends: Iterable[Ends], hosts: Mapping[str, str], known: Mapping[str, str]) -> dict[str, str]:
+    """Return the host of each topic: that of the nodes that publish it, empty where these are on several.
+
+    So most wires between hosts are those that messages take. A topic that nobody publishes any more stays where it was
+    known, one that nobody ever published is where its subscribers are.
+    """
+    publishers: dict[str, set[str]] = {}
+    subscribers: dict[str, set[str]] = {}
     for start, end in ends:
-        users.setdefault(start, set()).add(hosts.get(end, ""))
-        users.setdefault(end, set()).add(hosts.get(start, ""))
+        if start.startswith("node:") and end.startswith("topic:"):
+            publishers.setdefault(end, set()).add(hosts.get(start, ""))
+        elif start.startswith("topic:"):
+            subscribers.setdefault(start, set()).add(hosts.get(end, ""))
+    return {**_single(subscribers), **known, **_single(publishers)}
+
+
+def _single(users: Mapping[str, set[str]]) -> dict[str, str]:
+    return {topic: next(iter(found)) if len(found) == 1 else "" for topic, found in users.items()}
+
+
+def _parts(drawn: Sequence[str], hosts: Mapping[str, str], short: Callable[[str], str]) -> list[Part]:
+    lanes = {namespace_of(entity.partition(":")[2]) for entity in drawn if entity.startswith("node:")}
     found = []
     for entity in drawn:
         node = entity.startswith("node:")
         name = entity.partition(":")[2]
         lane = lane_of(name, lanes)
-        own = {hosts.get(entity, "")} if node else users.get(entity, set())
-        host = next(iter(own)) if len(own) == 1 else ""
+        host = hosts.get(entity, "")
         quiet = not node and bool(DEFAULT.intersection(kinds_of_noise(name)))
         part = part_of(entity, short(name), lane, host=host.replace("/", "-"), quiet=quiet)
         found.append(part)

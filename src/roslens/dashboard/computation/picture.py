@@ -15,7 +15,9 @@ from roslens.dashboard.plan.ground import Box, Ground, Part, Wire, parts_of
 from roslens.dashboard.plan.mark import label_of, part_of
 from roslens.dashboard.plan.plan import ground_of, plan
 from roslens.dashboard.plan.survey import survey
+from roslens.model.graph import Role
 
+_PROVIDE = frozenset({Role.PUBLISHER, Role.SERVICE_SERVER, Role.ACTION_SERVER})
 MANY = 140
 """More elements than this are first shown with topics as lines."""
 
@@ -158,15 +160,22 @@ def parts_in(system: System) -> tuple[Part, ...]:
 
 
 def _hosts(system: System) -> list[str]:
-    """Return on which machine each element would be; empty where there is one only, or nodes of several use it."""
+    """Return on which machine each element would be; empty where there is one only, or nodes of several provide it.
+
+    A topic is where it is published, a service or action where it is served; what nobody provides is where it is used.
+    """
     machines = [node.machine or "of the launch" for node in system.nodes]
     if len(set(machines)) < 2:
         return [""] * len(system.elements)
     users: dict[int, set[str]] = {}
+    providers: dict[int, set[str]] = {}
     for end in system.ends:
         users.setdefault(end.channel, set()).add(machines[end.node])
+        if end.configured.endpoint.role in _PROVIDE:
+            providers.setdefault(end.channel, set()).add(machines[end.node])
+    at = {**users, **providers}
     others = range(len(machines), len(system.elements))
-    return [*machines, *(next(iter(users[one])) if len(users.get(one, ())) == 1 else "" for one in others)]
+    return [*machines, *(next(iter(at[one])) if len(at.get(one, ())) == 1 else "" for one in others)]
 
 
 def _keys(parts: Sequence[Part], lines: Sequence[Line | SystemWire]) -> list[Wire]:

@@ -45,7 +45,7 @@ def ground_of(parts: Sequence[Part], wires: Sequence[Wire]) -> Ground:
 def plan(ground: Ground, parts: Sequence[Part], wires: Sequence[Wire]) -> Plan:
     """Draw on a ground what has a place there."""
     stands = ground.stands
-    gaps, tracks = Gaps(ground), Tracks(ground.spans)
+    gaps, tracks = Gaps(ground), Tracks(ground)
     lines = [trace(stands[start], stands[end], _way(ground, gaps, start, end), tracks) for start, end in wires]
     nodes = {part.key for part in parts if part.node}
     words = [word if end in nodes else _before(stands[end]) for (_, end), (_, word) in zip(wires, lines, strict=True)]

@@ -29,7 +29,9 @@ from roslens.dashboard.plan.ground import (
 )
 
 PER_WIRE = 0.55
-WIDEST = 64.0
+PER_TRACK = 5.0
+"""Room of a track between columns, on which all wires of an element rise and fall."""
+WIDEST = 80.0
 ASPECT = 1.6
 LOOSEST = 22.0
 """So much more than usual may be between rows."""
@@ -186,7 +188,8 @@ def _spans(parts: Sequence[Part], grid: Columns, wanted: float) -> tuple[list[tu
         width = max((parts[item].width for item in column if item < len(parts)), default=0.0)
         spans.append((left, left + width))
         between = sum(len(grid.right[item]) for item in column)
-        left += width + GAP + min(WIDEST, PER_WIRE * between)
+        tracks = sum(bool(grid.right[item]) for item in column)
+        left += width + GAP + min(WIDEST, max(PER_WIRE * between, PER_TRACK * tracks))
     right = spans[-1][1] + PAD
     more = min(2 * GAP, max(0.0, (wanted - right) / max(1, len(spans) - 1)))
     moved = [(round(start + place * more, 1), round(end + place * more, 1)) for place, (start, end) in enumerate(spans)]

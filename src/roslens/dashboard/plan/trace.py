@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Sequence
 from itertools import pairwise
 
-from roslens.dashboard.plan.ground import ROOM, Stand
+from roslens.dashboard.plan.ground import ROOM, Ground, Stand
 
 TIP = 6.0
 """Length of the arrow at the end of a wire."""
@@ -14,41 +15,98 @@ TIP = 6.0
 TURN = 13.0
 """How far beside an element a wire that runs back turns round."""
 
+CORNER = 7.0
+"""Radius of the corners of a wire that rises or falls between two columns."""
+
+_GENTLE = 2 * CORNER
+"""What rises or falls by less bends without corners."""
+_FLAT = 0.05
+"""Less is no bend at all."""
+_WORDS = 34.0
+_LEAST = 26.0
+"""Room that tracks have at least."""
+
 Place = tuple[float, float]
 Span = tuple[float, float]
 
 
 class Tracks:
-    """The room between columns, where wires bend."""
+    """The room between columns, where wires bend: what leaves at another height does so on a track of its own.
 
-    def __init__(self, spans: Sequence[Span]) -> None:
-        """``spans`` are from where to where each column reaches."""
-        self.spans = spans
-        self._bends = [
-            (f"{left[1]:.1f}", f"{(left[1] + right[0]) / 2:.1f}", f"{right[0]:.1f}") for left, right in pairwise(spans)
+    A track belongs to a height at which something stands or passes on the left of that room. Those of wires that rise
+    are in the order of these heights, those of wires that fall in the opposite one: so two of them cross nowhere but
+    where their ends make them. Tracks follow from the ground alone, and stay while others come and go.
+    """
+
+    def __init__(self, ground: Ground) -> None:
+        self.spans = ground.spans
+        found: list[set[float]] = [set() for _ in self.spans]
+        for stand in ground.stands.values():
+            found[stand.column].add(stand.y)
+        for (start, end), heights in ground.ways.items():
+            if start in ground.stands and end in ground.stands:
+                first = min(ground.stands[start].column, ground.stands[end].column)
+                for step, height in enumerate(heights, 1):
+                    found[first + step].add(height)
+        self._heights = [sorted(heights) for heights in found]
+        self._shares = [
+            {height: (place + 0.5) / len(heights) for place, height in enumerate(heights)} for heights in self._heights
         ]
+        self._rooms = [_room(left[1], right[0]) for left, right in pairwise(self.spans)]
 
-    def rightward(self, column: int, y: str, height: str) -> str:
+    def rightward(self, column: int, y: float, height: float) -> str:
         """Return a bend behind a column."""
-        if y == height:
+        if abs(y - height) < _FLAT:
             return ""
-        start, middle, end = self._bends[column]
-        return f"H{start}C{middle} {y} {middle} {height} {end} {height}"
+        start, end = self.spans[column][1], self.spans[column + 1][0]
+        if abs(y - height) <= _GENTLE:
+            return _bent(start, y, end, height)
+        return _stepped(self.track(column, y, height), y, height, 1)
 
-    def leftward(self, column: int, y: str, height: str) -> str:
+    def leftward(self, column: int, y: float, height: float) -> str:
         """Return a bend before a column, of a wire that runs back."""
-        if y == height:
+        if abs(y - height) < _FLAT:
             return ""
-        end, middle, start = self._bends[column - 1]
-        return f"H{start}C{middle} {y} {middle} {height} {end} {height}"
+        end, start = self.spans[column - 1][1], self.spans[column][0]
+        if abs(y - height) <= _GENTLE:
+            return _bent(start, y, end, height)
+        return _stepped(self.track(column - 1, height, y), y, height, -1)
 
-    def middle(self, column: int) -> float:
-        """Return the middle between a column and the next."""
-        return (self.spans[column][1] + self.spans[column + 1][0]) / 2
+    def track(self, column: int, left: float, right: float) -> float:
+        """Return where a wire between two heights changes from one to the other, behind a column."""
+        start, wide = self._rooms[column]
+        share = self._shares[column].get(left)
+        if share is None:
+            heights = self._heights[column]
+            share = bisect_left(heights, left) / len(heights) if heights else 0.5
+        return start + wide * (share if right < left else 1 - share)
+
+
+def _room(start: float, end: float) -> tuple[float, float]:
+    """Return where the tracks between two columns begin, and how wide the room for them is.
+
+    Words about what arrives stand before the next column, where that leaves room for tracks.
+    """
+    wide = end - start - 2 * CORNER
+    return start + CORNER, wide - min(_WORDS, max(0.0, wide - _LEAST))
+
+
+def _bent(start: float, y: float, end: float, height: float) -> str:
+    middle = (start + end) / 2
+    return f"H{start:.1f}C{middle:.1f} {y:.1f} {middle:.1f} {height:.1f} {end:.1f} {height:.1f}"
+
+
+def _stepped(x: float, y: float, height: float, direction: int, *, back: bool = False) -> str:
+    """Return a line that turns up or down at ``x``, and at a height back into its direction, or against it."""
+    before, after = x - direction * CORNER, x + (-direction if back else direction) * CORNER
+    down = CORNER if height > y else -CORNER
+    at, first, last = f"{x:.1f}", f"{y:.1f}", f"{height:.1f}"
+    corner = f"H{before:.1f}Q{at} {first} {at} {y + down:.1f}"
+    return f"{corner}V{height - down:.1f}Q{at} {last} {after:.1f} {last}"
 
 
 def trace(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) -> tuple[str, Place]:
-    """Return the line as an SVG path, and where a word about it may stand.
+    """Return the line as an SVG path, and where a word about it may stand: halfway, where it rises or falls.
 
     It leaves at the right side of an element and enters at the left side of another; one that runs back to an earlier
     column turns round beside both of its ends.
@@ -60,18 +118,17 @@ def trace(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) ->
         tracks: the room between columns.
     """
     if source.column == target.column:
-        return _within(source, target, tracks.spans[source.column])
+        return _within(source, target, tracks)
     if source.column > target.column:
         return _back(source, target, way[::-1], tracks)
-    y = f"{source.y:.1f}"
-    parts = [f"M{source.x + source.width / 2:.1f} {y}"]
+    y = source.y
+    parts = [f"M{source.x + source.width / 2:.1f} {y:.1f}"]
     for column, height in enumerate((*way, target.y), source.column):
-        level = f"{height:.1f}"
-        parts.append(tracks.rightward(column, y, level))
-        y = level
+        parts.append(tracks.rightward(column, y, height))
+        y = height
     end = target.x - target.width / 2
     last = way[-1] if way else source.y
-    word = (tracks.middle(target.column - 1), (last + target.y) / 2)
+    word = tracks.track(target.column - 1, last, target.y), (last + target.y) / 2
     return f"{''.join(parts)}H{end:.1f}{arrow(end, target.y)}", _rounded(word)
 
 
@@ -85,21 +142,26 @@ def _back(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) ->
     begin = _beyond(source, way[0] if way else target.y)
     end = _beyond(target, way[-1] if way else source.y)
     parts = [f"M{right:.1f} {source.y:.1f}", _turn(right, source.y, begin, 1)]
-    y = f"{begin:.1f}"
+    y = begin
     for step, height in enumerate((*way, end)):
-        level = f"{height:.1f}"
-        parts.append(tracks.leftward(source.column - step, y, level))
-        y = level
-    word = (tracks.middle(target.column), ((way[-1] if way else begin) + end) / 2)
+        parts.append(tracks.leftward(source.column - step, y, height))
+        y = height
+    last = way[-1] if way else begin
+    word = tracks.track(target.column, end, last), (last + end) / 2
     return "".join((*parts, _entry(target, end))), _rounded(word)
 
 
-def _within(source: Stand, target: Stand, span: Span) -> tuple[str, Place]:
+def _within(source: Stand, target: Stand, tracks: Tracks) -> tuple[str, Place]:
     """Return a line to another element of the same column: it changes its row beside both, where nothing stands."""
     right, end = source.x + source.width / 2, _beyond(target, source.y)
-    far = span[1]
+    far = tracks.spans[source.column][1]
+    begin = f"M{right:.1f} {source.y:.1f}"
+    if source.column < len(tracks.spans) - 1 and abs(source.y - end) > _GENTLE:
+        x = tracks.track(source.column, source.y, end)
+        line = f"{begin}{_stepped(x, source.y, end, 1, back=True)}H{far:.1f}"
+        return line + _entry(target, end), _rounded((x, (source.y + end) / 2))
     out = far + TURN + min(30.0, abs(source.y - target.y) / 8)
-    line = f"M{right:.1f} {source.y:.1f}H{far:.1f}C{out:.1f} {source.y:.1f} {out:.1f} {end:.1f} {far:.1f} {end:.1f}"
+    line = f"{begin}H{far:.1f}C{out:.1f} {source.y:.1f} {out:.1f} {end:.1f} {far:.1f} {end:.1f}"
     return line + _entry(target, end), _rounded((far + 0.75 * (out - far), (source.y + end) / 2))
 
 

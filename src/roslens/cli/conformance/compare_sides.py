@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from roslens.cli.conformance.side_word import WordKind, kind_of
+from roslens.cli.page.named_apart import named_apart
 from roslens.cli.terminal.boundary import CLEAN, FINDINGS
 from roslens.model.errors import UsageError
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from roslens.compare.conformance.side import Side
 
 _OF_SOURCE = (WordKind.WORKSPACE, WordKind.LAUNCH, WordKind.STORED, WordKind.DOCUMENT, WordKind.RUN)
+_FILES = (WordKind.RECORDING, WordKind.WRITTEN, WordKind.REFERENCE)
 NEWEST = ("now", "last")
 
 
@@ -54,8 +56,11 @@ def compared(words: Sequence[str], options: argparse.Namespace) -> Conformance:
 
     kinds = [kind_of(word) for word in words]
     _require(words, kinds, options)
+    files = [word for word, kind in zip(words, kinds, strict=True) if kind in _FILES]
+    names = dict(zip(files, named_apart(files), strict=True))
     sides: list[Side | None] = [
-        None if kind in _OF_SOURCE else _observed(word, kind, options) for word, kind in zip(words, kinds, strict=True)
+        None if kind in _OF_SOURCE else _observed(word, kind, options, names.get(word, word))
+        for word, kind in zip(words, kinds, strict=True)
     ]
     known = [one for one in sides if one is not None]
     made = [
@@ -78,7 +83,7 @@ def _require(words: Sequence[str], kinds: Sequence[WordKind], options: argparse.
         raise UsageError("--launch without a workspace", expected="its folder, as in `roslens compare . live`")
 
 
-def _observed(word: str, kind: WordKind, options: argparse.Namespace) -> Side:
+def _observed(word: str, kind: WordKind, options: argparse.Namespace, name: str) -> Side:
     from roslens.cli.conformance import observed_side
 
     if kind is WordKind.LIVE:
@@ -86,10 +91,10 @@ def _observed(word: str, kind: WordKind, options: argparse.Namespace) -> Side:
     if kind is WordKind.ADDRESS:
         return observed_side.monitor_side(word)
     if kind is WordKind.RECORDING:
-        return observed_side.bag_side(word)
+        return observed_side.bag_side(word, name)
     if kind is WordKind.WRITTEN:
-        return observed_side.written_side(word)
-    return observed_side.reference_side(word)
+        return observed_side.written_side(word, name)
+    return observed_side.reference_side(word, name)
 
 
 def _of_source(word: str, kind: WordKind, options: argparse.Namespace, others: Sequence[Side]) -> Side:

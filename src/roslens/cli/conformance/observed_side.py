@@ -106,19 +106,19 @@ def monitor_side(address: str) -> Side:
     return running_side(graph, f"what {address} sees")
 
 
-def written_side(path: str) -> Side:
-    """Return the graph that ``watch --graph-out`` wrote: nodes and endpoints, no parameters.
+def written_side(path: str, name: str) -> Side:
+    """Return the graph that ``watch --graph-out`` wrote, under a name: nodes and endpoints, no parameters.
 
     Raises:
         DocumentError: the file is none.
     """
     from roslens.live.observe.read_rosgraph import read_rosgraph
 
-    return running_side(read_rosgraph(Path(path)), Path(path).name, parameters=False)
+    return running_side(read_rosgraph(Path(path)), name, parameters=False)
 
 
-def bag_side(path: str) -> Side:
-    """Return what a recording holds.
+def bag_side(path: str, name: str) -> Side:
+    """Return what a recording holds, under a name.
 
     Raises:
         UsageError: it is none.
@@ -128,11 +128,11 @@ def bag_side(path: str) -> Side:
     bag = open_bag(Path(path))
     for failure in bag.failures:
         print(f"roslens: {failure}", file=sys.stderr)
-    return recorded_side(bag.graph(), Path(path).name)
+    return recorded_side(bag.graph(), name)
 
 
-def reference_side(path: str) -> Side:
-    """Return what a reference expects.
+def reference_side(path: str, name: str) -> Side:
+    """Return what a reference expects, under a name.
 
     Raises:
         DocumentError: it is wrong.
@@ -140,4 +140,4 @@ def reference_side(path: str) -> Side:
     from roslens.judge.reading.read_reference import load_reference
     from roslens.live.window.signals import BY_KEY
 
-    return Side(SideKind.REFERENCE, Path(path).name, reference=load_reference([Path(path)], BY_KEY))
+    return Side(SideKind.REFERENCE, name, reference=load_reference([Path(path)], BY_KEY))

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.conformance.side_word import WordKind, kind_of
+from roslens.cli.page.named_apart import named_apart
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -60,10 +61,12 @@ def shown_sides(
         WordKind.REFERENCE: observed_side.reference_side,
         WordKind.WRITTEN: observed_side.written_side,
     }
-    kept = [read[kind_of(word)](word) for word in words]
+    names = named_apart([*recorded, *words])
+    kept = [read[kind_of(word)](word, name) for word, name in zip(words, names[len(recorded) :], strict=True)]
+    of_recorded = ", ".join(names[: len(recorded)])
 
     def sides() -> list[Side]:
-        found = [*_live(live, ", ".join(one.name for one in recorded)), *kept]
+        found = [*_live(live, of_recorded), *kept]
         if not found:
             raise UsageError("what runs was not seen yet", expected="a node that runs")
         return found

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 
+from roslens.cli.page.named_apart import named_apart
 from roslens.cli.page.watch_page import PageSource
 from roslens.cli.page.watch_screen import since_start
 from roslens.cli.watch.param_reference import reference_sources
@@ -36,7 +37,7 @@ def recording_beside(options: argparse.Namespace) -> Iterator[PageSource]:
     """
     reference = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic).reference
     bag = open_bag(options.bag)
-    title = ", ".join(path.name for path in options.bag)
+    title = ", ".join(named_apart(options.bag))
     page = PageSource(title, clock=since_start(bag.start), live=False, steady=time.monotonic)
     page.make(Session(reference, start=bag.start), bag.start, "the recording is being read")
     left, started = Event(), Event()

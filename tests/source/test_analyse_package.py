@@ -129,7 +129,7 @@ def test_a_zero_byte_is_reported_once_and_the_rest_measured(tmp_path: Path, monk
     monkeypatch.setitem(FILES, "arm/a.cpp", b"int first() { return 0; }\n\x00\nint second() { return 1; }\n")
     measured = measure_task(task(tmp_path, programs=False))
     (failure,) = measured.failures
-    assert failure.what == "the file holds 1 zero byte"
+    assert failure.what == "the file contains 1 zero byte"
     assert failure.partial
     assert [one.id for one in measured.entities if "second" in one.id]
 

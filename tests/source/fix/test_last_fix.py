@@ -23,7 +23,7 @@ def test_all_is_as_before(fixed):
     root, place = fixed
     assert take_back(place, root) == (("a.cpp", "b.cpp"), ())
     assert (root / "a.cpp").read_bytes() == (root / "b.cpp").read_bytes() == b"one \xff\r\n"
-    with pytest.raises(UsageError, match="no fix to take back"):
+    with pytest.raises(UsageError, match="no fix to undo"):
         take_back(place, root)
 
 

@@ -47,7 +47,7 @@ def test_a_last_line_without_line_end_is_a_line():
 
 
 def test_unknown_syntax_is_an_error():
-    with pytest.raises(ValueError, match="'fortran' is no syntax"):
+    with pytest.raises(ValueError, match="'fortran' is not a syntax"):
         count_lines(b"x", "fortran")
 
 

@@ -88,7 +88,7 @@ def test_a_folder_of_sources(member: Member):
         ("kill -SEGV $$", "it ended with signal 11: no message"),
         ("exec sleep 60", "it did not end within 1.25 s"),
         ("exit 0", "it wrote no cccc.xml"),
-        ('mkdir -p "$out"; echo garbage > "$out/cccc.xml"', "its cccc.xml is no XML"),
+        ('mkdir -p "$out"; echo garbage > "$out/cccc.xml"', "its cccc.xml is not XML"),
     ],
 )
 def test_a_program_that_fails_is_a_failure_and_gives_no_values(

@@ -88,13 +88,13 @@ def test_names_in_any_encoding_and_control_characters(tmp_path: Path):
 @pytest.mark.parametrize(
     ("summary", "module", "message"),
     [
-        ("", "", "its cccc.xml is no XML"),
-        ("nonsense", "", "its cccc.xml is no XML"),
+        ("", "", "its cccc.xml is not XML"),
+        ("nonsense", "", "its cccc.xml is not XML"),
         ("<a/>", "", "its cccc.xml has no <project_summary> in <a>"),
         (SUMMARY.format(""), "", "its cccc.xml has no <lines_of_code> in <project_summary>"),
         (SUMMARY.format("<lines_of_code value='******'/>"), "", "its cccc.xml says '******' for <lines_of_code>"),
         (SUMMARY.format("<lines_of_code/>"), "", "its cccc.xml says '' for <lines_of_code>"),
-        (SUMMARY.format(LINES), "<a>", "its Foo.xml is no XML"),
+        (SUMMARY.format(LINES), "<a>", "its Foo.xml is not XML"),
         (SUMMARY.format(LINES), "<a/>", "its Foo.xml has no <module_summary> in <a>"),
         (SUMMARY.format(LINES), CLASS.format("", "f()"), "its Foo.xml has no <coupling_between_objects>"),
         (SUMMARY.format(LINES), "<!DOCTYPE a [<!ENTITY b SYSTEM 'file:///etc/passwd'>]><a>&b;</a>", "has no"),

@@ -109,7 +109,7 @@ def test_a_file_that_nobody_looks_at_is_told(check, tmp_path):
     file.write_text(sarif("arm/gone.cpp"))
     code, report = check("--import", str(file))
     assert code == 3
-    assert said(report) == ["1 results of mine are in files that roslens does not look at"]
+    assert said(report) == ["1 results of mine are in files that roslens does not check"]
 
 
 def command(workspace: Path, body: str, words: str = '["./lint.sh"]'):

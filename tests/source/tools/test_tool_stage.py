@@ -139,7 +139,7 @@ def test_an_unknown_version(check, played, monkeypatch):
     code, report, _ = check("--tools", "cpplint")
     assert code == 3
     (failure,) = report["failures"]
-    assert "it is of an unknown version: `cpplint --version` says 'Segmentation fault'" in failure["what"]
+    assert "it is of an unknown version: `cpplint --version` reports 'Segmentation fault'" in failure["what"]
 
 
 def test_an_old_version(check, played, monkeypatch):

@@ -35,7 +35,7 @@ def test_nothing_to_tell(content: bytes) -> None:
     [
         ("ab".encode("utf-16-le"), "a.cpp:1:2: the file is binary, 2 of 4 bytes are zero; expected source text", False),
         ("ab".encode("utf-16"), "a.cpp:1:1: the file is UTF-16; expected source in UTF-8", False),
-        (b"int abcdefghi;\n\0", "a.cpp:2:1: the file holds 1 zero byte; expected source text", True),
+        (b"int abcdefghi;\n\0", "a.cpp:2:1: the file contains 1 zero byte; expected source text", True),
     ],
 )
 def test_what_is_told(content: bytes, message: str, partial: bool) -> None:

@@ -93,7 +93,7 @@ def test_a_path_that_does_not_exist_is_an_error(tree: Tree) -> None:
     root = tree({"a/package.xml": "package:a", "a/a.py": ""})
     with pytest.raises(UsageError, match="does not exist"):
         find(root / "nothing")
-    with pytest.raises(UsageError, match="is no folder"):
+    with pytest.raises(UsageError, match="is not a folder"):
         find(root / "a/a.py")
     with pytest.raises(UsageError, match="does not exist"):
         find(root / "a/\0")

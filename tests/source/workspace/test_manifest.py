@@ -186,27 +186,27 @@ def test_everything_wrong_is_told_at_once(manifests: dict[str, bytes]) -> None:
     found = {one.what for one in (*failures, *mistakes)}
     assert {failure.what for failure in failures} == {
         'the condition "$ROS_VERSION = 2" of <depend> cannot be read at "="',
-        '2 build types hold at once, "ament_cmake", "ament_python"',
+        '2 build types apply at once, "ament_cmake", "ament_python"',
     }
     assert found >= {
         'the name is "Arm Teleop"',
         'the version is "1.0"',
-        "<version> stands a second time",
+        "<version> occurs more than once",
         "the description is empty",
         'the maintainer "Ada" has no e-mail address',
         'the e-mail address of "Ben" is "nobody"',
         "the licence is empty",
-        "<run_depend> is no tag of format 3",
+        "<run_depend> is not a tag of format 3",
         "<depend> is empty",
         'the condition "$ROS_VERSION = 2" of <depend> cannot be read at "="',
-        '<depend> "rclpy" says the same as <exec_depend>',
+        '<depend> "rclpy" duplicates <exec_depend>',
         '<build_depend> has the attribute "priority"',
-        "<b> stands inside <build_depend>",
+        "<b> is nested in <build_depend>",
         'the package depends on the group "arms" and is a member of it',
         'the package depends on itself by <depend> "Arm Teleop"',
-        "<nonsense> is no tag of format 3",
-        '2 build types hold at once, "ament_cmake", "ament_python"',
-        "<export> stands a second time",
+        "<nonsense> is not a tag of format 3",
+        '2 build types apply at once, "ament_cmake", "ament_python"',
+        "<export> occurs more than once",
         '<package> has the attribute "colour"',
     }
     assert len(found) == 19

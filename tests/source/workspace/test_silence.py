@@ -116,7 +116,7 @@ def test_the_file_is_read_as_it_was_written(tmp_path):
         ('[[accepted]]\nfingerprint = "a"\nreason = " "\n', "no reason", 0),
         ('[[accepted]]\nfingerprint = "a"\nreason = "x"\nstate = "ignored"\n', "neither accepted", 0),
         ("acepted = []\n", 'unknown key "acepted"', 0),
-        ("accepted = 3\n", "no list of tables", 0),
+        ("accepted = 3\n", "not a list of tables", 0),
         ("\ufeff", None, 0),
         (None, None, 0),
     ],

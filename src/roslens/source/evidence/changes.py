@@ -55,10 +55,10 @@ def _origin(folder: PackageFolder, log: Sequence[Change] | None) -> Item:
     if log and signed >= _NEARLY_ALL * len(log):
         return met("2.ii", f"{signed} of the last {len(log)} changes are signed off", place)
     if place:
-        return met("2.ii", "contributors are asked for it", place)
+        return met("2.ii", "contributors are required to", place)
     if not log:
-        return not_known("2.ii", "no history that could be read, and no CONTRIBUTING that asks for it")
-    return not_met("2.ii", f"{signed} of the last {len(log)} changes are signed off, and no CONTRIBUTING asks for it")
+        return not_known("2.ii", "no history that could be read, and no CONTRIBUTING that requires it")
+    return not_met("2.ii", f"{signed} of the last {len(log)} changes are signed off, and no CONTRIBUTING requires it")
 
 
 def _integration(folder: PackageFolder) -> Item:

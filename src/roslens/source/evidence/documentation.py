@@ -85,12 +85,12 @@ def _commented(lines: list[str], line: int) -> bool:
 def _licence(folder: PackageFolder) -> Item:
     named = [one for one in folder.package.licenses if one.name and one.name.upper() not in ("TO" + "DO", "UNKNOWN")]
     if not named:
-        return not_met("3.iii", "the manifest names no licence", folder.package.manifest)
+        return not_met("3.iii", "the manifest declares no licence", folder.package.manifest)
     names = ", ".join(one.name for one in named)
     text = folder.find("LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE", "COPYING")
     place = folder.location(text) if text else None
-    more = "its text is beside" if text else "its text is not in the repository"
-    return (met if text else not_met)("3.iii", f"the manifest says {names}; {more}", named[0].location, place)
+    more = "its text is included" if text else "its text is not in the repository"
+    return (met if text else not_met)("3.iii", f"the manifest declares {names}; {more}", named[0].location, place)
 
 
 def _copyright(folder: PackageFolder) -> Item:

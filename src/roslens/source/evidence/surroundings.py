@@ -33,7 +33,7 @@ def surroundings(folder: PackageFolder, claimed: Mapping[str, int], own: int) ->
     reported = folder.says(r"REP[- ]?2006|vulnerability disclosure", folder.declaration)
     place = folder.location(security) if security else reported
     untold = not_met("7.i", "no SECURITY file, and no declaration that refers to REP-2006")
-    yield met("7.i", "the repository says how to tell of one", place) if place else untold
+    yield met("7.i", "the repository describes how to report one", place) if place else untold
 
 
 def _dependencies(folder: PackageFolder, claimed: Mapping[str, int], own: int) -> Item:
@@ -50,5 +50,5 @@ def _dependencies(folder: PackageFolder, claimed: Mapping[str, int], own: int) -
         more = f" and {len(outside) - _SHOWN} more" if len(outside) > _SHOWN else ""
         return not_known("5.i", f"not in this workspace: {', '.join(outside[:_SHOWN])}{more}")
     if not own:
-        return not_known("5.i", "the package claims no level that its dependencies could be held against")
+        return not_known("5.i", "the package claims no level to compare its dependencies with")
     return met("5.i", f"all {len(here)} are in this workspace and claim level {own} or better")

@@ -31,8 +31,12 @@ def testing(folder: PackageFolder) -> Iterator[Item]:
     tests = folder.tests()
     places = [Location(one.path) for one in tests]
     if tests:
-        yield not_known("4.i", f"{len(tests)} files of tests; whether they cover each feature is not seen", *places)
-        yield not_known("4.ii", f"{len(tests)} files of tests; coverage of the public API is not seen", *places[:2])
+        yield not_known(
+            "4.i", f"{len(tests)} files of tests; whether they cover each feature is not determined", *places
+        )
+        yield not_known(
+            "4.ii", f"{len(tests)} files of tests; coverage of the public API is not determined", *places[:2]
+        )
     else:
         yield not_met("4.i", "no file of tests")
         yield not_met("4.ii", "no file of tests")
@@ -73,7 +77,7 @@ def _performance(folder: PackageFolder) -> Item:
         what = f"depends on {needed[0]}" if needed else f"{len(files)} files of benchmarks"
         return met("4.iv.a", what, *(Location(one.path) for one in files[:3]))
     if place := folder.says(r"performance", folder.declaration):
-        return not_known("4.iv.a", "no benchmark; the declaration speaks of performance", place)
+        return not_known("4.iv.a", "no benchmark; the declaration mentions performance", place)
     return not_met("4.iv.a", "no benchmark, and no declaration that states why")
 
 

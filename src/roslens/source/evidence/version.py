@@ -29,8 +29,8 @@ def declared(folder: PackageFolder, number: str, pattern: str, what: str) -> Ite
     """Return that a text of the package speaks of something, or that none does, which proves nothing."""
     contributing = folder.find("CONTRIBUTING.md", "CONTRIBUTING.rst")
     if place := folder.says(pattern, folder.declaration, contributing, folder.readme):
-        return met(number, f"a text of the package speaks of {what}; whether it is kept is not looked at", place)
-    return not_known(number, f"no quality declaration, CONTRIBUTING or README speaks of {what}")
+        return met(number, f"a text of the package mentions {what}; compliance is not checked", place)
+    return not_known(number, f"no quality declaration, CONTRIBUTING or README mentions {what}")
 
 
 def _public(folder: PackageFolder) -> Item:

@@ -204,7 +204,7 @@ def _fetch(git: GitRunner, request: Request, folder: str) -> str:
         if not _known(git, folder, ref.id):
             raise GitError(
                 f"the server has no commit {ref.id[:12]} any more: its history was rewritten, or it is another "
-                "repository; `--update` takes what it has now"
+                "repository; `--update` fetches what it has now"
             ) from None
     return git.do(folder, "rev-parse", "--verify", f"{ref.id}^{{commit}}").strip()
 

@@ -58,7 +58,7 @@ def read_distribution(read: Read, name: str, index: str) -> Distribution:
     base = index.rpartition("/")[0] or "."
     try:
         known = rosdistro.Index(data, base).distributions
-    except Exception as error:  # the library asserts, and trips over what is no table
+    except Exception as error:  # the library asserts, and trips over what is not a table
         raise UsageError(f'"{index}" is not an index of distributions: {error}', expected="an index-v4.yaml") from error
     if name not in known:
         from difflib import get_close_matches
@@ -171,7 +171,7 @@ def _mapping(content: bytes, place: str) -> dict[str, Any]:
     except UnsafeYamlError as error:
         raise UsageError(f'"{place}" cannot be read: {error}', expected="YAML") from error
     if not isinstance(data, dict):
-        raise UsageError(f'"{place}" is no table', expected="an index, a distribution file or a .repos file")
+        raise UsageError(f'"{place}" is not a table', expected="an index, a distribution file or a .repos file")
     return data
 
 
@@ -179,7 +179,7 @@ def read_mapping(read: Read, place: str) -> dict[str, Any]:
     """Return the values of a document of YAML.
 
     Raises:
-        UsageError: it cannot be read, or is no table.
+        UsageError: it cannot be read, or is not a table.
     """
     return _mapping(read(place), place)
 

@@ -137,7 +137,7 @@ def _request(wanted: Wanted, options: FetchOptions) -> Request:
         UrlError: nothing can be asked for.
     """
     if not is_folder_name(wanted.name):
-        raise UrlError(f"the name {wanted.name!r} is no folder")
+        raise UrlError(f"the name {wanted.name!r} is not a folder name")
     if wanted.kind != "git":
         raise UrlError(_way_round(wanted))
     if options.at.counted and not wanted.commits:
@@ -167,7 +167,7 @@ def _had(
             return update(git, request, place)
         return _kept(git, request, place, locked, options)
     if options.offline and not is_local(request.url):
-        raise GitError("it is not here, and with --offline no server is asked")
+        raise GitError("it is not available locally, and --offline allows no download")
     if locked is not None and not options.update:
         exact = msgspec.structs.replace(request.wanted, version=locked.commit)
         return clone(git, msgspec.structs.replace(request, wanted=exact, at=At()), place, part)
@@ -187,7 +187,7 @@ def _kept(git: GitRunner, request: Request, place: Path, locked: Taken | None, o
         at = revision_at(git, str(place), head, request.at, request.count)
         if at == head:
             return described(git, request, place, How.KEPT)
-        raise GitError("another revision of it is wanted, and with --offline no server is asked")
+        raise GitError("another revision of it is required, and --offline allows no download")
     return update(git, request, place)
 
 

@@ -49,7 +49,7 @@ def filter_of(data: Mapping[str, Any], place: str) -> Filter:
         raise _wrong(place, "meta is not a table")
     for name, facts in facts_of.items():
         if not isinstance(facts, Mapping):
-            raise _wrong(place, f"meta.{name} is no table")
+            raise _wrong(place, f"meta.{name} is not a table")
         if (count := facts.get("commits")) is not None:
             commits[str(name)] = _commits(count, str(name), place)
         levels.update(_levels(facts.get("levels") or {}, str(name), place))

@@ -48,7 +48,7 @@ def ref_of(git: GitRunner, folder: str, url: str, version: str) -> Ref:
     names = [name.split("/", 2)[2] for name in everything]
     near = get_close_matches(version, names, 3, 0.5) or [n for n in everything if n.startswith("refs/heads/")][:3]
     shown = ", ".join(name.removeprefix("refs/heads/") for name in near)
-    raise GitError(f"there is no branch or tag {version!r}; the server has {shown or 'none like it'}")
+    raise GitError(f"there is no branch or tag {version!r}; the server has {shown or 'no similar one'}")
 
 
 def _head(git: GitRunner, folder: str, url: str) -> Ref:

@@ -103,10 +103,10 @@ def _read(place: Path) -> LastFix:
             f"the record of the last fix cannot be read: {error}",
             where=str(place),
             expected="what `roslens check --fix` wrote",
-            advice="Take the changes back by version control: `git diff` shows them",
+            advice="Undo the changes by version control: `git diff` shows them",
         ) from error
     if any(not _is_inside(one.path) for one in record.files) or record.schema != SCHEMA:
-        raise UsageError("the record of the last fix is none of this version", where=str(place), expected=SCHEMA)
+        raise UsageError("the record of the last fix is of another version", where=str(place), expected=SCHEMA)
     return record
 
 
@@ -131,7 +131,7 @@ def _changed(one: Changed, *, gone: bool) -> WriteFault:
         TOOL,
         f"{what} and is left as it is",
         "the file as the fix left it",
-        "Take the change back by hand, or by version control",
+        "Undo the change by hand, or by version control",
         Location(one.path),
         entity=f"file:{one.path}",
     )

@@ -95,7 +95,7 @@ class ForgeClient:
         if self._offline:
             if kept is None:
                 raise ForgeError(
-                    f"{url} was never asked before, and --offline contacts no server", "Leave out --offline once"
+                    f"{url} has no cached response, and --offline contacts no server", "Leave out --offline once"
                 )
             return _reported(kept)
         status, headers, body = self._patiently(url, kept)
@@ -120,7 +120,7 @@ class ForgeClient:
                 said, wait = f"answers {status}", self._pause(url, status, headers, body, turn)
             if turn < TRIES - 1:
                 self._sleep(wait)
-        raise ForgeError(f"{url} {said}, {TRIES} times", "Try again later; what was answered is not asked again")
+        raise ForgeError(f"{url} {said}, {TRIES} times", "Try again later; responses so far are kept")
 
     def _pause(self, url: str, status: int, headers: Mapping[str, str], body: bytes, turn: int) -> float:
         """Return for how many seconds to wait after an answer that is none.
@@ -132,7 +132,7 @@ class ForgeClient:
             wait = self._wait(headers)
             if wait > LONGEST_WAIT_S:
                 raise ForgeError(
-                    f"{url} answers {status}: its limit of questions is reached for {wait:.0f} s more", self._advice()
+                    f"{url} answers {status}: its rate limit is reached for {wait:.0f} s more", self._advice()
                 )
             return wait
         if status in _FAULTS:
@@ -197,7 +197,7 @@ def _refused(url: str, status: int, body: bytes, advice: str, *, has_token: bool
         reported = f"{url} answers {status}: there is no such repository{lacks}"
         return ForgeError(reported, advice if not has_token else "")
     if 300 <= status < 400:
-        return ForgeError(f"{url} answers {status}: the repository is elsewhere now", "Correct the address of `origin`")
+        return ForgeError(f"{url} answers {status}: the repository has moved", "Correct the address of `origin`")
     return ForgeError(f"{url} answers {status}", advice)
 
 
@@ -205,4 +205,4 @@ def _reported(answer: Answer) -> Reported:
     try:
         return Reported(json.loads(answer.body), answer.headers)
     except (ValueError, RecursionError) as error:
-        raise ForgeError(f"the answer is no JSON: {error}", "Try again later") from error
+        raise ForgeError(f"the response is not JSON: {error}", "Try again later") from error

@@ -53,10 +53,10 @@ def given_forge(text: str) -> tuple[str, Forge]:
     """
     where, _, kind = text.rpartition("=")
     if not where or kind not in {one.value for one in ForgeKind}:
-        raise ValueError(f"{text!r} is no HOST=github, HOST=gitlab or HOST=gitea")
+        raise ValueError(f"{text!r} is not HOST=github, HOST=gitlab or HOST=gitea")
     parts = urlsplit(where if "//" in where else f"https://{where}")
     if parts.scheme not in ("http", "https") or not parts.hostname or parts.username or parts.query:
-        raise ValueError(f"{where!r} is no host and no http address of one")
+        raise ValueError(f"{where!r} is neither a host nor its http address")
     known = ForgeKind(kind)
     return parts.hostname, Forge(known, f"{parts.scheme}://{parts.netloc}{parts.path.rstrip('/')}{_PATHS[known]}")
 

@@ -78,13 +78,13 @@ def _listed(client: ForgeClient, path: str, header: str, size: str) -> int:
     for page in range(1, MOST_PAGES + 1):
         reported = client.get(f"{path}&{size}={_PAGE}&page={page}")
         if not isinstance(reported.document, list):
-            raise ForgeError(f"{path} answers with no list", "Is it a forge of this kind?")
+            raise ForgeError(f"{path} does not answer with a list", "Is it a forge of this kind?")
         if (total := reported.headers.get(header, "")).isdigit():
             return int(total)
         number += len(reported.document)
         if len(reported.document) < _PAGE:
             return number
-    raise ForgeError(f"{path} has more than {MOST_PAGES * _PAGE:,} entries and says not how many")
+    raise ForgeError(f"{path} has more than {MOST_PAGES * _PAGE:,} entries and does not state their number")
 
 
 def _count(reported: Reported, key: str) -> int:

@@ -182,7 +182,7 @@ def unreadable(path: str, said: str) -> Failure:
         path,
         f'the history of repository "{path}" cannot be read: {said}',
         "a repository that git can read",
-        "Look at it with `git log`; where another user owns it, `git config --global --add safe.directory` names it",
+        "Check it with `git log`; if another user owns it, `git config --global --add safe.directory` names it",
     )
 
 

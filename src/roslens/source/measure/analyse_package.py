@@ -31,7 +31,7 @@ MOST_LINES = 8
 """Of a file with more places that cannot be parsed, the first ones are reported, and how many more there are."""
 
 _ADVICE = {
-    "cpp": "The rest of the file is measured; if a macro of yours stands here, name it under [macros] in roslens.toml",
+    "cpp": "The rest of the file is measured; if this is a macro of yours, name it under [macros] in roslens.toml",
     "python": "The rest of the file is measured; mend the place, or name the file under `ignore` in roslens.toml",
 }
 

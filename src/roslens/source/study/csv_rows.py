@@ -41,7 +41,7 @@ class CsvRows(msgspec.Struct, frozen=True):
                 f'"{text[:60]}" in the column "{column}"',
                 where=Location(self.path, line),
                 expected="a finite number, or an empty cell",
-                advice="Correct the cell or take the row out",
+                advice="Correct the cell or remove the row",
             )
         return value
 
@@ -92,5 +92,5 @@ def _refuse_length(row: Sequence[str], head: Sequence[str], path: str, line: int
             f"a row of {len(row)} cells",
             where=Location(path, line),
             expected=f"{len(head)}, one for each name in the first line",
-            advice="Cells with a comma stand in quotation marks",
+            advice="Quote cells that contain a comma",
         )

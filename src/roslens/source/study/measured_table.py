@@ -38,7 +38,7 @@ def corpus_of_table(table: CsvRows, known: Sequence[Quantity], models: Sequence[
         raise UsageError(
             "no column with a quantity",
             where=table.path,
-            expected=f"beside {_NAME}, {', '.join(GROUPINGS)} at least one column of numbers",
+            expected=f"besides {_NAME}, {', '.join(GROUPINGS)} at least one column of numbers",
         )
     by_key = {one.key: one for one in known}
     packages: list[Subject] = []

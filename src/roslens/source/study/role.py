@@ -53,7 +53,7 @@ def decide(facts: RoleFacts) -> RoleDecision:
     speaking = sorted(marks, key=lambda mark: (-_speaks(mark, role), mark))
     kind, why = _kind(facts)
     reasons = tuple(dict.fromkeys(marks[mark] for mark in speaking if _speaks(mark, role) > 0))
-    shown = (*((why,) if why else ()), *(reasons or (f"nothing speaks for another role than {role}",)))
+    shown = (*((why,) if why else ()), *(reasons or (f"no evidence of another role than {role}",)))
     return RoleDecision(role, kind, round(sums[role] - sums[ordered[1]], 3), shown)
 
 
@@ -117,7 +117,7 @@ def _kind(facts: RoleFacts) -> tuple[str, str]:
 
 
 def _metapackage(facts: RoleFacts) -> tuple[str, str]:
-    return ("metapackage", "says that it is a metapackage") if facts.package.metapackage else ("", "")
+    return ("metapackage", "declares that it is a metapackage") if facts.package.metapackage else ("", "")
 
 
 def _simulation(facts: RoleFacts) -> tuple[str, str]:

@@ -74,13 +74,13 @@ def marks_of_graph(spoken: Spoken | None) -> Mapping[str, str]:
     obeys = [one for one in spoken.taken if one in _COMMANDS]
     asks = [one for one in spoken.asked if _of(one) in _DONE]
     found = {
-        "graph_measures": f'its nodes publish "{measures[0]}" and take nothing of the kind'
+        "graph_measures": f'its nodes publish "{measures[0]}" and receive nothing of the kind'
         if measures and not uses
         else "",
         "graph_obeys": f'its nodes are commanded to move by "{obeys[0]}" and command no others'
         if obeys and not commands
         else "",
-        "graph_commands": f'its nodes tell others to move by "{commands[0]}"' if commands and not obeys else "",
+        "graph_commands": f'its nodes command others to move by "{commands[0]}"' if commands and not obeys else "",
         "graph_asks": f'its nodes ask for "{asks[0]}"' if asks else "",
     }
     return {key: reason for key, reason in found.items() if reason}

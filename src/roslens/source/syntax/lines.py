@@ -45,7 +45,7 @@ def count_lines(content: bytes, syntax: str) -> Lines:
         ValueError: ``syntax`` is neither.
     """
     if syntax not in {"cpp", "python"}:
-        raise ValueError(f"{syntax!r} is no syntax with a line counter: expected 'cpp' or 'python'")
+        raise ValueError(f"{syntax!r} is not a syntax with a line counter: expected 'cpp' or 'python'")
     text = _normalised(content)
     if not text:
         return Lines()

@@ -117,7 +117,7 @@ def _parsed(path: Path) -> _Element:
     try:
         return etree.fromstring(text.encode(), parser)
     except etree.XMLSyntaxError as error:
-        raise CcccError(f"its {path.name} is no XML: {error}") from None
+        raise CcccError(f"its {path.name} is not XML: {error}") from None
 
 
 def _child(element: _Element, tag: str, file: str) -> _Element:

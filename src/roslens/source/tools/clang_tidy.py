@@ -90,7 +90,7 @@ class ClangTidy(Tool):
         inside = _settings_files(root, commands)
         for path in inside:
             if what := loaded_by(path):
-                raise ToolError(f"would load code that {path} names: {what!r}; take it out of ExtraArgs")
+                raise ToolError(f"would load code that {path} names: {what!r}; remove it from ExtraArgs")
         above = any(Path(folder, ".clang-tidy").is_file() for folder in Path(root).parents)
         return Build(commands, above or bool(inside))
 

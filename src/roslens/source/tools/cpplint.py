@@ -75,7 +75,7 @@ class Cpplint(Tool):
             if match := _SKIPPED.match(line):
                 skipped[below_root(match["path"], request.root)] = match["why"]
             elif match := _IGNORED.match(line):
-                skipped[below_root(match["path"], request.root)] = "not a file name that it takes"
+                skipped[below_root(match["path"], request.root)] = "not a file name that it accepts"
             elif not _NOISE.match(line):
                 strange.append(line)
         if not done and not found and not skipped:

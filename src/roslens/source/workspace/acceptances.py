@@ -63,7 +63,7 @@ def read_acceptances(path: Path) -> tuple[tuple[Acceptance, ...], tuple[Failure,
         _failure(path, f'unknown key "{key}"', "[[accepted]] tables alone") for key in document if key != "accepted"
     ]
     if not isinstance(entries, list):
-        return (), (*failures, _failure(path, "`accepted` is no list of tables", "[[accepted]] tables"))
+        return (), (*failures, _failure(path, "`accepted` is not a list of tables", "[[accepted]] tables"))
     found = []
     places = [number for number, line in enumerate(text.splitlines(), 1) if line.strip().startswith("[[")]
     for index, entry in enumerate(entries):
@@ -170,8 +170,8 @@ def to_toml(entries: Sequence[Acceptance]) -> str:
 
 
 _HEAD = """\
-# Findings of roslens that were looked at and stay, each with its reason. `roslens accept` writes this file;
-# `roslens accept --undo FINGERPRINT` takes an entry back. Review changes to it like source."""
+# Accepted findings of roslens, each with its reason. `roslens accept` writes this file;
+# `roslens accept --undo FINGERPRINT` removes an entry. Review changes to it like source."""
 
 
 def _string(text: str) -> str:

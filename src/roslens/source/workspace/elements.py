@@ -214,7 +214,7 @@ def _broken(content: bytes, reason: str, offset: int) -> Fault:
     line = content[offset : offset + 40].splitlines()[:1]
     found = line[0].decode("utf-8", "replace").replace("\0", "\N{SYMBOL FOR NULL}").strip() if line else ""
     what = f'broken XML, {reason}, at "{found}"' if found else f"broken XML, {reason}"
-    return Fault(what, offset, "well-formed XML", "Correct it; what stands before it was still read.")
+    return Fault(what, offset, "well-formed XML", "Correct it; everything before it was read.")
 
 
 def _line_starts(content: bytes) -> tuple[int, ...]:

@@ -67,7 +67,7 @@ def encoding_failure(path: str, content: bytes) -> Failure | None:
         advice = "Rename it, or add it to `ignore` below [workspace] in roslens.toml."
         return Failure("workspace", what, "source text", advice, where, entity)
     if encoding.zero_bytes:
-        what = f"the file holds {plural(encoding.zero_bytes, 'zero byte')}"
+        what = f"the file contains {plural(encoding.zero_bytes, 'zero byte')}"
         advice = "Remove them; the rest of the file was analysed."
         return Failure("workspace", what, "source text", advice, where, entity, partial=True)
     return None

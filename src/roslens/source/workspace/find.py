@@ -113,7 +113,9 @@ def _folder(path: str | Path) -> str:
     if given.name == MANIFEST_NAME and given.is_file():
         return os.path.realpath(given.parent)
     if os.path.lexists(given):
-        raise UsageError(f'"{path}" is no folder', expected="folders with packages", advice="Give the folder it is in.")
+        raise UsageError(
+            f'"{path}" is not a folder', expected="folders with packages", advice="Give the folder it is in."
+        )
     raise UsageError(
         f'"{path}" does not exist', expected="folders with packages", advice="Check the path and the current folder."
     )

@@ -57,7 +57,7 @@ def read_manifest(
     """
     if len(content) > MAXIMUM_SIZE:
         what = f"the manifest is larger than {MAXIMUM_SIZE} bytes"
-        failure = _failure(path, what, "a package.xml of some kilobytes", "Look at what it holds.", Location(path))
+        failure = _failure(path, what, "a package.xml of some kilobytes", "Check its content.", Location(path))
         return _nameless(path), (failure,)
     reader = _Reader(read_elements(content), path, environment)
     package = reader.package()
@@ -96,7 +96,7 @@ class _Reader:
         root = self._document.root
         if root is None or root.tag != "package":
             if root is not None:
-                self._fault(root, f'the root is "<{root.tag}>"', "<package>", "Write it as REP-149 says.")
+                self._fault(root, f'the root is "<{root.tag}>"', "<package>", "Write it as in REP-149.")
             return _nameless(self._path)
         broken = bool(self._document.faults)
         for one in faults_of(root, complete=not broken):
@@ -182,7 +182,7 @@ class _Reader:
         if len(active) > 1:
             types = ", ".join(f'"{export.text}"' for export in active)
             advice = f'Give them conditions that exclude each other; "{first.text}" was taken.'
-            what = f"{len(active)} build types hold at once, {types}"
+            what = f"{len(active)} build types apply at once, {types}"
             self.failures.append(_failure(self._path, what, "one <build_type>", advice, active[1].location))
         return first.text
 
@@ -194,7 +194,7 @@ class _Reader:
             return evaluate(condition, self._environment)
         except ConditionError as error:
             what = f'the condition "{condition[:80]}" of <{element.tag}> cannot be read at "{error.found}"'
-            advice = "Correct the condition (REP-149); it was taken to hold."
+            advice = "Correct the condition (REP-149); it was assumed to be true."
             self._fault(element, what, error.expected, advice)
             return True
 

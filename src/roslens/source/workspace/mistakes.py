@@ -1,4 +1,4 @@
-"""What a manifest should say otherwise although all of it was understood; ``catkin_pkg`` refuses each of it."""
+"""Mistakes in a manifest that was understood completely; ``catkin_pkg`` rejects each of them."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from roslens.source.workspace.validity import LOSING, faults_of
 
 
 class Mistake(msgspec.Struct, frozen=True):
-    """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, and what a message says, with the place.
+    """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, the parts of its message, and the place.
 
-    Of what is doubled ``other`` is the tag of the element that says the same. ``left_open`` says that a placeholder
-    stands there, so that what reads the manifest in the end reads something else.
+    For a duplicate, ``other`` is the tag of the equivalent element. ``left_open`` states that it contains a
+    placeholder, so that the manifest that is used in the end differs.
     """
 
     kind: str
@@ -37,7 +37,7 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
     root = document.root
     if root is None or root.tag != "package":
         return ()
-    # What was open where the reading ended may have been going to say more.
+    # Elements that were open at the end of what could be read may be incomplete.
     torn = {fault.offset for fault in document.faults}
     # Between elements there is no text, but the statements of a template language.
     is_template = has_placeholder(root.text())

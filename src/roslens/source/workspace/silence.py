@@ -1,4 +1,4 @@
-"""Which findings count, which somebody set aside, and what is wrong with how they were set aside."""
+"""Which findings count, which were set aside, and mistakes in how they were set aside."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TAGS = ("suppression",)
 UNUSED = RuleInfo(
     "roslens.suppression_unused",
     "Suppression without effect",
-    "A comment asks roslens to leave out findings, and there are none of these where it stands.",
+    "A comment suppresses findings, and there are none of these at its place.",
     Severity.NOTE,
     TAGS,
     "It hides the next finding there, which has not been reviewed. Remove it.",
@@ -30,43 +30,43 @@ UNUSED = RuleInfo(
 UNKNOWN = RuleInfo(
     "roslens.suppression_unknown",
     "Suppression of an unknown rule",
-    "A comment names a rule or a tag that no rule of this run has.",
+    "A comment names a rule or a tag that does not exist in this run.",
     Severity.NOTE,
     TAGS,
-    "A mistyped id suppresses nothing, and the id of a rule that is gone misleads. See `roslens explain ID`.",
+    "A mistyped id suppresses nothing, and the id of a removed rule is misleading. See `roslens explain ID`.",
     "roslens",
 )
 NO_REASON = RuleInfo(
     "roslens.suppression_without_reason",
     "Suppression without a reason",
-    "A comment asks roslens to leave out findings and does not say why.",
+    "A comment suppresses findings without a reason.",
     Severity.NOTE,
     TAGS,
-    "Who reads the line later cannot tell whether the reason still holds. Write it behind the brackets.",
+    "Later readers cannot judge whether the suppression is still justified. Add a reason after the brackets.",
     "roslens",
 )
 IGNORE_UNUSED = RuleInfo(
     "roslens.ignore_unused",
     "[[ignore]] without effect",
-    "An [[ignore]] of the configuration sets no finding aside.",
+    "An [[ignore]] of the configuration matches no finding.",
     Severity.NOTE,
     TAGS,
-    "It hides the next finding that it happens to match. Remove it, or mend its paths and rules.",
+    "It hides the next finding that it happens to match. Remove it, or correct its paths and rules.",
     "roslens",
     scope="workspace",
 )
 ACCEPTANCE_UNUSED = RuleInfo(
     "roslens.acceptance_unused",
-    "Accepted finding is gone",
-    "The file of accepted findings has an entry for a finding that is no longer there.",
+    "Accepted finding no longer exists",
+    "The file of accepted findings has an entry for a finding that no longer exists.",
     Severity.NOTE,
     TAGS,
-    "Take it back with `roslens accept --undo`, so that the file says what is.",
+    "Remove it with `roslens accept --undo`, so that the file is up to date.",
     "roslens",
     scope="workspace",
 )
 RULES = (UNUSED, UNKNOWN, NO_REASON, IGNORE_UNUSED, ACCEPTANCE_UNUSED)
-"""About how findings are set aside."""
+"""Rules about setting findings aside."""
 
 _GRAPH = "graph."
 
@@ -155,7 +155,7 @@ class Silence:
                 IGNORE_UNUSED,
                 configuration,
                 0,
-                f"{ignore_name(number)} sets no finding aside: {rule.reason}",
+                f"{ignore_name(number)} matches no finding: {rule.reason}",
                 str(number),
             )
             for number, (rule, _) in enumerate(self._ignore, 1)
@@ -166,7 +166,7 @@ class Silence:
                 ACCEPTANCE_UNUSED,
                 accepted,
                 0,
-                f"{entry.fingerprint} was accepted and is gone: {entry.rule} {entry.path}".rstrip(),
+                f"{entry.fingerprint} was accepted and no longer exists: {entry.rule} {entry.path}".rstrip(),
                 entry.fingerprint,
             )
             for entry in self.acceptances.entries
@@ -181,7 +181,7 @@ def ignore_name(number: int) -> str:
 
 
 def about_comments(suppressions: Suppressions, findings: Sequence[Finding], rules: Nameable) -> Iterator[Finding]:
-    """Yield what is wrong with comments that speak to roslens; those for other tools may be right for them.
+    """Yield mistakes in suppression comments of roslens; those of other tools are not checked.
 
     Args:
         suppressions: comments of the files.
@@ -217,12 +217,12 @@ def _wrong(one: Suppression, written: str, used: bool, rules: Nameable) -> Itera
         near = get_close_matches(name, [*(rule.id for rule in known), *{tag for rule in known for tag in rule.tags}], 1)
         meant = f"; did you mean {near[0]}?" if near else ""
         yield UNKNOWN, f'`{written}`: no rule of this run has the id or tag "{name}"{meant}'
-    # Whether it hides something in another profile, or what is found in computation graphs, this run does not know.
+    # It may suppress findings of another profile or of computation graphs, which this run does not have.
     meant_rules = [rule for rule in known for name in one.rules if names(name, rule.id, rule.tags)]
     if meant_rules and not used and not unknown and not foreign and all(rule.id in rules.ran for rule in meant_rules):
-        yield UNUSED, f"`{written}` hides nothing"
+        yield UNUSED, f"`{written}` suppresses nothing"
     if not one.reason:
-        yield NO_REASON, f"`{written}` gives no reason"
+        yield NO_REASON, f"`{written}` has no reason"
 
 
 def _of_graph(rules: Iterable[str]) -> bool:

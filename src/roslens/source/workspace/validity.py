@@ -1,7 +1,7 @@
-"""What REP-127, REP-140 and REP-149 demand of a manifest, tag by tag.
+"""Requirements of REP-127, REP-140 and REP-149 on a manifest, tag by tag.
 
-The demands are those that ``catkin_pkg`` enforces, so that what passes here builds, and a dependency without a name
-is one more.
+The requirements are those that ``catkin_pkg`` enforces, so that what passes here builds, and a dependency without a
+name is one more.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from roslens.source.workspace.elements import Element
 
 
 class Fault(NamedTuple):
-    """What a manifest says wrongly.
+    """A mistake in a manifest.
 
     Attributes:
         kind: one of those below.
-        element: that says it.
-        what: was found (quoted).
+        element: that contains it.
+        what: what was found (quoted).
         expected: instead.
         advice: what to do.
-        other: the tag of the element that says the same, of what is doubled.
+        other: for a duplicate, the tag of the equivalent element.
     """
 
     kind: str
@@ -38,7 +38,7 @@ REQUIRED, NAME, VERSION, EMAIL, TAG = "required", "name", "version", "email", "t
 DEPENDENCY, ON_ITSELF, DOUBLED = "dependency", "on itself", "doubled"
 
 LOSING = frozenset({FORMAT, NAMELESS})
-"""Kinds of faults because of which not all of a manifest was understood; the others are mistakes in what it says."""
+"""Kinds of faults because of which not all of a manifest was understood; the others are mistakes in its content."""
 
 CONSTRAINTS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 
@@ -94,7 +94,7 @@ def _required(root: Element, parts: dict[str, list[Element]], *, complete: bool)
             )
     for tag in ("name", "version", "description", "export"):
         for element in parts.get(tag, [])[1:]:
-            yield Fault(REQUIRED, element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them.")
+            yield Fault(REQUIRED, element, f"<{tag}> occurs more than once", f"one <{tag}>", "Remove one of them.")
 
 
 def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
@@ -105,7 +105,7 @@ def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
     for element in parts.get("description", ())[:1]:
         if not element.markup():
             yield Fault(
-                REQUIRED, element, "the description is empty", "a sentence on what the package is for", "Write one."
+                REQUIRED, element, "the description is empty", "a short description of the package", "Write one."
             )
     for element in parts.get("license", ()):
         if not element.text():
@@ -123,9 +123,7 @@ def _version_faults(element: Element) -> Iterator[Fault]:
     compatibility = element.attributes.get("compatibility")
     for text in (element.text(), *([] if compatibility is None else [compatibility])):
         if not _VERSION.match(text):
-            yield Fault(
-                VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
-            )
+            yield Fault(VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Correct it.")
 
 
 def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
@@ -146,13 +144,13 @@ def _tags(root: Element, form: int) -> Iterator[Fault]:
     for element in root.elements():
         if element.tag not in known:
             expected, advice = _instead(element.tag, form)
-            yield Fault(TAG, element, f"<{element.tag}> is no tag of format {form}", expected, advice)
+            yield Fault(TAG, element, f"<{element.tag}> is not a tag of format {form}", expected, advice)
             continue
         yield from _attributes(element, known[element.tag])
         if element.tag not in ("description", "export"):
             for child in element.elements():
                 yield Fault(
-                    TAG, child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
+                    TAG, child, f"<{child.tag}> is nested in <{element.tag}>", "text only", "Move or remove it."
                 )
 
 
@@ -226,23 +224,23 @@ def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Ite
 
 
 def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
-    """Yield general dependencies that a specific or an earlier general one says word for word."""
+    """Yield general dependencies that duplicate a specific or an earlier general one."""
     general = "test_depend" if form == 1 else "depend"
     specific = ("build_depend", "run_depend") if form == 1 else ("build_depend", "build_export_depend", "exec_depend")
     if general not in parts:
         return
-    named = {_sentence(element): tag for tag in specific for element in parts.get(tag, ())}
+    named = {_declared(element): tag for tag in specific for element in parts.get(tag, ())}
     for element in parts.get(general, ()):
-        if other := named.get(_sentence(element)):
+        if other := named.get(_declared(element)):
             text = _short(element.text())
-            what = f'<{general}> "{text}" says the same as <{other}>'
+            what = f'<{general}> "{text}" duplicates <{other}>'
             advice = f"Remove the <{other if form > 1 else general}>."
             yield Fault(DOUBLED, element, what, "each dependency once", advice, other)
         elif form > 1:
-            named[_sentence(element)] = general
+            named[_declared(element)] = general
 
 
-def _sentence(element: Element) -> tuple[str | None, ...]:
+def _declared(element: Element) -> tuple[str | None, ...]:
     return (element.text(), *(element.attributes.get(key) for key in (*CONSTRAINTS, "condition")))
 
 

@@ -13,7 +13,7 @@ QUANTITY = Quantity(
     kinds=(EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE),
     text="How many lines were added and deleted in all its commits.",
     better=Better.NEITHER,
-    formula="lines added + lines deleted, over all commits that are no merge",
+    formula="lines added + lines deleted, over all commits except merges",
     source="Nagappan and Ball, Use of Relative Code Churn Measures to Predict System Defect Density, ICSE 2005",
     limits="A line that changed counts twice; binary files count none. For a renamed file, only changed lines count; "
     "for its package and the repository, all its lines count twice. A clone without the contents of past files "

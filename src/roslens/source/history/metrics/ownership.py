@@ -11,7 +11,7 @@ QUANTITY = Quantity(
     title="Ownership",
     unit="",
     kinds=(EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE),
-    text="Which share of the contributions comes from the person who made most of them.",
+    text="Share of the contributions that were made by the most active contributor.",
     better=Better.NEITHER,
     formula="contributions of the person with most / contributions of all; a commit is one contribution of its author "
     "and of each co-author",

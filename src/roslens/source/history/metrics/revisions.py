@@ -13,7 +13,7 @@ QUANTITY = Quantity(
     kinds=(EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE),
     text="How often it was changed: the commits behind the head.",
     better=Better.NEITHER,
-    formula="number of commits; of a package or file those that are no merge and change something of it",
+    formula="number of commits; of a package or file those that change it and are not merges",
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#Rev)",
     limits="A package that came from another repository begins there. A history that was squashed has few.",
 )

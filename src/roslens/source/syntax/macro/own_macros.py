@@ -52,7 +52,7 @@ def _automaton(name: str) -> Automaton:
     try:
         automaton = automaton_of(name)
     except ValueError as error:
-        raise ValueError(f"{name!r} is no pattern for the name of a macro: {error}") from error
+        raise ValueError(f"{name!r} is not a pattern for the name of a macro: {error}") from error
     if automaton.accepts(""):
-        raise ValueError(f"{name!r} is no pattern for the name of a macro: it fits an empty name")
+        raise ValueError(f"{name!r} is not a pattern for the name of a macro: it fits an empty name")
     return automaton

@@ -51,7 +51,7 @@ def version_of(tool: Tool, program: Program, runner: ToolRunner, root: str) -> s
     match = re.search(tool.version_pattern, reported)
     if match is None:
         call = " ".join((tool.program, *tool.version_words))
-        raise ToolError(f"is of an unknown version: `{call}` says {' '.join(reported.split())[:80]!r}")
+        raise ToolError(f"is of an unknown version: `{call}` reports {' '.join(reported.split())[:80]!r}")
     return match[1]
 
 

@@ -159,7 +159,7 @@ class ToolStage:
             for tool, findings in imported.findings.items():
                 strange = [finding for finding in findings if finding.path not in self._owner]
                 if strange:
-                    what = f"{len(strange):,} results of {tool} are in files that roslens does not look at"
+                    what = f"{len(strange):,} results of {tool} are in files that roslens does not check"
                     advice = "They are ignored by the configuration, or gone since the tool ran"
                     place = Location(strange[0].path, strange[0].line)
                     self._not_run.append(Failure(tool, what, "files of the workspace", advice, place, partial=True))
@@ -179,7 +179,7 @@ class ToolStage:
                 check_age(tool, version)
             beside = tool.prepared(self._workspace.root, files, options)
         except ToolError as error:
-            self._rest(tool, f"it {error}", f"Look at {program.path}, or get another: {tool.get}")
+            self._rest(tool, f"it {error}", f"Check {program.path}, or install another: {tool.get}")
             return None
         which = version if tool.version_words else program.identity
         key = key_of(analyser_version(), tool.name, which, options)
@@ -256,7 +256,7 @@ class ToolStage:
                 reasons[self._owner[file.path], why].append(file.path)
         for (package, why), paths in sorted(reasons.items()):
             more = f" (and {plural(len(paths) - 1, 'more file')} of the package)" if len(paths) > 1 else ""
-            what = f"{tool.name} did not look at the file: it {why}{more}"
+            what = f"{tool.name} did not check the file: it {why}{more}"
             place = Location(paths[0])
             self._left_out[package].append(Failure(tool.name, what, "", "", place, "", package, partial=True))
 
@@ -270,7 +270,7 @@ class ToolStage:
                 self._failed[package].append(_failed(tool, why, here, package))
         for line in looked.trouble:
             what = f"{tool.name} complains: {line[:300]!r}"
-            advice = "Its findings stand, but may not be all"
+            advice = "Its findings are kept, but may be incomplete"
             self._not_run.append(Failure(tool.name, what, "nothing but findings", advice, partial=True))
 
 

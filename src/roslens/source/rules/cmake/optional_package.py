@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -81,6 +82,7 @@ RULE = PackageRule(
     "`ament_target_dependencies()` asks for what it is given itself.",
     why="Where it is missing, configuring goes on and the build ends with a header or symbol that cannot be found, "
     "far from the cause, or links without it.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="find_package(Eigen3)\ninclude_directories(${EIGEN3_INCLUDE_DIRS})",

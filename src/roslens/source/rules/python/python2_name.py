@@ -64,6 +64,7 @@ RULE = FileRule(
     "each is reported; `.has_key()` of what the file does not make as a dictionary is a note.",
     why="It raises a NameError or AttributeError when the line is reached, which may be in a callback after an "
     "hour of driving.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

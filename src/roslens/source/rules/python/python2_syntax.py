@@ -50,7 +50,7 @@ RULE = FileRule(
     finds="`print x`, `exec x`, `except Type, name` and `raise Type, value`. The first of a file is reported, with "
     "their number; `2to3` rewrites them.",
     why="Python 3 ends with a SyntaxError before the first line runs; Noetic and all of ROS 2 have no other.",
-    severity=Severity.ERROR,
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -63,6 +64,7 @@ RULE = FileRule(
     "It is no C++, though C has it, and a large length overruns the stack. Use `std::vector`. "
     "Code for microcontrollers, which have none, is let be.",
     why="A large scan or image ends the node with a segmentation fault, without any message.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -36,6 +36,7 @@ RULE = FileRule(
     "installed and that one file includes.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -136,6 +136,7 @@ RULE = FileRule(
     why="It returns false where the service is gone or refuses, and the response then holds its defaults: brakes that "
     "were "
     "asked to close are taken for closed.",
+    severity=Severity.NOTE,
     profiles=("ros1",),
     tags=("endpoints",),
     bad="#include <ros/ros.h>\nvoid f() { ros::ServiceClient brake; brake.call(close); drive(); }\n",

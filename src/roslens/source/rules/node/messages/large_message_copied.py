@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import STREAM, function_name
 from roslens.source.rules.calls import body_of
 from roslens.source.rules.file_view import FileView
@@ -63,6 +64,7 @@ RULE = FileRule(
     finds="A callback of a subscription that takes an image, cloud or scan by value and does not change it. Take a "
     "reference or a shared pointer to const.",
     why="A camera gives 30 MB a second and more: each copy takes time from the same core that should look at it.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("messages", "performance"),
     bad="""#include <ros/ros.h>

@@ -50,7 +50,7 @@ RULE = FileRule(
     finds="Seconds since 1970 kept in a `float`. Keep `Time`, subtract first, or use `double`.",
     why="24 bits cannot hold 1.7 billion seconds to less than 128: all times within two minutes are the same, and "
     "differences of them are 0 or 128.",
-    severity=Severity.ERROR,
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nvoid f() { float start = ros::Time::now().toSec(); }\n",

@@ -48,6 +48,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         declaration,
         f"`{view.text(declaration)}` in {spoken(callback)} is made anew each time: {does}; expected a member",
         callback=callback,
+        severity=Severity.NOTE,
     )
 
 
@@ -74,9 +75,8 @@ def _is_done_once(declaration: Node, view: FileView) -> bool:
 RULE = FileRule(
     id="node.listener_in_callback",
     title="Transform listener or broadcaster made in a callback",
-    finds="A local `TransformListener` or `TransformBroadcaster` in a callback, or a local listener in a constructor. "
-    "Make it "
-    "a member.",
+    finds="A local listener of transforms in a constructor, which ends with it. A local `TransformListener` or "
+    "`TransformBroadcaster` in a callback is a note. Make it a member.",
     why="A new listener subscribes and knows no transform yet, so each look-up fails or waits; a new broadcaster has "
     "no "
     "subscriber yet, so what it sends is lost.",

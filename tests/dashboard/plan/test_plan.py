@@ -225,6 +225,21 @@ def test_wires_that_rise_and_fall_beside_each_other_have_tracks_of_their_own() -
     assert len(set(tracks)) == len(tracks)
 
 
+def test_what_falls_and_what_rises_past_each_other_are_told_apart() -> None:
+    keys = [f"node:/{name}" for name in "abcd"] + [f"topic:/{number}" for number in range(6)]
+    parts = [Part(key, 60, 26, node=key.startswith("node")) for key in keys]
+    wires = [(f"node:/{name}", f"topic:/{number}") for name, number in zip("abcd", (0, 1, 4, 5), strict=True)]
+    ground = ground_of(parts, wires)
+    nodes, topics = (
+        [key for _, key in sorted((one.y, key) for key, one in ground.stands.items() if key.startswith(kind))]
+        for kind in ("node", "topic")
+    )
+    across = [(nodes[0], topics[-1]), (nodes[1], topics[-2]), (nodes[-2], topics[1]), (nodes[-1], topics[0])]
+    tracks = [x for path in plan(ground, parts, across).paths for x in upright(path)]
+    assert len(tracks) == 4
+    assert min(b - a for a, b in pairwise(sorted(tracks))) >= 2
+
+
 def test_wires_of_one_element_share_a_track() -> None:
     parts = [Part(f"node:/{host}{number}", 60, 26, f"/@{host}") for host in "ab" for number in range(4)]
     wires = [("node:/a0", f"node:/b{number}") for number in range(4)]

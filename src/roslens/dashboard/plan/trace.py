@@ -49,9 +49,7 @@ class Tracks:
                 for step, height in enumerate(heights, 1):
                     found[first + step].add(height)
         self._heights = [sorted(heights) for heights in found]
-        self._shares = [
-            {height: (place + 0.5) / len(heights) for place, height in enumerate(heights)} for heights in self._heights
-        ]
+        self._ranks = [{height: place for place, height in enumerate(heights)} for heights in self._heights]
         self._rooms = [_room(left[1], right[0]) for left, right in pairwise(self.spans)]
 
     def rightward(self, column: int, y: float, height: float) -> str:
@@ -75,11 +73,15 @@ class Tracks:
     def track(self, column: int, left: float, right: float) -> float:
         """Return where a wire between two heights changes from one to the other, behind a column."""
         start, wide = self._rooms[column]
-        share = self._shares[column].get(left)
-        if share is None:
-            heights = self._heights[column]
-            share = bisect_left(heights, left) / len(heights) if heights else 0.5
-        return start + wide * (share if right < left else 1 - share)
+        heights = self._heights[column]
+        place = self._ranks[column].get(left)
+        # Each height has two tracks, for what rises and for what falls; what leaves at another height stands between.
+        if place is not None:
+            number = place + 0.75 if right < left else len(heights) - place - 0.75
+        else:
+            place = bisect_left(heights, left)
+            number = float(place) if right < left else max(0.0, len(heights) - place - 0.5)
+        return start + wide * number / (len(heights) or 1)
 
 
 def _room(start: float, end: float) -> tuple[float, float]:

@@ -168,7 +168,7 @@ def test_who_may_only_look_has_no_buttons(follow: Open) -> None:
 def test_reference_with_what_each_constraint_matches_and_a_draft_to_accept(follow: Open) -> None:
     page = follow()
     page.get_by_role("link", name="References").click()
-    table = page.locator(".sentences")
+    table = page.locator(".constraints")
     line = table.locator("tr", has_text="rover.topic.scan.rate")
     expect(line).to_contain_text("rate 8..12 Hz")
     # What it is about, and what it matches.

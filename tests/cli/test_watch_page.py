@@ -76,7 +76,7 @@ def test_alerts_are_first_causes_with_what_follows():
     assert 5 <= first["since"] <= 8
     assert [one["entity"] for one in first["follows"]] == ["topic:/cmd_vel"]
     assert first["follows"][0]["cause"] == "topic:/scan"
-    assert "because of" not in first["follows"][0]["sentence"]
+    assert "because of" not in first["follows"][0]["message"]
     assert not others
 
 
@@ -89,7 +89,7 @@ def test_a_node_that_is_gone_is_told_before_a_busy_host_with_what_it_leads_to():
     robot.run(8)
     first, *others = document(robot)["alerts"]
     assert (first["entity"], first["state"], first["severity"]) == ("node:/lidar", "absent", "error")
-    assert first["sentence"] == "is gone → /scan silent → /planner, /slam without input"
+    assert first["message"] == "is gone → /scan silent → /planner, /slam without input"
     assert "topic:/scan" in [one["entity"] for one in first["follows"]]
     assert [(one["entity"], one["severity"]) for one in others] == [("host:rover", "warning")]
 
@@ -106,7 +106,7 @@ def test_what_was_low_before_its_node_was_absent_is_told_under_the_node_as_why_d
     (first,) = found["alerts"]
     assert first["entity"] == "node:/lidar"
     scan = next(one for one in first["follows"] if one["entity"] == "topic:/scan")
-    assert scan["sentence"] == (
+    assert scan["message"] == (
         "is silent, expected 8..12 Hz; Look at the cable of the lidar; "
         "out of range since 12:00:07.0, its node absent since 12:00:17.0"
     )
@@ -125,7 +125,7 @@ def test_an_observer_that_is_not_heard_is_the_first_cause_of_what_is_unknown():
     found = document(robot)
     first = found["alerts"][0]
     assert (first["entity"], first["state"], first["since"]) == ("observer:ros2", "unknown", robot.now)
-    assert first["sentence"].startswith("nothing from the observer ros2")
+    assert first["message"].startswith("nothing from the observer ros2")
     assert {"topic:/scan", "topic:/odom", "host:rover"} <= {one["entity"] for one in first["follows"]}
     assert not any(one["state"] in ("low", "high", "absent") for one in found["alerts"])
     assert found["happened"][0]["state"] == "unknown"

@@ -20,13 +20,13 @@ COUNTS = {Severity.ERROR: 0, Severity.WARNING: 12, Severity.NOTE: 3}
 def test_by_the_least_severity_that_fails(fail_on, answer, conditions):
     found = gate_line(COUNTS, fail_on)
     assert (found.answer, found.conditions) == (answer, conditions)
-    assert found.sentence.endswith(f": {'; '.join(conditions)}")
+    assert found.text.endswith(f": {'; '.join(conditions)}")
 
 
 def test_it_reads_as_a_sentence():
     one = {Severity.ERROR: 1, Severity.WARNING: 0, Severity.NOTE: 0}
-    assert gate_line(one, "error").sentence == "Fails the gate: 1 error"
-    assert gate_line(COUNTS, "error").sentence == "Passes the gate: 0 errors"
+    assert gate_line(one, "error").text == "Fails the gate: 1 error"
+    assert gate_line(COUNTS, "error").text == "Passes the gate: 0 errors"
 
 
 def test_by_conditions_and_what_cannot_be_told_never_passes():

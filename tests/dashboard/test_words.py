@@ -77,7 +77,7 @@ def test_a_topic_that_says_nothing_is_silent() -> None:
     robot.rates["/scan"] = 0
     robot.run(20)
     (alert,) = [one for one in robot.page.snapshot(robot.session, robot.now, "").alerts if one.entity == "topic:/scan"]
-    assert alert.sentence.startswith("is silent, expected 8..12 Hz")
+    assert alert.message.startswith("is silent, expected 8..12 Hz")
     assert re.search(r"silent for 2\d\.\d s", alert.evidence)
 
 

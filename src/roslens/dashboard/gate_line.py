@@ -26,7 +26,7 @@ class GateLine(msgspec.Struct, frozen=True):
     conditions: tuple[str, ...]
 
     @property
-    def sentence(self) -> str:
+    def text(self) -> str:
         """The line: ``Fails the gate: 1 error``."""
         return f"{_BEGINNINGS[self.answer]}: {'; '.join(self.conditions)}"
 

@@ -128,7 +128,7 @@ def test_notes_that_cannot_be_kept_do_not_hold(tmp_path):
 def test_each_constraint_says_what_it_matches_and_what_matches_nothing_comes_first():
     robot = ScriptedRobot(reference=EXTRA)
     found = robot.page.board.references()
-    first, *others = found.sentences
+    first, *others = found.constraints
     assert (first.id, first.count) == ("rover.typo.latency", 0)
     assert "'/scan'" in first.advice
     assert all(one.count for one in others)
@@ -140,7 +140,7 @@ def test_each_constraint_says_what_it_matches_and_what_matches_nothing_comes_fir
     assert rate.where.startswith("rover.yaml:")
     (twice,) = found.twice
     assert (twice.entity, twice.quantity) == ("topic:/scan", "rate")
-    assert {text for _, text in twice.sentences} == {"8..12 Hz", ">= 5 Hz"}
+    assert {text for _, text in twice.constraints} == {"8..12 Hz", ">= 5 Hz"}
 
 
 def test_a_draft_of_what_nothing_judges_is_a_reference_that_holds():

@@ -152,7 +152,7 @@ def test_a_node_that_died_under_a_busy_host_is_named_first_then_too():
     assert snapshot(robot.page.newest()).alerts == ()
     first = snapshot(robot.page.past.snapshot(killed)).alerts[0]
     assert (first.entity, first.severity) == ("node:/lidar", "error")
-    assert first.sentence == "is gone → /scan silent → /planner, /slam without input"
+    assert first.message == "is gone → /scan silent → /planner, /slam without input"
 
 
 def test_what_is_asked_of_before_the_beginning_is_nothing():

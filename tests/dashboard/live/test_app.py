@@ -173,7 +173,7 @@ def test_hostile_names_stay_text():
     assert any("</script>" in row["entity"] for row in document["rows"])
     assert max(len(row["name"]) for row in document["rows"]) <= 210
     assert document["alerts"]
-    assert all(len(alert["sentence"]) < 700 for alert in document["alerts"])
+    assert all(len(alert["message"]) < 700 for alert in document["alerts"])
 
 
 class Reader:
@@ -367,7 +367,7 @@ def test_the_page_of_references_says_what_is_about_nothing():
     page = asking.get("/references").text
     assert "matches nothing" in page
     assert "style=" not in page
-    assert asking.get("/references.json").json()["sentences"][0].get("count", 0) == 0
+    assert asking.get("/references.json").json()["constraints"][0].get("count", 0) == 0
     assert asking.get("/references", params={"accept": "topic:/nothing"}).text.count("constraints: []") == 1
     assert asking.get("/accepted.yaml").headers["content-disposition"].startswith("attachment")
 

@@ -39,7 +39,7 @@ def alert_rows(alerts):
 
 
 def _alert(one, before):
-    said = "{}  {}  {}: {}".format(state_words(one["state"]), one["when"].strip(), one["name"], one["sentence"])
+    said = "{}  {}  {}: {}".format(state_words(one["state"]), one["when"].strip(), one["name"], one["message"])
     return before + clean(said)
 
 

@@ -151,7 +151,7 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
         state=one.state.value,
         # What an error follows from matters as much as the error.
         severity=max([one.severity.value, *(other.severity for other in follows)], key=_GRAVITY.__getitem__),
-        sentence=shown_text(verdict_message(msgspec.structs.replace(one, cause="")) + before),
+        message=shown_text(verdict_message(msgspec.structs.replace(one, cause="")) + before),
         since=one.since,
         when=clock(one.since),
         cause=encodable(one.cause),

@@ -136,7 +136,7 @@ def alert_lines(alerts: Sequence[Alert], terminal: Terminal) -> tuple[tuple[str,
 def _alert(one: Alert, terminal: Terminal, before: str) -> tuple[str, str, str]:
     sign, _ = sign_of(one.state, terminal)
     style = "red" if one.severity == "error" else "yellow"
-    text = f"{before}{sign}  {one.when.strip()}  {terminal.clean(one.name)}: {terminal.clean(one.sentence)}"
+    text = f"{before}{sign}  {one.when.strip()}  {terminal.clean(one.name)}: {terminal.clean(one.message)}"
     return one.entity, text, style
 
 

@@ -39,7 +39,7 @@ REFERENCE = "the reference"
 
 
 def asked(side: Side, sides: Sequence[Side]) -> tuple[list[Disparity], list[str]]:
-    """Return where the others are not as a reference expects, and in sentences what it says nothing of."""
+    """Return the deviations of the others from a reference, and texts on what it has no constraint for."""
     reference = side.reference
     if reference is None:
         return [], []

@@ -71,11 +71,11 @@ class Reason(str, Enum):
 
 ABSENT = "not there"
 NOT_KNOWN = ""
-"""What a side says that cannot know."""
+"""The value of a side that cannot know."""
 
 
 class Why(msgspec.Struct, frozen=True):
-    """An explanation: its kind, whose word holds, a sentence, how grave it is, and a place in a file."""
+    """An explanation: its kind, the side that is right, a text, its severity, and a place in a file."""
 
     reason: Reason
     right: str
@@ -92,11 +92,11 @@ class Disparity(msgspec.Struct, frozen=True, rename={"values": "told"}):
         node: of which it is; empty of a topic.
         name: of the endpoint, parameter or topic; empty of a node.
         aspect: what of it differs.
-        values: what each side says, in their order; ``not there``, or empty of one that cannot know.
+        values: of each side, in their order: ``not there``, or empty for a side that cannot know.
         reason: why.
-        right: whose word holds, in words.
-        why: the explanation as a sentence.
-        severity: how grave it is: a note is as it should be, or cannot be decided.
+        right: the side that is right, in words.
+        why: the explanation, as text.
+        severity: a note is as it should be, or cannot be decided.
         place: in source or reference, as ``path:line``.
         also: how many endpoints and parameters go with a node that is not there.
     """

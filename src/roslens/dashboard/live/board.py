@@ -38,7 +38,7 @@ class Twice(msgspec.Struct, frozen=True):
 
     entity: str
     quantity: str
-    sentences: tuple[tuple[str, str], ...]
+    constraints: tuple[tuple[str, str], ...]
 
 
 class Proposal(msgspec.Struct, frozen=True):
@@ -54,14 +54,14 @@ class References(msgspec.Struct, frozen=True):
 
     Attributes:
         documents: files, in the order in which they were read.
-        sentences: constraints: those that match nothing first, then those that something deviates from.
+        constraints: those that match nothing first, then those that something deviates from.
         twice: what several constraints judge.
         proposals: of what nothing judges.
         left_out: how many more proposals there would be.
     """
 
     documents: tuple[str, ...]
-    sentences: tuple[ConstraintRow, ...]
+    constraints: tuple[ConstraintRow, ...]
     twice: tuple[Twice, ...]
     proposals: tuple[Proposal, ...]
     left_out: int = 0

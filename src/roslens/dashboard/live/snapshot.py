@@ -78,7 +78,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
         kind: of the entity.
         state: ``low``, ``high`` or ``absent``.
         severity: ``note``, ``warning`` or ``error``.
-        sentence: what is wrong, in one line.
+        message: what is wrong, in one line.
         since: when it began, in seconds on the monitor's clock.
         when: the same as people read it.
         cause: text form of the id of the entity whose fault explains this one; empty for a first cause.
@@ -97,7 +97,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
     kind: str
     state: str
     severity: str
-    sentence: str
+    message: str
     since: float
     when: str
     cause: str = ""

@@ -127,7 +127,7 @@ def _place(one: RuleCount) -> dict[str, object] | None:
 
 
 def headline(severities: Mapping[Severity, int], affected: int, packages: int, *, outside: bool = False) -> str:
-    """Return the first sentence of the report: what counts for gates, as the terminal has it."""
+    """Return the summary of the report: the findings that count for gates, as in the terminal."""
     amounts = [plural(count, severity.value) for severity, count in severities.items() if count]
     if not packages and not amounts:
         return "No package was found."

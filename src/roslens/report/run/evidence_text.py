@@ -15,7 +15,7 @@ REP = "REP-2004 (https://ros.org/reps/rep-2004.html)"
 
 
 def verdict(evidence: Evidence) -> str:
-    """Return one sentence on the levels: what is claimed, what is shown, what nothing speaks against."""
+    """Return a summary of the levels: claimed, shown, and not contradicted."""
     claimed = f"claims level {evidence.claimed}" if evidence.claimed else "claims no level"
     shown, possible = evidence.highest_shown, evidence.highest_open
     text = f"{evidence.package} {evidence.version} {claimed}; all that level {shown} requires is shown to be met"

@@ -156,7 +156,7 @@ def _statements(study: Study) -> StudyTable:
 
 
 def lead(study: Study) -> str:
-    """Return a sentence that says what the study is about."""
+    """Return a summary of the subject of the study."""
     corpus = study.corpus
     repositories = len(corpus.repositories) or len({one.repository for one in corpus.packages if one.repository})
     text = f"{_count(len(corpus.packages), 'package')} of {_count(repositories, 'repository', 'repositories')}"

@@ -60,7 +60,7 @@ export class Alerts {
 
   /** What somebody wants to hear nothing of for a while: it is no less wrong. */
   silenced(alerts) {
-    const form = JSON.stringify(alerts.map((one) => [one.key, one.sentence, one.until]));
+    const form = JSON.stringify(alerts.map((one) => [one.key, one.message, one.until]));
     if (form === this.mutedForm) return;
     this.mutedForm = form;
     this.muted.hidden = !alerts.length;
@@ -108,7 +108,7 @@ export class Alerts {
     return make("div", { class: `alert${alert.severity === "error" ? " grave" : ""}` },
       make("span", { class: "mark" }, sign(alert.state, alert.severity), alert.state),
       name,
-      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.sentence }), alert.handled ? make("span", { class: "noted", text: ` ${alert.handled} by ${alert.by}${alert.until ? ` until ${alert.until}` : ""}` }) : ""),
+      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.message }), alert.handled ? make("span", { class: "noted", text: ` ${alert.handled} by ${alert.by}${alert.until ? ` until ${alert.until}` : ""}` }) : ""),
       make("span", { class: "since" }, ...this.tools(alert), time, " ", ...toSource(alert.entity, "source")));
   }
 

@@ -21,7 +21,7 @@ export class Causes {
     const svg = this.section.querySelector("svg");
     for (const [name, value] of [["width", width], ["height", height], ["viewBox", `0 0 ${width} ${height}`]]) svg.setAttribute(name, value);
     svg.replaceChildren(...lines.map(line), ...lines.map(words), ...boxes.map(box));
-    this.section.querySelector("ul").replaceChildren(...lines.map((one) => sentence(one, boxes)));
+    this.section.querySelector("ul").replaceChildren(...lines.map((one) => lineOf(one, boxes)));
     const more = this.section.querySelector("p");
     more.hidden = !left;
     more.textContent = left;
@@ -47,7 +47,7 @@ function box(one) {
     draw("text", { class: "is", x: one.x + 10, y: one.y + 28, text: `${one.kind}, ${state}${one.first ? ", first cause" : ""}` }));
 }
 
-function sentence(one, boxes) {
+function lineOf(one, boxes) {
   const parts = [nameOf(boxes[one.effect].entity), ` ${one.relation} `, nameOf(boxes[one.cause].entity)];
   if (one.evidence) parts.push(": ", make("bdi", { text: one.evidence }));
   return make("li", {}, ...parts);

@@ -25,7 +25,7 @@ MOST_PLOTS = 12
 
 
 def foxglove_layout(reference: Reference, rated: str = RATED) -> tuple[str, tuple[str, ...]]:
-    """Return the layout as JSON, and in sentences what of the reference it does not plot.
+    """Return the layout as JSON, and texts on the constraints of the reference that it does not plot.
 
     Args:
         reference: of which it is made.

@@ -35,7 +35,7 @@ _WIDTH, _PLOT_WIDTH, _PLOT_HEIGHT = 24, 12, 8
 
 
 def grafana_dashboard(reference: Reference) -> tuple[str, tuple[str, ...]]:
-    """Return the dashboard as JSON, and in sentences what of the reference it does not plot."""
+    """Return the dashboard as JSON, and texts on the constraints of the reference that it does not plot."""
     panels = _Panels()
     mine = of_reference(reference)
     _overview(panels, mine)

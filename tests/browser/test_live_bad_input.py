@@ -14,7 +14,7 @@ from playwright.sync_api import Browser, Page, expect
 from roslens.cli.page.page_document import bounded
 from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.policy import Access
-from roslens.dashboard.live import telling
+from roslens.dashboard.live import snapshot_stream
 from roslens.dashboard.live.serving import LivePage
 from roslens.dashboard.live.snapshot import Alert, Snapshot
 
@@ -65,7 +65,7 @@ def test_a_browser_that_slept_shows_now_when_it_wakes(
     visitor_of: Callable[[str], Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What it missed is more than is kept, so it is told all."""
-    monkeypatch.setattr(telling, "MOST_KEPT", 5)
+    monkeypatch.setattr(snapshot_stream, "MOST_KEPT", 5)
     robot = ScriptedRobot()
     with LivePage(robot.page.newest) as live:
         visitor = visitor_of(live.url)

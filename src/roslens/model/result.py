@@ -14,8 +14,8 @@ from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
 
 
-class TellingInclude(msgspec.Struct, frozen=True, array_like=True):
-    """What a source includes or imports that tells what its package is for.
+class RoleInclude(msgspec.Struct, frozen=True, array_like=True):
+    """An include or import that indicates the role of its package.
 
     Attributes:
         kind: ``devices`` or ``tasks``.
@@ -43,7 +43,7 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
     findings: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
     set_aside: tuple[SetAside, ...] = ()
-    includes: tuple[TellingInclude, ...] = ()
+    includes: tuple[RoleInclude, ...] = ()
 
 
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -92,7 +92,7 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
     languages: dict[str, int] = {}
     roles: dict[str, int] = {}
     limits: dict[str, int] = {}
-    includes: tuple[TellingInclude, ...] = ()
+    includes: tuple[RoleInclude, ...] = ()
     copy_of: str = ""
 
 

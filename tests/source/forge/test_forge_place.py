@@ -39,5 +39,5 @@ def test_forges_that_the_user_names():
         Forge(ForgeKind.GITEA, "http://localhost:3000/git/api/v1"),
     )
     for text in ("git.x.org", "git.x.org=cvs", "=gitlab", "ftp://x=gitlab", "https://a:b@x=gitlab"):
-        with pytest.raises(ValueError, match="is not HOST=|is neither"):
+        with pytest.raises(ValueError, match=r"is not HOST=|is neither"):
             given_forge(text)

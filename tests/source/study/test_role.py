@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from roslens.model.result import TellingInclude
+from roslens.model.result import RoleInclude
 from roslens.model.source import Dependency, Language, Location, Package, Role, SourceFile
 from roslens.source.study.role import KINDS, ROLES, decide, weights
 from roslens.source.study.role_graph import Spoken
@@ -80,11 +80,11 @@ def test_kinds(given, kind):
 def test_what_sources_include_tells_what_names_do_not():
     given = facts("thing", needs=("rclcpp",))
     assert decide(given).role == "library"
-    found = decide(msgspec.structs.replace(given, includes=(TellingInclude("devices", "linux/can.h", "src/a.cpp", 3),)))
+    found = decide(msgspec.structs.replace(given, includes=(RoleInclude("devices", "linux/can.h", "src/a.cpp", 3),)))
     assert found.role == "driver"
     assert found.reasons[0] == 'reaches a device through "linux/can.h", src/a.cpp:3'
     game = facts("arm_game", needs=("rclpy",))
-    found = decide(msgspec.structs.replace(game, includes=(TellingInclude("tasks", "moveit_commander", "a.py", 7),)))
+    found = decide(msgspec.structs.replace(game, includes=(RoleInclude("tasks", "moveit_commander", "a.py", 7),)))
     assert found.role == "application"
     assert 'has a robot do something through "moveit_commander", a.py:7' in found.reasons
 
@@ -108,8 +108,8 @@ def test_every_mark_has_a_weight_for_every_role(benchmark):
     )  # fmt: skip
     spoken = Spoken(("geometry_msgs/Twist", "sensor_msgs/Imu"), asked=("move_base_msgs/MoveBaseAction",))
     includes = (
-        TellingInclude("devices", "termios.h", "a.cpp", 1),
-        TellingInclude("tasks", "moveit_commander", "a.py", 2),
+        RoleInclude("devices", "termios.h", "a.cpp", 1),
+        RoleInclude("tasks", "moveit_commander", "a.py", 2),
     )
     marks = set(marks_of(msgspec.structs.replace(everything, spoken=spoken, includes=includes)))
     assert marks == set(weights()) - {"bias", "general", "robot_part", "graph_obeys"}

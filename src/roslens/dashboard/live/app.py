@@ -30,7 +30,7 @@ from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign,
 from roslens.dashboard.live.sight import Sight
 from roslens.dashboard.live.sight_routes import SightRoutes
 from roslens.dashboard.live.snapshot import Snapshot
-from roslens.dashboard.live.telling import Telling
+from roslens.dashboard.live.snapshot_stream import SnapshotStream
 from roslens.dashboard.render import TEMPLATES, WEB
 from roslens.model.errors import StoreError
 
@@ -110,21 +110,21 @@ def create_live_app(
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    telling = Telling(state or _Read(snapshot))
-    templates = _Templates(facts, past is not None, board is not None, telling)
+    snapshots = SnapshotStream(state or _Read(snapshot))
+    templates = _Templates(facts, past is not None, board is not None, snapshots)
     seeing = SightRoutes(sight)
-    streams = _Streams(telling, facts.pace_s, stopped, seeing.sight)
+    streams = _Streams(snapshots, facts.pace_s, stopped, seeing.sight)
     memory = PastRoutes(past, templates.compared) if past is not None else None
 
     async def show(request: Request) -> Response:
         at = request.query_params.get("at", "")
         text = await memory.snapshot(at) if memory is not None and at else b""
         then = at if text else ""
-        telling.look()
-        shown = held(msgspec.json.decode(text, type=Snapshot)) if then else telling.newest()
+        snapshots.look()
+        shown = held(msgspec.json.decode(text, type=Snapshot)) if then else snapshots.newest()
         may = board is not None and person_of(request).may_operate
         plain = len(shown.rows) if "all" in request.query_params else MOST_PLAIN
-        return HTMLResponse(templates.live(shown, then, "" if then else telling.mark(), may, plain))
+        return HTMLResponse(templates.live(shown, then, "" if then else snapshots.mark(), may, plain))
 
     async def twin(request: Request) -> Response:
         if refusal := foreign(request):
@@ -199,8 +199,8 @@ class _Read:
 class _Streams:
     """Hands pieces to readers; who reads slowly gets what it lacks when it is ready for it."""
 
-    def __init__(self, telling: Telling, pace_s: float, stopped: Callable[[], bool], sight: Sight) -> None:
-        self._telling = telling
+    def __init__(self, snapshots: SnapshotStream, pace_s: float, stopped: Callable[[], bool], sight: Sight) -> None:
+        self._snapshots = snapshots
         self._pace_s = pace_s
         self._stopped = stopped
         self._sight = sight
@@ -209,16 +209,16 @@ class _Streams:
     async def next(self) -> None:
         """Wait for the next snapshot, where one comes soon."""
         clock = asyncio.get_running_loop().time
-        number, end = self._telling.look(), clock() + _SOON_S
-        while self._telling.newest_lives() and self._telling.look() == number and clock() < end:
+        number, end = self._snapshots.look(), clock() + _SOON_S
+        while self._snapshots.newest_lives() and self._snapshots.look() == number and clock() < end:
             await asyncio.sleep(_LOOK_S / 2)
 
     async def read(self, mark: str, reader: str) -> AsyncIterator[bytes]:
         """Yield what is new to who holds what ``mark`` says, and a beat each second in which nothing is."""
         clock = asyncio.get_running_loop().time
-        telling = self._telling
-        telling.look()
-        number, sent_at = telling.number_of(mark), clock() - self._pace_s
+        snapshots = self._snapshots
+        snapshots.look()
+        number, sent_at = snapshots.number_of(mark), clock() - self._pace_s
         self.readers += 1
         # Who comes again before it was noticed that it went is another one, and so is each without a name.
         stream = object()
@@ -226,9 +226,9 @@ class _Streams:
         try:
             yield b"retry: 1000\n\n"
             while not self._stopped():
-                newest, now = telling.look(), clock()
+                newest, now = snapshots.look(), clock()
                 if newest != number and now - sent_at >= self._pace_s - _LOOK_S / 2:
-                    text, number, sent_at = telling.since(number), newest, now
+                    text, number, sent_at = snapshots.since(number), newest, now
                     yield text
                 elif now - sent_at >= _BEAT_S:
                     sent_at = now
@@ -248,9 +248,9 @@ def _embeddable(text: bytes) -> Markup:
 class _Templates:
     """Writes the pages of one server."""
 
-    def __init__(self, facts: Facts, remembers: bool, boards: bool, telling: Telling) -> None:
+    def __init__(self, facts: Facts, remembers: bool, boards: bool, snapshots: SnapshotStream) -> None:
         self._pages = facts.pages
-        self._telling = telling
+        self._snapshots = snapshots
         own = (("./", "Live"), ("references", "References")) if boards else (("./", "Live"),)
         self._own = (*own, *facts.further.links)
         environment = Environment(
@@ -278,8 +278,8 @@ class _Templates:
         return (*self._pages(), *self._own)
 
     def _title(self) -> str:
-        self._telling.look()
-        return self._telling.newest().title
+        self._snapshots.look()
+        return self._snapshots.newest().title
 
     def live(self, shown: Snapshot, at: str, mark: str, may: bool, plain: int) -> str:
         text = _embeddable(msgspec.json.encode(shown))

@@ -14,13 +14,13 @@ from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budg
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
-from roslens.model.result import TellingInclude
+from roslens.model.result import RoleInclude
 from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.model.words.plural import plural
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
-from roslens.source.measure.telling_includes import telling_includes
+from roslens.source.measure.role_includes import role_includes
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.hit import Hit
@@ -49,7 +49,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     analyses: dict[str, bytes]
     findings: tuple[Finding, ...] = ()
     in_part: bool = False
-    includes: tuple[TellingInclude, ...] = ()
+    includes: tuple[RoleInclude, ...] = ()
     lost: bool = False
 
 
@@ -141,7 +141,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         new,
         findings,
         in_part=bool(task.left_out),
-        includes=telling_includes(((file, facts) for file, facts, _ in measured), own=(task.package.name,)),
+        includes=role_includes(((file, facts) for file, facts, _ in measured), own=(task.package.name,)),
     )
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.model.result import TellingInclude
+from roslens.model.result import RoleInclude
 from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.study.role_graph import Spoken, marks_of_graph
 
@@ -38,7 +38,7 @@ class RoleFacts(msgspec.Struct, frozen=True):
     repository: str
     nodes: bool
     spoken: Spoken | None = None
-    includes: tuple[TellingInclude, ...] = ()
+    includes: tuple[RoleInclude, ...] = ()
 
 
 class Words(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -130,7 +130,7 @@ def counts_of(facts: RoleFacts) -> dict[str, int]:
     return {name: sum(file.language in languages for file in facts.files) for name, languages in kinds.items()}
 
 
-def _written(includes: tuple[TellingInclude, ...], kind: str) -> str:
+def _written(includes: tuple[RoleInclude, ...], kind: str) -> str:
     does = {"devices": "reaches a device through", "tasks": "has a robot do something through"}[kind]
     return next((f'{does} "{one.name}", {one.path}:{one.line}' for one in includes if one.kind == kind), "")
 

@@ -1,6 +1,6 @@
-"""The stream of a page: all of a snapshot for who is new or fell behind, what changed for everybody else.
+"""The stream of a page: a whole snapshot for readers that are new or fell behind, changes for all others.
 
-Each piece is made once, whoever reads it.
+Each piece is encoded once for all readers.
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ from roslens.dashboard.live.changes import change, held
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Picture, Snapshot
 
 MOST_KEPT = 240
-"""Changes that are kept for who comes back: a minute of four a second."""
+"""Changes that are kept for readers that reconnect: a minute of four a second."""
 MOST_BYTES = 2_000_000
-"""In kept changes; who is further behind is sent all of it."""
+"""Of kept changes; readers that are further behind get the whole snapshot."""
 
 
 NOTHING = Snapshot(VERSION, 0.0, "", "", True, UNJUDGED, {}, "", (), (), (), Picture(), (), ())
-"""Before anything was seen."""
+"""The snapshot before anything was observed."""
 
 
 class Piece(NamedTuple):
-    """What makes the state with this number of the one before it, as a part of a stream."""
+    """The change from the previous state to the one with this number, as a part of a stream."""
 
     number: int
     text: bytes
 
 
-class Telling:
-    """Numbers the snapshots that it sees, and tells what changed between them; for one thread."""
+class SnapshotStream:
+    """Numbers snapshots, and encodes the changes between them; for use in one thread."""
 
     def __init__(self, state: Callable[[], Snapshot | None]) -> None:
-        """Tell of what ``state`` returns: the same object while nothing is new, None before anything is."""
+        """Stream the results of ``state``: the same object while nothing is new, None before the first snapshot."""
         self._state = state
         self._begun = secrets.token_hex(4)
         self._newest: Snapshot | None = None
@@ -63,17 +63,17 @@ class Telling:
         return self._number
 
     def mark(self) -> str:
-        """Return what a page that holds the newest snapshot asks to go on with."""
+        """Return the mark with which a page that has the newest snapshot continues."""
         return f"{self._begun}.{self._number}"
 
     def number_of(self, mark: str) -> int:
-        """Return the number of the snapshot that a page holds; 0 where it holds none of this stream."""
+        """Return the number of the snapshot with a mark; 0 if the mark is not of this stream."""
         begun, _, number = mark.partition(".")
         known = begun == self._begun and number.isascii() and number.isdigit() and len(number) < 16
         return int(number) if known and int(number) <= self._number else 0
 
     def since(self, number: int) -> bytes:
-        """Return what who holds the snapshot of a number lacks; empty where that is nothing."""
+        """Return what a reader with the snapshot of a number lacks; empty if that is nothing."""
         if number == self._number:
             return b""
         missed = [piece.text for piece in self._kept if piece.number > number]
@@ -82,7 +82,7 @@ class Telling:
         return self.whole()
 
     def newest(self) -> Snapshot:
-        """Return the newest snapshot as a page holds it; one of nothing before the first."""
+        """Return the newest snapshot as pages have it; an empty one before the first."""
         return held(self._newest or NOTHING)
 
     def newest_lives(self) -> bool:

@@ -1,4 +1,4 @@
-"""Includes and imports that tell what a package is for: it reaches a device, or asks a robot to do something."""
+"""Includes and imports that indicate the role of a package: it accesses a device, or commands a robot."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.model.result import TellingInclude
+from roslens.model.result import RoleInclude
 from roslens.model.source import Role, SourceFile
 from roslens.source.syntax.facts import FileFacts
 
 _MOST = 3
-"""Of each kind so many are kept: one is enough to tell, and the others show that it is no chance."""
+"""How many of each kind are kept: one is enough evidence, the others show that it is no coincidence."""
 
 
 class _Words(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -27,16 +27,14 @@ def _words() -> dict[str, _Words]:
     return msgspec.toml.decode(path.read_bytes(), type=dict[str, _Words])
 
 
-def telling_includes(
-    files: Iterable[tuple[SourceFile, FileFacts]], *, own: Sequence[str]
-) -> tuple[TellingInclude, ...]:
-    """Return what own files of a package include or import that tells its role, each once, by kind.
+def role_includes(files: Iterable[tuple[SourceFile, FileFacts]], *, own: Sequence[str]) -> tuple[RoleInclude, ...]:
+    """Return the includes and imports of a package's own files that indicate its role, each once, by kind.
 
     Args:
-        files: with what a parse reported of each.
-        own: names of the package's own folder of headers, or module of Python: they tell nothing.
+        files: with the facts from parsing each.
+        own: names of the package's own folder of headers, or module of Python: these are no evidence.
     """
-    found: dict[tuple[str, str], TellingInclude] = {}
+    found: dict[tuple[str, str], RoleInclude] = {}
     for file, facts in files:
         if file.role is not Role.OWN:
             continue
@@ -44,15 +42,15 @@ def telling_includes(
             name = written.strip('<>" ')
             if name.replace("/", ".").partition(".")[0] not in own:
                 for kind in _kinds(name, facts.syntax):
-                    found.setdefault((kind, name), TellingInclude(kind, name, file.path, line))
+                    found.setdefault((kind, name), RoleInclude(kind, name, file.path, line))
     return tuple(one for kind in _words() for one in sorted(_of(found.values(), kind), key=_order)[:_MOST])
 
 
-def _of(found: Iterable[TellingInclude], kind: str) -> Iterator[TellingInclude]:
+def _of(found: Iterable[RoleInclude], kind: str) -> Iterator[RoleInclude]:
     return (one for one in found if one.kind == kind)
 
 
-def _order(one: TellingInclude) -> tuple[str, str]:
+def _order(one: RoleInclude) -> tuple[str, str]:
     return one.name, one.path
 
 

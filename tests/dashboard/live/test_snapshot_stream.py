@@ -5,23 +5,23 @@ from __future__ import annotations
 import msgspec
 from dashboard.live.made_up_snapshots import walk
 
-from roslens.dashboard.live import telling as module
-from roslens.dashboard.live.telling import Telling
+from roslens.dashboard.live import snapshot_stream as module
+from roslens.dashboard.live.snapshot_stream import SnapshotStream
 
 
 class Told:
-    """A telling over snapshots that a test moves on."""
+    """A stream of snapshots that a test moves on."""
 
     def __init__(self, count=40):
         self.snapshots = walk(5, count)
         self.at = 0
-        self.telling = Telling(lambda: self.snapshots[self.at])
-        self.telling.look()
+        self.stream = SnapshotStream(lambda: self.snapshots[self.at])
+        self.stream.look()
 
     def go(self, steps=1):
         for _ in range(steps):
             self.at += 1
-            self.telling.look()
+            self.stream.look()
 
 
 def names(text):
@@ -29,19 +29,19 @@ def names(text):
 
 
 def test_who_is_new_is_told_all():
-    assert names(Told().telling.since(0)) == ["state"]
+    assert names(Told().stream.since(0)) == ["state"]
 
 
 def test_who_holds_the_newest_is_told_nothing():
     told = Told()
-    assert told.telling.since(told.telling.number_of(told.telling.mark())) == b""
+    assert told.stream.since(told.stream.number_of(told.stream.mark())) == b""
 
 
 def test_who_missed_some_is_told_these_in_order():
     told = Told()
-    held = told.telling.mark()
+    held = told.stream.mark()
     told.go(3)
-    missed = told.telling.since(told.telling.number_of(held))
+    missed = told.stream.since(told.stream.number_of(held))
     assert names(missed) == ["change"] * 3
     begun = held.partition(".")[0]
     assert [line.decode() for line in missed.splitlines() if line.startswith(b"id")] == [
@@ -52,49 +52,49 @@ def test_who_missed_some_is_told_these_in_order():
 def test_who_is_far_behind_is_told_all(monkeypatch):
     monkeypatch.setattr(module, "MOST_KEPT", 5)
     told = Told()
-    held = told.telling.mark()
+    held = told.stream.mark()
     told.go(5)
-    assert names(told.telling.since(told.telling.number_of(held))) == ["change"] * 5
+    assert names(told.stream.since(told.stream.number_of(held))) == ["change"] * 5
     told.go(1)
-    assert names(told.telling.since(told.telling.number_of(held))) == ["state"]
+    assert names(told.stream.since(told.stream.number_of(held))) == ["state"]
 
 
 def test_changes_of_many_bytes_are_not_kept(monkeypatch):
     monkeypatch.setattr(module, "MOST_BYTES", 10)
     told = Told()
-    held = told.telling.mark()
+    held = told.stream.mark()
     told.go(2)
-    assert names(told.telling.since(told.telling.number_of(held))) == ["state"]
+    assert names(told.stream.since(told.stream.number_of(held))) == ["state"]
 
 
 def test_all_is_told_where_the_changes_are_larger():
     told = Told()
-    size = len(told.telling.whole())
-    held = told.telling.mark()
+    size = len(told.stream.whole())
+    held = told.stream.mark()
     told.go(39)
-    missed = told.telling.since(told.telling.number_of(held))
-    assert len(missed) <= max(size, len(told.telling.whole()))
+    missed = told.stream.since(told.stream.number_of(held))
+    assert len(missed) <= max(size, len(told.stream.whole()))
 
 
 def test_every_reader_gets_the_same_bytes():
     told = Told()
-    told.telling.since(0)
-    assert told.telling.whole() is told.telling.whole()
+    told.stream.since(0)
+    assert told.stream.whole() is told.stream.whole()
     told.go(1)
-    assert told.telling.since(1) == told.telling.since(1)
+    assert told.stream.since(1) == told.stream.since(1)
 
 
 def test_a_mark_of_another_monitor_is_not_known():
     other, told = Told(), Told()
-    assert told.telling.number_of(other.telling.mark()) == 0
-    assert told.telling.number_of(told.telling.mark()) == 1
-    ahead = told.telling.mark().replace(".1", ".7")
-    assert told.telling.number_of(ahead) == 0
+    assert told.stream.number_of(other.stream.mark()) == 0
+    assert told.stream.number_of(told.stream.mark()) == 1
+    ahead = told.stream.mark().replace(".1", ".7")
+    assert told.stream.number_of(ahead) == 0
 
 
 def test_pieces_are_valid_json_of_one_line():
     told = Told()
     told.go(1)
-    for text in (told.telling.whole(), told.telling.since(1)):
+    for text in (told.stream.whole(), told.stream.since(1)):
         (data,) = [line[6:] for line in text.splitlines() if line.startswith(b"data: ")]
         assert isinstance(msgspec.json.decode(data), dict)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -376,6 +377,43 @@ def test_lines_between_nodes_have_names_and_marks_and_can_be_selected(visit: Vis
     assert page.locator("#graph-selected .pick").count() >= 2
     page.get_by_label("Topics", exact=True).select_option("marks")
     expect(names).to_have_count(0)
+
+
+def test_names_of_lines_stand_on_their_lines_and_once_where_several_share_a_part(visit: Visit) -> None:
+    page = visit("/computation/rover?topics=lines&view=1.2,500,300")
+    expect(page.locator(".line-names text").first).to_be_attached()
+    names = page.evaluate("""() => [...document.querySelectorAll(".line-names [data-line]")].flatMap((one) => {
+      const text = one.querySelector("text");
+      if (!text) return [];
+      const [x, y] = one.getAttribute("transform").match(/-?[\\d.]+/g).map(Number);
+      const line = document.querySelector(`.reach [data-line="${one.dataset.line}"]`);
+      const point = new DOMPoint(x, y);
+      return [{ text: text.textContent, x, y, on: line.isPointInStroke(point) }];
+    })""")
+    assert len(names) > 3
+    assert [one for one in names if not one["on"]] == []
+    for one, other in combinations(names, 2):
+        if one["text"] == other["text"] and abs(one["y"] - other["y"]) < 1:
+            assert abs(one["x"] - other["x"]) > 30, (one, other)
+
+
+def test_a_name_stands_on_the_level_part_that_no_other_line_shares(visit: Visit) -> None:
+    page = visit("/computation/rover?topics=lines")
+    paths = [
+        "M0 50H100Q107 50 107 57V93Q107 100 114 100H300M294 97L300 100L294 103",
+        "M0 50H100Q107 50 107 57V193Q107 200 114 200H300M294 197L300 200L294 203",
+    ]
+    found = page.evaluate(
+        """async (paths) => {
+          const { Levels } = await import("/web/graph/levels.js");
+          const levels = new Levels(paths);
+          return paths.map((path) => levels.places(path, 60));
+        }""",
+        paths,
+    )
+    for places, y in zip(found, (100, 200), strict=True):
+        assert [(one["y"], one["shared"]) for one in places] == [(y, 0)] * 3 + [(50, 1)] * 3
+        assert all(114 + 30 <= one["x"] <= 300 - 30 for one in places[:3])
 
 
 def test_a_way_leads_from_one_to_another_along_the_arrows(visit: Visit) -> None:

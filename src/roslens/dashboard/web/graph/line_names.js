@@ -1,12 +1,15 @@
 // Lines between nodes say by which topics they are: a name, or how many there are, and the worst of what is wrong with one.
 
 import { draw, figure } from "../dom.js";
+import { Levels } from "./levels.js";
 import { READABLE } from "./names.js";
 
 /** With more lines than this only those at the selection have their names. */
 const MOST = 240;
 const WIDTH = 6.2;
 const HEIGHT = 13;
+/** So far from each other the same name may stand twice where several lines run on one part. */
+const APART = 300;
 const PLACES = [0.5, 0.38, 0.62, 0.28, 0.72];
 const SEVERITIES = ["error", "warning"];
 
@@ -36,15 +39,24 @@ export class LineNames {
     if (this.drawn && state.every((part, place) => part === this.drawn[place])) return;
     if (!this.drawn || this.drawn[0] !== lines) this.reach.replaceChildren(...lines.map((one, number) => draw("path", { d: one.path, "data-line": number })));
     this.drawn = state;
+    const levels = new Levels(named.map((one) => one.path));
     const taken = [...view.places].map(([number, { x, y }]) => boxOf(x, y, view.graph.nodes[number].w, view.graph.nodes[number].h));
     const parts = [];
+    const said = [];
     lines.forEach((one, number) => {
       const worst = SEVERITIES.find((severity) => one.by.some((other) => view.graph.nodes[other].severity === severity));
-      const name = named.includes(one) ? this.textOf(one) : "";
+      let name = named.includes(one) ? this.textOf(one) : "";
       if (!worst && !name) return;
-      const place = roomFor(one.path, name.length * WIDTH + (worst ? 18 : 0), taken);
+      let place = roomFor(one.path, name.length * WIDTH + (worst ? 18 : 0), taken, name ? levels : null);
+      // Several lines on one part, all of the same name, say it once.
+      if (name && place?.shared && said.some((other) => other.name === name && Math.abs(other.y - place.y) < HEIGHT / 2 && Math.abs(other.x - place.x) < APART)) {
+        if (!worst) return;
+        name = "";
+        place = roomFor(one.path, 18, taken, null);
+      }
       if (!place) return;
       taken.push(place.box);
+      said.push({ name, ...place });
       parts.push(this.part(number, place, name, worst));
     });
     this.group.replaceChildren(...parts);
@@ -69,14 +81,20 @@ export class LineNames {
 
 const boxOf = (x, y, width, height) => ({ left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 });
 
-/** A place on the line where nothing else stands; its middle for a mark without a name, whatever stands there. */
-function roomFor(path, width, taken) {
+/** A place on the line where nothing else stands: on a level part that is its own, if there is one. */
+function roomFor(path, width, taken, levels) {
+  for (const { x, y, shared } of levels ? levels.places(path, width) : []) {
+    const box = boxOf(x, y, width, HEIGHT);
+    if (free(box, taken)) return { x, y, box, shared };
+  }
   const measured = draw("path", { d: path });
   const long = measured.getTotalLength();
   for (const share of PLACES) {
     const { x, y } = measured.getPointAtLength(long * share);
     const box = boxOf(x, y, Math.max(width, 14), HEIGHT);
-    if (!taken.some((other) => other.left < box.right && box.left < other.right && other.top < box.bottom && box.top < other.bottom)) return { x, y, box };
+    if (free(box, taken)) return { x, y, box };
   }
   return null;
 }
+
+const free = (box, taken) => !taken.some((other) => other.left < box.right && box.left < other.right && other.top < box.bottom && box.top < other.bottom);

@@ -65,8 +65,8 @@ def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, sever
         ("start.sh", "roslaunch p one.launch name:=b\n", Severity.NOTE),
         ("README.md", "Run `roslaunch p one.launch rate:=3 name:=b`.\n", Severity.NOTE),
         ("p/start.sh", "roslaunch p one.launch \\\n  name:=b\n", Severity.NOTE),
-        ("start.sh", "roslaunch p other.launch name:=b\n", Severity.ERROR),
-        ("start.sh", "roslaunch p one.launch rate:=3\nroslaunch p other.launch name:=b\n", Severity.ERROR),
+        ("start.sh", "roslaunch p other.launch name:=b\n", Severity.NOTE),
+        ("start.sh", "roslaunch p one.launch rate:=3\nroslaunch q other.launch name:=b\n", Severity.ERROR),
         ("start.sh", "roslaunch p one.launch other_name:=b\n", Severity.ERROR),
     ],
 )

@@ -15,6 +15,8 @@ SETTINGS = WorkspaceSettings()
     "path",
     [
         "p/third_party/lib/a.cpp",
+        "p/3rdPartLib/lib/a.h",
+        "p/src/extApi.c",
         "p/src/3rdparty/a.cpp",
         "p/thirdparty/a.h",
         "arm_thirdparty/include/a.h",

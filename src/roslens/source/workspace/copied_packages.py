@@ -39,8 +39,8 @@ _ANYBODY = re.compile(
 _MAKERS = re.compile(
     r"(?:.+\.)?(?:osrfoundation\.org|openrobotics\.org|willowgarage\.com|clearpath(?:robotics)?\.(?:com|ai)|intel\.com"
     r"|slamtec\.com|cygbot\.com|stereolabs\.com|pal-robotics\.com|fetchrobotics\.com|anybotics\.com|robotis\.com"
-    r"|dronesolutions\.io|movella\.com|xsens\.com|ydlidar\.com|eaibot\.com|orbbec\.com|livoxtech\.com|hesaitech\.com"
-    r"|robosense\.(?:cn|ai)|ouster\.(?:io|com)|velodyne(?:lidar)?\.com|sick\.(?:de|com)|hokuyo-aut\.jp|flir\.com"
+    r"|dronesolutions\.io|movella\.com|xsens\.com|ydlidar\.com|eaibot\.com|orbbec\.com|luxonis\.com|livoxtech\.com"
+    r"|hesaitech\.com|robosense\.(?:cn|ai)|ouster\.(?:io|com)|velodyne(?:lidar)?\.com|sick\.(?:de|com)|hokuyo-aut\.jp|flir\.com"
     r"|phidgets\.com|lordmicrostrain\.com|microstrain\.com|sbg-systems\.com|vectornav\.com"
     r"|yujinrobot\.com|unity3d\.com|foxglove\.dev|autoware\.org|tier4\.jp"
     r"|intermodalics\.eu|universal-robots\.com|kinova(?:robotics)?\.(?:ca|com)|trossenrobotics\.com|unitree\.(?:cc|com)"

@@ -21,7 +21,7 @@ _UPSTREAM = re.compile(
     r"|magic_enum|robin_hood|concurrentqueue|readerwriterqueue|cli11|cxxopts|exprtk|muparserx?|minitrace|flatbuffers"
     r"|backward[-_]cpp|rxcpp|kissfft|sqlite3|libuv|cpp-httplib|civetweb|websocketpp|jwt-cpp|polyclipping|delaunator"
     r"|absl|abseil-cpp|quadprog(?:pp|\+\+)?|protobuf|or-tools|ortools|glad|deepspeech|optional-lite|span-lite|libb64"
-    r"|libcvd|stlsoft|unixstl|winstl|dlib",
+    r"|libcvd|armadillo|armadillo_bits|sophus|airlib|stlsoft|unixstl|winstl|dlib",
     re.IGNORECASE,
 )
 _LAID_OUT = re.compile(

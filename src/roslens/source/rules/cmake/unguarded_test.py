@@ -25,7 +25,8 @@ def found(view: PackageView) -> Iterator[Hit]:
     for one in view.cmake.commands:
         if one.for_tests or one.defined or one.path != view.cmake.top or not _is_of_tests(one):
             continue
-        switch = "CATKIN_ENABLE_TESTING" if one.name in _OF_CATKIN or one.words[:1] == ("rostest",) else "BUILD_TESTING"
+        is_of_catkin = one.name in _OF_CATKIN or one.words[:1] == ("rostest",) or view.ros == {1}
+        switch = "CATKIN_ENABLE_TESTING" if is_of_catkin else "BUILD_TESTING"
         message = f"{one.name}({' '.join(one.words[:1])} …) runs without tests too; expected it inside if({switch})"
         yield one.hit("cmake.unguarded_test", message, one.name)
         return

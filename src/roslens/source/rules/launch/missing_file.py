@@ -55,7 +55,9 @@ def found(view: PackageView) -> Iterator[Hit]:
                 if _is_there(path, names, view) or (ignored is not None and ignored.fullmatch(path)):
                     continue
                 hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
-                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if path.endswith(_SHOWN) else hit
+                # Who includes or starts the file may give another than the default.
+                is_note = path.endswith(_SHOWN) or (element.tag == "arg" and "default" in element.attributes)
+                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
 
 
 def _ignored(view: PackageView) -> re.Pattern[str] | None:
@@ -127,7 +129,8 @@ RULE = PackageRule(
     title="Launch file that names a missing file",
     finds="`$(find PACKAGE)/…` or `$(find-pkg-share PACKAGE)/…` of the own package, with an ending of "
     "configuration, launch, model or map, that leads to no file, is made by no build and is not "
-    "ignored by git. Correct the path. A missing display of RViz is a note: it opens its usual one.",
+    "ignored by git. Correct the path. Notes are a missing display of RViz, which opens "
+    "its usual one, and the default of an argument, of which others may give another value.",
     why="Launching fails with that file, on the robot, when that branch is first taken.",
     profiles=("ros2", "ros1"),
     tags=("launch",),

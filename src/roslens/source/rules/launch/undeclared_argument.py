@@ -52,8 +52,8 @@ RULE = PackageRule(
     title="Launch argument that is not declared",
     finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
     "where there is one. The files of ROS 2 are left out: they inherit what the including file declares. So is "
-    "what all files that include this one pass on by `pass_all_args`; where a script or README starts it with "
-    "`name:=` it is a note.",
+    "what all files that include this one pass on by `pass_all_args`; where a script or README starts it, or "
+    "another launch file of the package, with `name:=` it is a note.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
     severity=Severity.ERROR,
     profiles=("ros1",),

@@ -41,8 +41,10 @@ class Passing:
         return bool(by) and all(_passes(one, element, name) for one, element in by)
 
     def is_on_a_command_line(self, file: LaunchXml, name: str) -> bool:
-        """Return whether a script or a text gives an argument to a file where it starts it."""
-        pattern = rb"\b%s\b[^\n]*[\s\"'`]%s:=" % (re.escape(basename(file.path).encode()), re.escape(name.encode()))
+        """Return whether a script or a text gives an argument to a file, or to another of its package, by that name."""
+        package = self._package.package.name
+        started = b"|".join(re.escape(one.encode()) for one in (basename(file.path), package))
+        pattern = rb"\b(?:%s)\b[^\n]*[\s\"'`]%s:=" % (started, re.escape(name.encode()))
         return any(re.search(pattern, text) for text in self._texts)
 
     @cached_property

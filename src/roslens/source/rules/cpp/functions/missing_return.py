@@ -36,7 +36,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if node.type == "function_definition" and "noreturn" in view.text(node)[:60]:
         return
     name = view.text(name_node(function))
-    if name in ("main", "wmain", text) or _MACRO.fullmatch(name) or _never_ends(body, view):
+    if name in ("main", "wmain", text) or "~" in name or _MACRO.fullmatch(name) or _never_ends(body, view):
         return
     if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
         return

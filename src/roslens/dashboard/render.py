@@ -17,6 +17,7 @@ from roslens.dashboard.charts.figures import number, share
 from roslens.dashboard.pages.help import KEYS
 from roslens.dashboard.site import Site
 from roslens.dashboard.sources.source_rows import excerpt_html, source_html
+from roslens.dashboard.tables.breakable import breakable
 from roslens.dashboard.tables.table import next_sort
 from roslens.dashboard.tables.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
@@ -157,6 +158,7 @@ def environment(medium: str, **known: object) -> Environment:
         bytecode_cache=_COMPILED,
     )
     made.filters["ticks"] = ticks
+    made.filters["breakable"] = breakable
     made.globals.update(
         medium=medium,
         number=number,

@@ -26,7 +26,7 @@ def build(site: Site, request: Request) -> View | None:
     most = MOST_OF_ALL if request.query.get("show") == "all" or request.complete else MOST
     best = heapq.nsmallest(most, enumerate(found), key=lambda item: (_order(needle, *item[1][:3]), item[0]))
     rows = tuple((Cell(kind), Cell(name, ref=ref), Cell(more)) for _, (kind, name, more, ref) in best)
-    columns = (Column("kind", "Kind"), Column("name", "Name"), Column("more", "What it is"))
+    columns = (Column("kind", "Kind"), Column("name", "Name", "name"), Column("more", "What it is"))
     empty = "Nothing has this in its name." if text else "Type a part of a name."
     every = PageRef("search", query=request.query.replaced(show="all"))
     table = Table(

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from markupsafe import Markup, escape
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.tables.breakable import with_breaks
 from roslens.dashboard.tables.table import Cell, Column, Table, shown
 
 Link = Callable[[PageRef], str]
@@ -86,19 +87,10 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
         ticks(shown(column, cell, digits)) if column.kind in {"text", "prose"} else escape(shown(column, cell, digits))
     )
     if column.kind in {"code", "name"}:
-        text = _breakable(text)
+        text = with_breaks(text)
     if column.kind == "code" and text:
         text = f"<code>{text}</code>"
     return _rating(cell.rating) + _linked(text, cell.ref, cell.hint, link)
-
-
-def _breakable(text: str) -> str:
-    """Return escaped text with places where it may break: between parts of a path or a name, not inside them."""
-    ends = ("/", "::") if "/" in text else ("::", "_", ".", "(", "-&gt;")
-    for end in ends:
-        text = text.replace(end, f"{end}<wbr>")
-    # What begins with a slash is the name of a node or topic; the slash alone on a line says nothing.
-    return f" {text}".replace(" /<wbr>", " /")[1:]
 
 
 def _linked(text: str, ref: PageRef | None, hint: str, link: Link) -> str:

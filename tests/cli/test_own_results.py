@@ -64,13 +64,13 @@ def test_what_git_tracks_came_with_the_source(checked, capsys):
 def test_a_store_without_a_mark_is_refused(checked, capsys):
     (checked / ".roslens" / MARK).unlink()
     assert main(["check", str(checked)]) == BAD_INPUT
-    assert "has no mark of who made it" in capsys.readouterr().err
+    assert "has no mark of its creator" in capsys.readouterr().err
 
 
 def test_past_revisions_that_a_clone_brings_are_refused(tmp_path):
     (tmp_path / ".roslens").mkdir()
     (tmp_path / ".roslens/history.sqlite").write_bytes(b"")
-    with pytest.raises(UsageError, match="has no mark of who made it"):
+    with pytest.raises(UsageError, match="has no mark of its creator"):
         refuse_foreign(tmp_path / ".roslens", os.environ)
 
 

@@ -14,7 +14,7 @@ COUNTS = {Severity.ERROR: 0, Severity.WARNING: 12, Severity.NOTE: 3}
     [
         ("error", "passes", ("0 errors",)),
         ("warning", "fails", ("0 errors, 12 warnings",)),
-        ("never", "nothing fails it", ('roslens.toml says fail_on = "never"',)),
+        ("never", "nothing fails it", ('fail_on is "never" in roslens.toml',)),
     ],
 )
 def test_by_the_least_severity_that_fails(fail_on, answer, conditions):

@@ -163,7 +163,7 @@ EACH = "{node: /x*, is: gone, match: each}"
         (GONE, "[{publish: {topic: /stop, type: Bool}}]", "type is 'Bool'; expected `package/Type`"),
         (GONE, "[{publish: {topic: /s, type: a/B, fields: {x: '{why}'}}}]", "fields: unknown field '{why}'"),
         (GONE, "[{notify: 'lost {entty}'}]", "unknown field '{entty}'; expected one of {entity}, {kind}"),
-        (GONE, "[{notify: 'a } b'}]", "a brace that stands alone; expected `}}`"),
+        (GONE, "[{notify: 'a } b'}]", "a single brace; expected `}}`"),
         (GONE, "[{notify: {text: a, level: bad}}]", "level is 'bad'; expected one of info, warning, error"),
         (GONE, "[{lifecycle: /x}]", "lifecycle is '/x'; expected a table with `node`, `transition`"),
         (GONE, "[{restart: '{value}'}]", "restart is '{value}'; expected `{entity}`, `{host}`, `{cause}` or a name"),

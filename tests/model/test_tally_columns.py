@@ -61,5 +61,5 @@ def test_columns_of_different_lengths_are_no_frame(names, values):
     with pytest.raises(ValueError, match=what):
         TallyColumns(columns)
     packed = msgspec.msgpack.encode([VERSION, "h/x", 0, 1.0, [], [], [], None, [], 0, "", columns])
-    with pytest.raises(WireError, match=f"no frame: {what}"):
+    with pytest.raises(WireError, match=f"not a frame: {what}"):
         decode_frame(packed)

@@ -13,7 +13,7 @@ def test_a_plugin_that_keeps_the_contract_passes(fixtures):
 def test_everything_that_is_missing_is_told_with_what_to_add(fixtures):
     problems = check_plugin(fixtures / "careless.py", fixtures / "careless_kit")
     for expected in (
-        "manifest has no text: state the purpose of the plug-in in one sentence",
+        "manifest has no text: state the purpose of the plug-in in one line",
         "rule careless.word has no rationale: add why it matters to a robot's code",
         "rule careless.word only repeats its title",
         "quantity careless.never has no unit: add its unit, `1` for a ratio",

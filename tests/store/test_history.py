@@ -102,7 +102,7 @@ def test_hostile_names_are_stored():
 def test_a_file_that_is_none_of_ours_is_left_alone(tmp_path):
     path = tmp_path / "live.sqlite"
     path.write_bytes(b"something else entirely, of some length" * 100)
-    with pytest.raises(StoreError, match="no SQLite database"):
+    with pytest.raises(StoreError, match="not a SQLite database"):
         History.open(path)
     assert path.read_bytes().startswith(b"something else")
 

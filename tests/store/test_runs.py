@@ -179,7 +179,7 @@ def test_a_store_that_cannot_be_changed_can_be_read(path, write_small, monkeypat
 def test_a_file_that_is_no_database_is_left_alone(path):
     path.parent.mkdir()
     path.write_text("notes of mine\n" * 100)
-    with pytest.raises(StoreError, match=r"store\.sqlite: the file is no SQLite database.*Move the file away"):
+    with pytest.raises(StoreError, match=r"store\.sqlite: the file is not a SQLite database.*Move the file away"):
         Store.open(path)
     assert path.read_text().startswith("notes of mine")
 

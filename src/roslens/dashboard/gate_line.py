@@ -47,7 +47,7 @@ def gate_line(severities: Mapping[Severity, int], fail_on: str, results: tuple[G
         texts.insert(0, ", ".join(plural(count, one.value) for one, count in counted.items()))
         verdicts.append(not any(counted.values()))
     if not verdicts:
-        return GateLine("nothing fails it", ('roslens.toml says fail_on = "never"',))
+        return GateLine("nothing fails it", ('fail_on is "never" in roslens.toml',))
     answer = "fails" if False in verdicts else "cannot be determined" if None in verdicts else "passes"
     return GateLine(answer, tuple(texts))
 

@@ -144,7 +144,7 @@ def decode_frame(body: bytes) -> Frame:
         raise
     except (ValueError, RecursionError) as error:
         _refuse_version(_version_of(body))
-        raise WireError(f"{len(body)} bytes that are no frame: {error}") from None
+        raise WireError(f"{len(body)} bytes that are not a frame: {error}") from None
     for name, value in (("time", frame.time), ("looked", frame.looked)):
         if not math.isfinite(value):
             raise WireError(f"a frame whose {name} is {value}, expected seconds since the epoch")

@@ -152,7 +152,7 @@ def _foreign_needs(member: Member) -> list[str]:
 def lacking_text(manifest: Manifest) -> Iterator[str]:
     """Yield which texts a reader of reports would miss."""
     if not manifest.text.strip():
-        yield "manifest has no text: state the purpose of the plug-in in one sentence"
+        yield "manifest has no text: state the purpose of the plug-in in one line"
     for rule in manifest.rules:
         yield from _blank(rule, f"rule {rule.id}", _RULE_TEXTS)
         if rule.title.strip() and rule.description.strip() == rule.title.strip():

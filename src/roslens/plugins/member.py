@@ -111,7 +111,7 @@ def _import_path(path: Path) -> ModuleType:
         name, target, submodule_search_locations=[str(path)] if path.is_dir() else None
     )
     if found is None or found.loader is None:
-        raise PluginError(f"{path.name!r} is no Python file", expected="a file that ends in .py or a package folder")
+        raise PluginError(f"{path.name!r} is not a Python file", expected="a file that ends in .py or a package folder")
     module = importlib.util.module_from_spec(found)
     sys.modules[name] = module
     try:

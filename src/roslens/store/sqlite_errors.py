@@ -30,7 +30,7 @@ _ADVICE = (
     ("locked", "the store is in use by another process", "the store to be free", "Wait until it is finished"),
     (
         "not a database",
-        "the file is no SQLite database",
+        "the file is not a SQLite database",
         "a store written by roslens",
         "Move the file away; `roslens check` makes a new one",
     ),

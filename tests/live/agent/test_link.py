@@ -222,7 +222,7 @@ def test_garbage_is_named_and_nothing_else():
 
 
 def test_frames_that_are_no_frames():
-    with pytest.raises(LinkError, match="no frame"):
+    with pytest.raises(LinkError, match="not a frame"):
         read_frame(b"\xc1")
     with pytest.raises(LinkError, match="version 7"):
         read_frame(frame_body(msgspec.structs.replace(frame(), version=7)))

@@ -33,7 +33,7 @@ def test_readings_and_verdicts():
         "# HELP roslens_cpu_percent Share of one core; of a host the share of all cores.\n"
         "# TYPE roslens_cpu_percent gauge\n"
         'roslens_cpu_percent{host="base",pid="12"} 3.0\n'
-        "# HELP roslens_state How a constraint of the reference stands.\n"
+        "# HELP roslens_state State of a constraint of the reference.\n"
         "# TYPE roslens_state gauge\n"
         'roslens_state{kind="topic",name="/scan",expectation="rover.scan",quantity="rate",severity="warning",'
         'state="low",cause="node:/lidar"} 1\n'

@@ -161,7 +161,7 @@ def test_who_is_asked_decides():
     scene.said = [("r/1.0", True, "ann"), ("r/2.0", False, "ann"), ("r/1.0", True, "ann")]
     scene.step()
     assert scene.begun == [("r/1.0", 1)]
-    assert scene.outcomes[-1] == ("r/2.0", Result.REFUSED, "ann said no")
+    assert scene.outcomes[-1] == ("r/2.0", Result.REFUSED, "ann refused")
 
 
 def test_an_answer_that_comes_when_the_cause_is_gone_or_all_is_held_does_nothing():

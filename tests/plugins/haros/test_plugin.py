@@ -146,7 +146,7 @@ def test_messages_go_to_the_log(found, make_workspace, tmp_path):
         ("name: [", "", "cannot read plugin.yaml: while parsing"),
         ("- a list", "", "plugin.yaml has no name or no version"),
         ("name: haros_plugin_x", "", "plugin.yaml has no name or no version"),
-        ("name: haros_plugin_y\nversion: 1", "", "plugin.yaml says name: 'haros_plugin_y'"),
+        ("name: haros_plugin_y\nversion: 1", "", "plugin.yaml has name: 'haros_plugin_y'"),
         ("name: haros_plugin_x\nversion: 1\nrules: [a]", "", "rules in plugin.yaml is a list"),
         ("name: haros_plugin_x\nversion: 1\nrules: {a: b}", "", "rules.a in plugin.yaml is 'b'"),
         ("name: haros_plugin_x\nversion: 1", "x = 1", "plugin.py has no hook"),

@@ -71,7 +71,7 @@ def refuse_without_fetch(options: argparse.Namespace) -> None:
     # Without a forge to ask, nobody else would go out.
     for name in (*_OWN, *(() if getattr(options, "forge", False) else ("offline",))):
         if getattr(options, name, None):
-            raise UsageError(f"--{name} says how to fetch", expected="--fetch beside it")
+            raise UsageError(f"--{name} is an option of fetching", expected="--fetch beside it")
 
 
 def fetched(

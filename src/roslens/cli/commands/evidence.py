@@ -10,9 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from roslens.model.requirement import Evidence
 
-TEXT = (
-    "Say of a package which requirements of REP-2004 (quality levels) are met, not met or not known, and what shows it."
-)
+TEXT = "Report which requirements of REP-2004 (quality levels) a package meets, fails or leaves unknown, with evidence."
 EXAMPLES = """\
   roslens evidence nav2_amcl
   roslens evidence nav2_amcl --workspace ~/nav2_ws --format html -o evidence.html

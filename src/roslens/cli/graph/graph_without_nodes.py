@@ -44,5 +44,5 @@ def _not_found(source: GraphSource) -> Iterator[str]:
         for target in source.facts.targets(package.name):
             where = target.evidence
             if target.elsewhere:
-                advice = "ros2 run and launch files look there; say install_scripts in setup.cfg"
+                advice = "ros2 run and launch files look there; set install_scripts in setup.cfg"
                 yield f"{where.path}:{where.line}: {target.name} is {where.how}: {advice}"

@@ -60,7 +60,7 @@ def _strange(folder: Path, found: os.stat_result) -> str:
     if stat.S_ISLNK(found.st_mode):
         return "is a link"
     if not stat.S_ISDIR(found.st_mode):
-        return "is no folder"
+        return "is not a folder"
     if hasattr(os, "geteuid") and found.st_uid != os.geteuid():
         return f"belongs to another user (number {found.st_uid})"
     for name in (*_KEPT, MARK):
@@ -93,5 +93,5 @@ def _unmarked(folder: Path, environment: Mapping[str, str]) -> str:
     try:
         content = read_bounded(folder / MARK)
     except OSError:
-        return "has no mark of who made it"
+        return "has no mark of its creator"
     return "" if hmac.compare_digest(content, _mark(environment)) else "was made by another user"

@@ -60,7 +60,7 @@ def _command(name: str, table: Mapping[str, Any], convert: Convert, where: Where
             f"a table [tools.{name}]",
             where=where(place),
             expected="the name of a tool that roslens does not know",
-            advice=f"Options of {name} stand in [options.{plain(name)}]",
+            advice=f"Options of {name} belong in [options.{plain(name)}]",
         )
     for key in table:
         if key != "command":

@@ -48,7 +48,7 @@ def not_in_source(one: Claim, source: Side, same_node: Sequence[Claim]) -> Why:
         return Why(Reason.INCOMPLETE, UNDECIDED, text, _NOTE)
     elif one.node and same_node and all(other.kind in (NODE, PARAMETER) or other.implicit for other in same_node):
         # Its package is not in the workspace.
-        text = "The code of its node is not in the workspace, so the source says nothing of its endpoints."
+        text = "The code of its node is not in the workspace, so its endpoints are unknown from the source."
         return Why(Reason.INCOMPLETE, RUNNING, text, _NOTE)
     elif one.kind == PARAMETER:
         text = "No code that was read declares it: a library that the node uses may do so."

@@ -210,7 +210,7 @@ def _lasting(seconds: int) -> str:
 
 
 _SAID = {
-    "allow": "Allowed. The journal says what becomes of it.",
+    "allow": "Allowed. The journal shows the outcome.",
     "deny": "Denied. Nothing is done.",
 }
 

@@ -107,7 +107,7 @@ def _table(
         Column("what", "What", "code"),
         Column("aspect", "Differs in", optional=True),
         *sides,
-        Column("right", "Who is right"),
+        Column("right", "Correct side"),
         Column("why", "Why", "prose"),
         Column("place", "Place", "code", optional=True, sparse=True),
     )

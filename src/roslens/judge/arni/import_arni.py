@@ -199,7 +199,7 @@ class _Import:
             self._tell(place, Outcome.LEFT_OUT, seuid, f"it has {described(fields)}, expected fields with limits")
             return
         if (first := self._seen.setdefault(selected.lines, self._where(place))) != self._where(place):
-            why = f"it stands at {first} too; ARNI forgot one of them, here both hold"
+            why = f"it is also at {first}; ARNI kept only one of them, here both apply"
             self._tell(place, Outcome.CHANGED, seuid, why)
         if selected.odd:
             self._tell(place, Outcome.CHANGED, seuid, selected.odd)

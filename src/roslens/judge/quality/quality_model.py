@@ -142,7 +142,7 @@ def _several(model: QualityModel, kind: EntityKind) -> RuleInfo:
         f"a reason of one finding; a limit alone is reported as a rule of its own.",
         severity=max((one.severity for one in constraints), key=lambda severity: severity.rank),
         tags=tuple(dict.fromkeys(tag for one in constraints for tag in tags_of(model, one))),
-        rationale="What is too large by one measure usually is by others, and is mended once.",
+        rationale="Code that exceeds one limit usually exceeds others, and one change corrects all of them.",
         tool=TOOL,
         scope=kind.value,
     )

@@ -16,16 +16,16 @@ from roslens.plugins.nearest import did_you_mean
 
 CONSTRAINT_KEYS = {
     "kind": "kind of entity: package, file, class or function",
-    "name": "only entities whose name (of a file: path) matches this glob; `*` stands for any text",
-    "quantity": "key of what is measured, or of a fold of it (`loc.max`); `roslens explain KEY` tells more",
+    "name": "only entities whose name (of a file: path) matches this glob; `*` matches any text",
+    "quantity": "key of the quantity, or of a fold of it (`loc.max`); see `roslens explain KEY`",
     "minimum": "the least value that is fine",
     "maximum": "the greatest value that is fine",
-    "id": "tells two constraints of one quantity apart; by default the key of the quantity",
+    "id": "distinguishes constraints on one quantity; by default the key of the quantity",
     "severity": "of its findings: note, warning or error",
     "tags": "of its findings, besides those of the model",
     "title": "title of its rules",
     "rationale": "why the threshold is what it is",
-    "source": "where in the source of the model, or in another, the threshold stands",
+    "source": "place of the threshold in the source of the model, or another source",
 }
 
 KINDS = (EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE, EntityKind.CLASS, EntityKind.FUNCTION)

@@ -37,7 +37,7 @@ def fields_of(text: str) -> tuple[str, ...]:
         if part[0] in {"{{", "}}"}:
             continue
         if part[1] is None:
-            raise ValueError(f"{text[:60]!r} has a brace that stands alone, expected `{part[0]}{part[0]}` for a brace")
+            raise ValueError(f"{text[:60]!r} has a single brace, expected `{part[0]}{part[0]}` for a brace")
         if part[1] not in FIELDS:
             expected = ", ".join(f"{{{field}}}" for field in FIELDS)
             advice = did_you_mean(part[1], FIELDS)

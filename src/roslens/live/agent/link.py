@@ -233,7 +233,7 @@ def read_times(body: bytes) -> tuple[float, float, float]:
         LinkError: the ``t`` message has no three times.
     """
     if len(body) != _THREE_TIMES.size:
-        raise LinkError(f"{len(body)} bytes that tell the time, expected {_THREE_TIMES.size}")
+        raise LinkError(f"{len(body)} bytes for clock times, expected {_THREE_TIMES.size}")
     asked, received, sent = _THREE_TIMES.unpack(body)
     return asked, received, sent
 

@@ -220,7 +220,8 @@ class Listener:
         at = line.peer.rpartition(":")[0]
         what = f"the connection from {at} knows key {key + 1} and speaks for the host {host[:80]!r}"
         expected = f"key {owner + 1}, with which that host was named first"
-        advice = "Give agents different names with --name, or look who has that key; more of this is refused silently"
+        advice = "Give agents different names with --name, or find the other holder of that key; more of this is "
+        "refused silently"
         return [Failure("link", what, expected, advice)]
 
     def _send(self, line: _Line) -> None:

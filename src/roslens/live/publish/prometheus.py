@@ -57,7 +57,7 @@ def prometheus_text(
     states = [_state(verdict) for verdict in verdicts]
     if states:
         lines += [
-            "# HELP roslens_state How a constraint of the reference stands.",
+            "# HELP roslens_state State of a constraint of the reference.",
             "# TYPE roslens_state gauge",
             *states,
         ]

@@ -209,7 +209,7 @@ class Actor:
             answer = "yes" if allowed else "no"
             self._journal.add("answered", step.time, decision=decision_id, answer=answer, by=who)
             if not allowed:
-                self._end(asked.decision, Outcome(Result.REFUSED, f"{who} said no"), step.time)
+                self._end(asked.decision, Outcome(Result.REFUSED, f"{who} refused"), step.time)
             else:
                 self._allowed(asked.decision, step.time)
         for decision_id, asked in list(self._asked.items()):

@@ -120,7 +120,7 @@ class OrderReader(Generic[_Read]):
             try:
                 frame = self._decoder.decode(body)
             except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-                raise OrderError(f"{len(body)} bytes that are no order of version {VERSION}: {error}") from None
+                raise OrderError(f"{len(body)} bytes that are not an order of version {VERSION}: {error}") from None
             if frame.version != VERSION:
                 raise OrderError(f"an order of version {frame.version}, expected {VERSION}: update the older side")
             yield frame

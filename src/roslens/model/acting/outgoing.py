@@ -137,7 +137,7 @@ def _decoded(body: bytes) -> Outgoing:
     try:
         frame = _DECODER.decode(body)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise OutgoingError(f"{len(body)} bytes that are no frame of version {VERSION}: {error}") from None
+        raise OutgoingError(f"{len(body)} bytes that are not a frame of version {VERSION}: {error}") from None
     if frame.version != VERSION:
         raise OutgoingError(f"a frame of version {frame.version}, expected {VERSION}: update the older side")
     return frame

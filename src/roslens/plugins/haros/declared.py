@@ -84,9 +84,7 @@ def read_declared(folder: Path) -> Declared:
     if not isinstance(content, dict) or "name" not in content or "version" not in content:
         raise PluginError("plugin.yaml has no name or no version", expected="both, as HAROS demands")
     if content["name"] != folder.name:
-        raise PluginError(
-            f"plugin.yaml says name: {content['name']!r}", expected=f"{folder.name!r}, the package's name"
-        )
+        raise PluginError(f"plugin.yaml has name: {content['name']!r}", expected=f"{folder.name!r}, the package's name")
     core = _core()
     used = _ids_in_source(folder, {*core["rules"], *core["metrics"]})
     used |= {str(key) for part in ("supported_rules", "supported_metrics") for key in content.get(part) or ()}

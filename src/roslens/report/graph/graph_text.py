@@ -43,7 +43,7 @@ def to_graph_text(configuration: Configuration) -> str:
         lines += ["", *_node(one, configuration.generation, set_by_unknown=one.proof.place in unknown)]
     lines += unresolved_lines(configuration.unresolved)
     if any("? " in line or "~ " in line for line in lines):
-        lines += ["", "? a part of the name is unknown, * stands for it   ~ likely, but may be otherwise"]
+        lines += ["", "? a part of the name is unknown, * replaces it   ~ likely, but not certain"]
     return "".join(f"{printable(line)}\n" for line in lines)
 
 

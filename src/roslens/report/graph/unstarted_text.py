@@ -36,7 +36,7 @@ def to_unstarted_text(configuration: Configuration) -> str:
         lines += ["", f"and {counted(places, 'endpoint')} of vendored, generated or test code, listed by --format json"]
     # What is unknown of the name of an endpoint is marked there.
     lines += unresolved_lines([one for one in configuration.unresolved if not one.node])
-    lines += ["", "? a part of the name is unknown, * stands for it; the name of the node is one of them"]
+    lines += ["", "? a part of the name is unknown, * replaces it; the name of the node is one of them"]
     return "".join(f"{printable(line)}\n" for line in lines)
 
 

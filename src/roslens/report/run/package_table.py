@@ -171,7 +171,7 @@ def _is_beyond(metric: _Metric, package: PackageSummary) -> bool:
 
 def _legend(terminal: Terminal, metrics: Sequence[_Metric], shown: Iterable[PackageCounts]) -> Iterator[str]:
     if any(metric.quantity == _FIELD for metric in metrics):
-        what = "field: how many of a hundred ROS packages have less, of what is most unusual; `roslens percentile`"
+        what = "field: percentile among ROS packages, of the most unusual value; `roslens percentile`"
         yield from (terminal.paint(line, "quiet") for line in terminal.wrap(what, "  "))
     heads = [metric.head for metric in metrics if metric.worst]
     if not heads:

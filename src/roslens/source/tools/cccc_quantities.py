@@ -40,7 +40,7 @@ LOC = Quantity(
     better=Better.NEITHER,
     formula="`lines_of_code` of cccc; of a package the sum over its files",
     source=_STUDY,
-    limits="Files of which cccc says 0 are left out, with their comments.",
+    limits="Files for which cccc reports 0 are left out, with their comments.",
 )
 
 COMMENT_LINES = Quantity(
@@ -104,7 +104,7 @@ DIT = _of_class(
     "dit",
     "Depth of inheritance",
     "levels",
-    "How many classes of the same file stand above it.",
+    "How many ancestors it has in the same file.",
     "depth_of_inheritance_tree",
 )
 MAC = _of_class(
@@ -149,7 +149,7 @@ RQV = Quantity(
     title="ROS model violations (2016)",
     unit="findings",
     kinds=_FILE,
-    text="How often the ROS model is broken by what cccc says: #RQV.",
+    text="How often the values of cccc violate the ROS model: #RQV.",
     formula="number of files, functions and classes outside a range of the model paper2016; of a class once for every "
     "file that it occurs in",
     source=_STUDY,

@@ -132,7 +132,7 @@ def _value(element: _Element, tag: str, file: str) -> int:
     try:
         return int(text)
     except ValueError:
-        raise CcccError(f"its {file} says {text!r} for <{tag}>") from None
+        raise CcccError(f"its {file} has {text!r} for <{tag}>") from None
 
 
 def _line(reference: _Element | None) -> int:

@@ -189,7 +189,7 @@ def test_rows_that_are_no_messages_are_left_out(tmp_path, recording, content_of)
     bag = open_bag(path)
     assert counted(bag) == 28
     reported = " ".join(failure.what for failure in bag.failures)
-    assert "is no number" in reported
+    assert "is not a number" in reported
     assert "topic 77, which is defined nowhere" in reported
 
 

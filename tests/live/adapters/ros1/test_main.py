@@ -28,7 +28,7 @@ def test_arguments(monkeypatch):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--master", "robot:11311"], "no URI of the form"),
+        (["--master", "robot:11311"], "not a URI of the form"),
         (["--period", "0"], "not a number from"),
         (["--period", "soon"], "not a number from"),
         (["--tap-budget", "200"], "not a number from"),

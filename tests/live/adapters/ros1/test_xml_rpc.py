@@ -103,7 +103,7 @@ def test_an_answer_that_drips_ends_in_time(script, caller_to):
         (b"HTTP/1.1 200 OK\r\nContent-Length: 900000000000\r\n\r\n", "900,000,000,000 bytes"),
         (b"HTTP/1.1 200 OK\r\nContent-Length: 10\r\n\r\nabc", "hung up"),
         (b"HTTP/1.0 200 OK\r\n\r\n" + b"<" * 5000, "at most|more than|no XML-RPC"),
-        (b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nnot at al", "no XML-RPC"),
+        (b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nnot at al", "not XML-RPC"),
     ],
 )
 def test_what_is_no_answer_is_garbled(script, caller_to, sent, found):
@@ -173,7 +173,7 @@ def test_a_code_other_than_1_is_a_denial():
     ],
 )
 def test_what_is_no_uri_is_told(uri):
-    with pytest.raises(CallError, match="no URI"):
+    with pytest.raises(CallError, match="not a URI"):
         split_uri(uri)
 
 

@@ -43,7 +43,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--enrolled", type=Path, metavar="FOLDER", help="accept requests, as far as allow.yaml in it permits"
     )
     parser.add_argument(
-        "--requests", metavar="HOST[:PORT]", help=f"who asks (default: the monitor, port {DEFAULT_REQUESTS_PORT})"
+        "--requests",
+        metavar="HOST[:PORT]",
+        help=f"the host that may send requests (default: the monitor, port {DEFAULT_REQUESTS_PORT})",
     )
     parser.add_argument(
         "--journal", type=Path, metavar="FILE", help="of requests (default: in this user's state folder)"

@@ -251,7 +251,7 @@ class Bag:
             what = f"{steps.late:,} messages with times that the index excludes"
             self._failures.add(path, what, advice="They are left out. Reindex the recording.")
         if steps.counted + steps.late != self.messages:
-            what = f"{steps.counted + steps.late:,} messages where the recording says it has {self.messages:,}"
+            what = f"{steps.counted + steps.late:,} messages, but the recording states {self.messages:,}"
             self._failures.add(path, what, advice="The readable part is counted.")
         for begin, end in steps.jumps:
             what = f"nothing at all between {begin / _SECOND:.3f} and {end / _SECOND:.3f} s"

@@ -188,7 +188,7 @@ class ChunkedPart:
         """Read a chunk without an index as far as that goes."""
         content, walk, reason = walk_chunk(self._source, self._layout, chunk)
         if reason and not chunk.cut:
-            self._tell(chunk, reason, "What stands before is read.")
+            self._tell(chunk, reason, "Everything before it is read.")
         return np.frombuffer(content, np.uint8), walk
 
     def _tell(self, chunk: Chunk, what: str, advice: str) -> None:

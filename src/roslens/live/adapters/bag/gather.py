@@ -11,7 +11,7 @@ from roslens.live.adapters.bag.layout import Layout
 from roslens.live.adapters.bag.source import Source
 
 _RUN_BYTES = 1 << 23
-STOPPED = "What stands before is read."
+STOPPED = "Everything before it is read."
 
 
 class Gathering:

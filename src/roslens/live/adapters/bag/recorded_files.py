@@ -54,7 +54,7 @@ def _files_of(path: Path, failures: FailureLog) -> RecordedFiles:
             return _folder(path.parent, failures)
         if path.is_file():
             return RecordedFiles([path])
-        found = "is no file" if path.exists() else "does not exist"
+        found = "is not a file" if path.exists() else "does not exist"
     except (OSError, ValueError) as error:
         found = f"cannot be accessed ({getattr(error, 'strerror', None) or error})"
     raise UsageError(f'"{path}" {found}', expected=_EXPECTED, advice="Check the path.")

@@ -27,7 +27,7 @@ MAGIC = b"SQLite format 3\0"
 _ROWS = 1 << 16
 _LOADED_ROWS = 64
 _HEAD_BYTES = 12
-_STOPPED = "What stands before is read. `sqlite3 FILE .recover` may save more."
+_STOPPED = "Everything before it is read. `sqlite3 FILE .recover` may save more."
 _WRONG = (sqlite3.Error, ValueError, OverflowError, TypeError)
 _LANGUAGES = {"ros2msg": "msg", "ros2idl": "idl"}
 
@@ -121,7 +121,7 @@ class SqlitePart:
             flat = chain.from_iterable(rows) if not heads else chain.from_iterable(row[:3] for row in rows)
             return np.fromiter(flat, np.int64, 3 * len(rows)).reshape(-1, 3), heads
         except (TypeError, ValueError):
-            self._tell("messages whose topic, time or length is no number")
+            self._tell("messages whose topic, time or length is not a number")
             kept = [index for index, row in enumerate(rows) if _right(*row[:3])]
             numbers = np.array([rows[index][:3] for index in kept], np.int64).reshape(-1, 3)
             return numbers, [heads[index] for index in kept] if heads else []

@@ -107,7 +107,7 @@ class Contact:
             self.node = Node(self.name, host, pid, ("api",))
         elif owns_port(pid, port) is False:
             self.node = Node(self.name, self._hostname)
-            what = f"tells that it is process {pid}, which does not listen at port {port} on this host"
+            what = f"reports that it is process {pid}, which does not listen at port {port} on this host"
             return (odd(what, f"node:{self.name}", "its process as it is numbered here, not in a container"),)
         else:
             self.node = Node(self.name, self._hostname, pid, ("api",))

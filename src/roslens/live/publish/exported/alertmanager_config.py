@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _HEAD = """\
 # Routes for the alerts of the reference {name}, made by `roslens reference export --alertmanager`.
-# Give the receivers who is to be notified: webhook_configs, email_configs and others. What follows from a first cause
+# Configure the receivers: webhook_configs, email_configs and others. What follows from a first cause
 # goes to a receiver that notifies no one.
 """
 

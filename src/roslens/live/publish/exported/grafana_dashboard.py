@@ -101,7 +101,7 @@ def _overview(panels: _Panels, mine: str) -> None:
     panels.add(
         12, 8,
         {
-            "type": "table", "title": "What is wrong now", "datasource": _SOURCE,
+            "type": "table", "title": "Current violations", "datasource": _SOURCE,
             "targets": [{**_target(bad), "instant": True, "range": False, "format": "table"}],
             "transformations": [
                 {"id": "organize", "options": {"excludeByName": {"Time": True, "Value": True, "__name__": True}}}

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 NOT_HEARD, NOT_JUDGED = "RoslensNotHeard", "RoslensNotJudged"
 _BAD = "|".join(ALARMS)
 _HEAD = """\
-# Alerting rules made of the reference {name} by `roslens reference export --prometheus`.
+# Alerting rules made from the reference {name} by `roslens reference export --prometheus`.
 # Scrape `roslens watch --prometheus PORT`.
-# Each asks for a verdict, which has lasted already as long as the reference says.
+# Each is about a verdict, which has already lasted as long as the reference requires.
 """
 
 

@@ -105,7 +105,7 @@ class MessageForms:
         try:
             value, _ = self._unpack((Nodetype.NAME, full), body, 0)
         except (struct.error, IndexError) as error:
-            raise ActionError(f"an answer of {len(body)} bytes that is no {full}: {error}") from None
+            raise ActionError(f"an answer of {len(body)} bytes that is not a {full}: {error}") from None
         found: Mapping[str, Any] = value
         return found
 

@@ -68,7 +68,7 @@ def split_uri(uri: str) -> tuple[str, int]:
             parts = urlsplit(uri)
             host, port = parts.hostname, parts.port
     if not host or not port:
-        raise CallError(Trouble.GARBLED, f"{uri[:80]!r} is no URI of the form http://host:port/")
+        raise CallError(Trouble.GARBLED, f"{uri[:80]!r} is not a URI of the form http://host:port/")
     return host, port
 
 
@@ -225,7 +225,7 @@ def read_message(body: bytes, what: str) -> tuple[tuple[Any, ...], str]:
     except xmlrpc.client.Fault as fault:
         raise CallError(Trouble.DENIED, f"{what}: failed there: {str(fault.faultString)[:300]}") from None
     except _UNREADABLE as error:
-        raise CallError(Trouble.GARBLED, f"{what} is no XML-RPC: {str(error)[:200]}") from None
+        raise CallError(Trouble.GARBLED, f"{what} is not XML-RPC: {str(error)[:200]}") from None
     return values, method or ""
 
 
@@ -246,7 +246,7 @@ def read_answer(body: bytes, method: str) -> Any:
         places = [fault] if fault is not None else root.findall("params/param/value")
         values = [_value(place, 0) for place in places if place is not None]
     except (ParseError, ValueError, LookupError, OverflowError) as error:
-        raise CallError(Trouble.GARBLED, f"the answer to {method} is no XML-RPC: {str(error)[:200]}") from None
+        raise CallError(Trouble.GARBLED, f"the answer to {method} is not XML-RPC: {str(error)[:200]}") from None
     if root.tag != "methodResponse" or len(values) != 1:
         what = f"the answer to {method} is {root.tag[:40]!r} with {len(values)} values, expected methodResponse with 1"
         raise CallError(Trouble.GARBLED, what)

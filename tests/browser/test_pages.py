@@ -227,3 +227,22 @@ def test_the_top_of_a_page_fits_a_screen_whatever_the_site_has(visit: Visit, wor
     box = page.locator(".top").get_by_text("Help").bounding_box()
     assert box
     assert box["x"] + box["width"] <= 1440
+
+
+def test_the_name_of_a_row_that_stays_in_sight_is_level_with_its_values(visit: Visit) -> None:
+    page = visit("/packages", viewport={"width": 420, "height": 800})
+    ends = page.evaluate("""() => [...document.querySelectorAll(".scroll > table tbody tr")].map((row) =>
+      [...row.cells].slice(0, 2).map((cell) => cell.getBoundingClientRect().bottom))""")
+    assert len(ends) > 5
+    # What is moved by itself is drawn on whole pixels, and the rest of its row where it comes to stand.
+    assert all(name == value and round(name - ends[0][0], 3).is_integer() for name, value in ends)
+
+
+def test_what_a_result_is_stands_below_its_name_on_a_narrow_screen(visit: Visit) -> None:
+    page = visit("/search?q=a", viewport={"width": 420, "height": 800})
+    row = page.locator("#search-results tbody tr").filter(has=page.locator("td:last-child:not(:empty)")).first
+    name, more = (row.locator("td").nth(place).bounding_box() for place in (0, 1))
+    assert name
+    assert more
+    assert more["y"] >= name["y"] + name["height"]
+    assert more["x"] == name["x"]

@@ -52,6 +52,7 @@ def test_what_stands_between_backticks_is_code() -> None:
     assert ticks("use `a<b>` here") == "use <code>a&lt;b&gt;</code> here"
     assert ticks("one ` alone <b>") == "one ` alone &lt;b&gt;"
     assert ticks("plain") == "plain"
+    assert ticks("47 calls (limit 10, 4.7 x)") == "47 calls (limit 10, 4.7\N{NO-BREAK SPACE}x)"
 
 
 def test_a_name_does_not_break_after_the_slash_that_it_begins_with() -> None:

@@ -114,7 +114,11 @@ def _spark(counts: tuple[int, ...]) -> str:
 
 
 def ticks(text: str) -> Markup:
-    """Return the text with what stands between backticks as code; everything is escaped."""
+    """Return the text with what stands between backticks as code; everything is escaped.
+
+    A factor, as in ``(limit 5, 8.6 x)``, stays on one line.
+    """
+    text = text.replace(" x)", "\N{NO-BREAK SPACE}x)")
     parts = escape(text).split("`")
     if len(parts) % 2 == 0 or len(parts) == 1:
         return escape(text)

@@ -1,4 +1,4 @@
-"""Which findings are new, gone or only in another file, by their fingerprints and by what they say."""
+"""Which findings are new, gone or only in another file, by their fingerprints and messages."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _PLACE = re.compile(r"[^\s()\[\]\"'`,;]+:\d+(?::\d+)?")
 
 
 class MovedFinding(msgspec.Struct, frozen=True):
-    """A finding that both sides have, each in another file: of what it says only places differ."""
+    """A finding that both sides have, each in another file: its messages differ in places only."""
 
     before: Finding
     after: Finding

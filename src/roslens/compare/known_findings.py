@@ -1,4 +1,4 @@
-"""Which findings of a run an earlier one had: by fingerprint, and where code or files moved by what they say."""
+"""Which findings of a run an earlier one had: by fingerprint, and by message where code or files moved."""
 
 from __future__ import annotations
 

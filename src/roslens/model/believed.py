@@ -20,7 +20,7 @@ from roslens.model.qos import Qos
 from roslens.model.traffic.sample import Sample
 
 MOST_CHARACTERS = 65_536
-"""Of a name or a text: what is longer is no name of ROS, and nothing that anybody would read."""
+"""Of a name or a text: a longer one is not a name of ROS, and too long to be read."""
 MOST_COUNT = (1 << 63) - 1
 """Numbers of records are kept as eight bytes with a sign."""
 MOST_PID = 1 << 22

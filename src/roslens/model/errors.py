@@ -38,7 +38,7 @@ class UsageError(RoslensError):
 
 
 class DocumentError(RoslensError):
-    """A model, reference or configuration file does not say what it must."""
+    """A model, reference or configuration file is not valid."""
 
 
 class StoreError(RoslensError):

@@ -1,1 +1,1 @@
-"""Expected against actual: what source, a running system, a recording and a reference say of the same graph."""
+"""Expected against actual: the graph as source, a running system, a recording and a reference have it."""

@@ -60,7 +60,7 @@ def asked(side: Side, sides: Sequence[Side]) -> tuple[list[Disparity], list[str]
 
 
 def _merged(found: Sequence[Disparity]) -> list[Disparity]:
-    """Return what is the same of several sides once, with what each of them says and the gravest severity."""
+    """Merge equal disparities of several sides into one with the value of each side and the highest severity."""
     rows: dict[tuple[str, ...], Disparity] = {}
     for one in found:
         key = (one.subject, one.aspect.value, one.reason.value, one.place, one.why)

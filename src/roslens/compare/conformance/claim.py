@@ -1,4 +1,4 @@
-"""What one side says is there: the same form for source, a running system and a recording."""
+"""A claim of one side that something exists, in one form for source, a running system and a recording."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What source says: a configuration as one side of a comparison."""
+"""Source as one side of a comparison: the claims of a configuration."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def source_side(configuration: Configuration, title: str = "", beside: Sequence[
 
 
 def claims_of(configuration: Configuration) -> tuple[Claim, ...]:
-    """Return what a configuration says is there.
+    """Return the claims of a configuration.
 
     A nodelet's endpoints are those of its manager. In ROS 1 a parameter is one of the parameter server: what is only
     read is not there. In ROS 2 it is one of a node, and what is set without being declared is said to be ignored.

@@ -1,4 +1,4 @@
-"""One place where sides say different things: what each says, who is right, and why."""
+"""One difference between sides: the value of each, which is right, and why."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Aspect(str, Enum):
 
 
 class Reason(str, Enum):
-    """Why sides differ, as far as roslens can tell.
+    """Why sides differ, as far as roslens can determine.
 
     - condition: it is there only under a condition, which a start decides
     - not_running: source starts it always, and it does not run

@@ -24,7 +24,7 @@ _NOT_ACTIVE = {
 
 
 def not_in_source(one: Claim, source: Side, same_node: Sequence[Claim]) -> Why:
-    """Return why source does not say what another side has.
+    """Return why source lacks a claim of another side.
 
     Args:
         one: what is there.
@@ -116,7 +116,7 @@ def _elsewhere(one: Claim, known: Claim, beside: Beside) -> Why:
 
 
 def not_running(one: Claim, node: Claim | None) -> Why:
-    """Return why what source says does not run.
+    """Return why a claim of source is not observed in the running system.
 
     Args:
         one: what source says.
@@ -141,7 +141,7 @@ def not_running(one: Claim, node: Claim | None) -> Why:
 
 
 def not_recorded(one: Claim) -> Why:
-    """Return why a recording does not hold what another side says."""
+    """Return why a recording lacks a claim of another side."""
     text = "A recording holds only what it was asked to record, and topics on which something was sent."
     return Why(Reason.NOT_RECORDED, UNDECIDED, text, _NOTE, one.place)
 

@@ -1,4 +1,4 @@
-"""Joins sides by kind, node and name, and tells where they say different things."""
+"""Joins sides by kind, node and name, and finds their differences."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def _same_generation(real: Sequence[Side]) -> None:
 
 
 class _Join:
-    """Aligns names, and goes through everything that any side says.
+    """Aligns names, and compares the claims of all sides.
 
     Attributes:
         names: differences of names.
@@ -89,7 +89,7 @@ class _Join:
             self._align()
 
     def _align(self) -> None:
-        """Take what sides say under the names that the first of them has."""
+        """Take the claims of all sides under the names of the first that has them."""
         first = self._real[0]
         base = self.sides[first].claims
         self._claims[first] = {one.key: one for one in base if one.resolved}
@@ -130,7 +130,7 @@ class _Join:
         return Disparity(kind, node, name, Aspect.NAME, cells, why.reason, why.right, why.text, why.severity, why.place)
 
     def rows(self) -> Iterator[Disparity]:
-        """Yield the differences of everything that any side says, names aside."""
+        """Yield the differences of all claims, names aside."""
         nameless = [place for place in self._real if Role.PUBLISHER.value not in self.sides[place].knows]
         self._count_parts()
         for key in sorted({key for claims in self._claims.values() for key in claims}):
@@ -145,7 +145,7 @@ class _Join:
             yield from self._row(key, there, asked_of, nameless)
 
     def _tells(self, place: int, key: Key, there: Mapping[int, Claim]) -> bool:
-        """Return whether a side would say it: of a node that it does not have it says nothing but that."""
+        """Return whether a side would have the claim: of a node that it lacks, only the lack is reported."""
         kind, node, _ = key
         if place in there:
             return True
@@ -246,7 +246,7 @@ def _all_same(name: str, values: Sequence[str]) -> bool:
 
 
 def _same_number(one: str, other: str) -> bool:
-    """Tell whether two values are one: 0.10 is written where 0.1 is shown, but 1 is no 1.0."""
+    """Return whether two values are equal: 0.10 equals 0.1, but 1 does not equal 1.0."""
     if one == other or "." not in one or "." not in other:
         return one == other
     try:

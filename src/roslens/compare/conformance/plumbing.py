@@ -1,4 +1,4 @@
-"""What every node has and what tools bring along: it joins everything, and says nothing of the system."""
+"""Endpoints that every node or a tool has: they connect everything, and carry no information on the system."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _TOOLS = (
 
 
 def plumbing(claim: Claim) -> bool:
-    """Return whether every node of its kind has what a claim tells."""
+    """Return whether every node of its kind has the claimed endpoint."""
     if claim.implicit:
         return True
     if claim.kind == "parameter":

@@ -1,4 +1,4 @@
-"""Policies of a quality of service that endpoints tell each other, by name."""
+"""Policies of a quality of service that endpoints exchange during discovery, by name."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ ALIKE = 0.6
 """Share of what two nodes have together that both must have to be one."""
 _LEAST = 1
 _MOST_ALIKE = 20
-"""Nodes that have something in common which still tells them from all others."""
+"""The largest number of nodes that may share a part for it to still distinguish them from all others."""
 
 _Part = tuple[str, str, str]
 

@@ -1,4 +1,4 @@
-"""One side of a comparison: what it says, what it cannot know, and how sure its silence is."""
+"""One side of a comparison: its claims, what it cannot know, and how certain its omissions are."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class Side(msgspec.Struct, frozen=True):
     reference: Reference | None = None
 
     def tells(self, claim_kind: str, node: str) -> bool:
-        """Return whether it would say if a claim of this kind about this node held."""
+        """Return whether it would have a claim of this kind about this node if it were true."""
         if claim_kind == PARAMETER and node in self.silent:
             return False
         return claim_kind in self.knows

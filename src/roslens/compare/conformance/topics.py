@@ -23,7 +23,7 @@ def _of_action(action: Claim) -> Iterator[Claim]:
 
 
 def topics_of(claims: Iterable[Claim]) -> Iterator[Claim]:
-    """Yield a claim of each topic that somebody publishes; of several publishers what all have in common."""
+    """Yield a claim for each published topic; for several publishers, what they have in common."""
     published: dict[str, list[Claim]] = {}
     for one in claims:
         if one.kind == Role.PUBLISHER.value and not plumbing(one):

@@ -1,4 +1,4 @@
-"""How a process is made to end: by SIGINT, then SIGTERM, and by SIGKILL only where the action says so."""
+"""Ending processes: by SIGINT, then SIGTERM, and by SIGKILL only if the action is to kill."""
 
 from __future__ import annotations
 

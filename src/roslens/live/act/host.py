@@ -40,7 +40,7 @@ class Host(Protocol):
         """Wait until it has ended; return whether it has."""
 
     def comes_back(self, process: Known, within_s: float) -> int:
-        """Wait until somebody has started the same command again; return the number of the process, 0 for none."""
+        """Wait until the same command has been started again; return the id of the process, 0 for none."""
 
     def start(self, process: Known, node: str) -> int:
         """Start it as it was started before; return the number of the process."""
@@ -53,7 +53,7 @@ class Carrying(Protocol):
     """A kind of action on a host."""
 
     def act(self, host: Host, request: HostRequest) -> str:
-        """Do it, and say what was done."""
+        """Carry it out, and return a description of what was done."""
 
 
 def seconds(arguments: Mapping[str, Any], name: str, default: float) -> float:

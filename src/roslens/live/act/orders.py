@@ -30,7 +30,7 @@ class _Asked(msgspec.Struct, frozen=True):
 
 
 class Orders:
-    """Takes orders and says what became of them.
+    """Takes orders and reports their results.
 
     Args:
         ros: to act in.

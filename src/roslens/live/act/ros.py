@@ -9,7 +9,7 @@ from roslens.model.errors import RoslensError
 
 
 class ActionError(RoslensError):
-    """An action that could not be done; the text says why, for the journal."""
+    """An action that could not be carried out; the text states the reason, for the journal."""
 
 
 class Ros(Protocol):
@@ -37,10 +37,10 @@ class Ros(Protocol):
         """Set a parameter."""
 
     def ready_to_log(self) -> None:
-        """Get ready to say something on /rosout."""
+        """Prepare to publish on /rosout."""
 
     def log(self, level: str, text: str) -> None:
-        """Say something on /rosout; ``level`` is info, warning or error."""
+        """Publish a text on /rosout; ``level`` is info, warning or error."""
 
     def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
         """Write what was said in the last ``before_s`` and in the next ``after_s``; return what was written.

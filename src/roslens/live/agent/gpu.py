@@ -20,7 +20,7 @@ def gpu_reader(load: Callable[[str], Any] = importlib.import_module) -> Callable
 
 
 def _read(nvml: Any, gpus: list[Any]) -> dict[str, float]:
-    """Return the greatest of each value; what a GPU does not tell is left out."""
+    """Return the greatest of each value; values that a GPU does not report are left out."""
     found: dict[str, float] = {}
     questions: dict[str, Callable[[Any], float]] = {
         "gpu": lambda one: float(nvml.nvmlDeviceGetUtilizationRates(one).gpu),

@@ -43,7 +43,7 @@ class HostSampler:
         space: Callable[[bytes], os.statvfs_result] = os.statvfs,
         gpu: GpuReader | None = None,
     ) -> None:
-        """Sample the host ``name``; the other arguments say where from."""
+        """Sample the host ``name``; the other arguments are the sources."""
         self._entity = EntityId(EntityKind.HOST, name)
         self._sys = sys
         self._space = space

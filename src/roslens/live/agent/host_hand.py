@@ -86,7 +86,7 @@ class HostHand:
         return self._allow.refusal(request, known.command if known is not None else "")
 
     def begin(self, request: HostRequest) -> None:
-        """Begin to carry a request out, or tell why not; returns at once."""
+        """Start to carry out a request, or report why not; returns at once."""
         self._reap()
         why = self.refusal(request)
         key = ("", 0) if request.kind == "command" else (request.node, request.pid)
@@ -155,7 +155,7 @@ class HostHand:
         return not self.alive(process)
 
     def comes_back(self, process: Known, within_s: float) -> int:
-        """Wait until somebody has started the same command again; return the number of the process, 0 for none."""
+        """Wait until the same command has been started again; return the id of the process, 0 for none."""
         end = self._steady() + within_s
         while True:
             if pid := self._records.again(cast("Recorded", process)):

@@ -1,4 +1,4 @@
-"""What Fast DDS puts into identifiers to tell the host: 16 bits of its IPv4 addresses.
+"""What Fast DDS puts into identifiers to identify the host: 16 bits of its IPv4 addresses.
 
 Source: eProsima/Fast-DDS, ``src/cpp/utils/Host.hpp`` (``compute_id``) and ``GuidUtils``: MD5 over the addresses, in the
 order of the interfaces and without loopback, each in the last 4 of 16 bytes; the 8 big-endian halves of the digest by

@@ -1,4 +1,4 @@
-"""Whether a text can be a key: random, and so long that nobody finds it by trying.
+"""Whether a text can be a key: random, and too long for a brute-force search.
 
 Whoever listens to a handshake can try keys at home, a billion a second. Words, names and repeated patterns are found
 so, 256 random bits are not. How random a text is cannot be proven, but what people type differs from what chance

@@ -271,7 +271,7 @@ class Outbox:
         return len(self._bodies)
 
     def put(self, frame: Frame) -> None:
-        """Add a frame; says in it how many records were given up before."""
+        """Add a frame, with the number of records that were dropped before it."""
         if self._shed:
             frame = msgspec.structs.replace(frame, shed=frame.shed + self._shed)
             self._shed = 0

@@ -86,7 +86,7 @@ class ProcessSampler:
         self._named: frozenset[int] = frozenset()
 
     def name(self, pids: Iterable[int]) -> None:
-        """Watch these processes too, because somebody knows that nodes live in them; replaces those named before."""
+        """Watch these processes too, because they are known to contain nodes; replaces those named before."""
         self._named = frozenset(pids)
         self._passed_over -= self._named
 
@@ -112,7 +112,7 @@ class ProcessSampler:
         return events
 
     def ended(self, pid: int, now: float) -> Event | None:
-        """Say that a process ended, as its handle reported; None where it is not watched."""
+        """Return the end of a process, as its handle reported it; None if it is not watched."""
         return self._gone(pid, now) if pid in self._watched else None
 
     def handles(self) -> dict[int, int]:
@@ -254,7 +254,7 @@ def _stat_fields(text: bytes | None) -> list[bytes] | None:
 
 
 def _inner(status: bytes) -> int:
-    """Return the id of a process in the innermost namespace, which it sees itself; 0 where the system does not tell."""
+    """Return the id of a process in the innermost namespace, which it sees itself; 0 if that is unknown."""
     for line in status.splitlines():
         if line.startswith(b"NSpid:"):
             return int(line.split()[-1])

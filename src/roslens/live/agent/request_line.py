@@ -55,7 +55,7 @@ class RequestLine:
         self._thread.start()
 
     def tell(self, done: Done) -> None:
-        """Tell the monitor what became of a request; where it is not connected, the journal alone knows."""
+        """Report the result of a request to the monitor; if it is not connected, only the journal has it."""
         if (line := self._line) is not None:
             line.send(message(b"D", msgspec.msgpack.encode(done)))
 

@@ -50,7 +50,7 @@ class Signed(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields
 
 
 class RefusedError(ValueError):
-    """A request that is not believed; the text says why."""
+    """A request that is not trusted; the text states the reason."""
 
 
 _ENCODER = msgspec.msgpack.Encoder()
@@ -70,7 +70,7 @@ def sign(signed: Signed, key: bytes) -> bytes:
 
 
 class Believing:
-    """Says of each request whether it is believed; one for each connection, so that nothing is good for two.
+    """Decides whether each request is trusted; one for each connection, so that no request is valid for two.
 
     Times are seconds on a clock that never jumps.
     """

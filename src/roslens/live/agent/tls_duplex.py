@@ -44,7 +44,7 @@ class TlsDuplex:
         self._ring()
 
     def hang_up(self) -> None:
-        """Have :meth:`receive` say that the line has ended; for any thread."""
+        """Have :meth:`receive` report the end of the connection; for any thread."""
         self._closed = True
         self._ring()
 

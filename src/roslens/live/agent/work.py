@@ -89,7 +89,7 @@ class Agent:
         self._reason = ""
 
     def run(self, stopped: Callable[[], bool]) -> None:
-        """Work until ``stopped`` says so; looks at it at least once in a period."""
+        """Work until ``stopped`` returns true; it is called at least once in a period."""
         try:
             while not stopped():
                 self.step()
@@ -156,7 +156,7 @@ class Agent:
         return msgspec.structs.replace(sample, values=values)
 
     def _count(self, counters: Counters) -> None:
-        """Tell what nodes counted, of each place in a frame of its own."""
+        """Report the counters of nodes, for each place in a frame of its own."""
         wall, begun = self._wall(), self._spent()
         for place, tallies in counters.read(wall):
             if tallies:

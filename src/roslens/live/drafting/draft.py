@@ -47,7 +47,7 @@ class Drafted(msgspec.Struct, frozen=True):
 
 
 _View = tuple[int, bool, str]
-"""How well somebody sees a connection, whether at its subscriber, and which."""
+"""How well an observer sees a connection, whether at its subscriber, and which."""
 
 
 class Observed:

@@ -10,7 +10,7 @@ from roslens.live.drafting.draft import Drafted
 from roslens.live.drafting.draft_lines import Line
 
 ALIKE = 1.05
-"""Topics whose typical rates differ by at most this factor are alike: the wider band still tells of a lost third."""
+"""Topics whose typical rates differ by at most this factor are alike: the wider band still shows a loss of a third."""
 
 
 def grouped(drafts: Iterable[Drafted]) -> tuple[Drafted, ...]:

@@ -1,4 +1,4 @@
-"""What a reference could say of being there: nodes and topics of a graph, or of every second of a watch."""
+"""What a reference could require to be present: nodes and topics of a graph, or of every second of a watch."""
 
 from __future__ import annotations
 

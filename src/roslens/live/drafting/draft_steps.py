@@ -27,7 +27,7 @@ class Track(msgspec.Struct, frozen=True):
 
 
 class Steps:
-    """Collects what one observer tells of one connection.
+    """Collects what one observer reports about one connection.
 
     Attributes:
         messages: in all.

@@ -143,7 +143,7 @@ class Explained:
         gone: Iterable[EntityId],
         now: float,
     ) -> list[Standing]:
-        """Begin and end what is said of nodes that are gone or stopped, where no constraint says it."""
+        """Start and end faults of nodes that are gone or stopped and that no constraint covers."""
         judged = {one.entity for one in self._bad if one.quantity in ("presence", "stopped")}
         blamed = {cause for cause in causes.values() if cause in faulty and cause not in judged}
         gravity: dict[EntityId, list[Severity]] = {}
@@ -168,7 +168,7 @@ class Explained:
         return changed
 
     def _lead(self, causes: Mapping[EntityId, EntityId]) -> None:
-        """Say of each first cause what it leads to."""
+        """Add the effects of each first cause."""
         followers: dict[EntityId, list[EntityId]] = {}
         for entity, cause in causes.items():
             followers.setdefault(cause, []).append(entity)
@@ -205,7 +205,7 @@ class Explained:
     def _left_lately(
         self, topic: EntityId, node: EntityId, since: Mapping[EntityId, float], gone: Mapping[EntityId, float]
     ) -> bool:
-        """Whether a node that is gone may be why a topic is wrong: nobody else publishes it, or it has just left."""
+        """Whether a node that is gone may be the cause of a bad topic: it was the only publisher, or has just left."""
         known = self._world.topics.get(topic.name)
         if known is not None and not known.publishers:
             return node.name in known.former

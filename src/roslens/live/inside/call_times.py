@@ -44,7 +44,7 @@ class CallRate:
         self._read.append((last, count))
 
     def at(self, now: float) -> float | None:
-        """Return calls per second at ``now``; None where they are too few to tell."""
+        """Return calls per second at ``now``; None if there are too few."""
         read = self._read
         if read and now < read[-1][0] - SHORTEST_S:  # the clock was set back
             read.clear()
@@ -77,7 +77,7 @@ class CallTimes:
         self._times: dict[str, dict[str, Moments]] = {}
 
     def add(self, called: Iterable[Called]) -> None:
-        """Take what a reader tells."""
+        """Take the counts of a reader."""
         for one in called:
             service, tally = one.tally.topic, one.tally
             if service not in self._rates and len(self._rates) >= MOST_SERVICES:

@@ -1,4 +1,4 @@
-"""The counter file of one process: made, filled with slots, given back; ``slots`` says how it is laid out.
+"""The counter file of one process: created, filled with slots, released; ``slots`` defines its layout.
 
 Loaded in the node's own Python, see the package.
 """

@@ -191,7 +191,7 @@ class CounterReader:
         self._changed(file.pid, known, before, after, now, found)
 
     def _unchanged(self, pid: int, known: _Known, now: float, found: list[Counted]) -> None:
-        """Tell that nothing was counted; what was missing then may count as lost by now."""
+        """Report that nothing was counted; messages that were missing then may count as lost by now."""
         of = known.snapshot
         if of is None or of.kind > slots.ANSWERED:
             known.due = float("inf")
@@ -299,7 +299,7 @@ def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: s
 
 
 def merged(one: Tally, other: Tally) -> Tally:
-    """Return what two tallies about the same time tell together."""
+    """Return the union of two tallies of the same time."""
     firsts = [tally.first for tally in (one, other) if tally.first]
     return msgspec.structs.replace(
         one,

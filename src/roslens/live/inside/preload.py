@@ -28,7 +28,7 @@ def library() -> Path | None:
 
 
 def why_no_library() -> str:
-    """Say why there is no library to preload, and what to do about it; empty if there is one."""
+    """Return why there is no library to preload, and the remedy; empty if there is one."""
     if not sys.platform.startswith("linux"):
         return f"Nodes in C++ cannot be counted from inside on {sys.platform}; expected Linux. Watch them with --tap"
     found = _found()

@@ -47,13 +47,13 @@ os.register_at_fork(after_in_child=HOOK.after_fork)
 
 
 def _node_of(handle: Any) -> str:
-    """Return the name of the node of a publisher or subscription from that of its logger; empty if it tells none."""
+    """Return the name of the node of a publisher or subscription from that of its logger; empty if it contains none."""
     named = getattr(handle, "get_logger_name", None)
     return "/" + named().replace(".", "/") if named is not None else ""
 
 
 def _unexpected(function: Any, *names: str) -> str:
-    """Say in what a function differs from the one that can be replaced; empty if in nothing."""
+    """Return how a function differs from the one that can be replaced; empty if it does not."""
     code = getattr(function, "__code__", None)
     if code is None:
         return "is not there"

@@ -57,7 +57,7 @@ class Hook:
         os.environ[CLAIM] = f"{os.getpid()}{self.claimed}"
 
     def leave(self) -> None:
-        """Tell the preloaded library that nothing is counted here."""
+        """Inform the preloaded library that nothing is counted here."""
         self.claimed = ""
         os.environ.pop(CLAIM, None)
 

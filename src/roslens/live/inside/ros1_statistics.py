@@ -88,7 +88,7 @@ class LightLogger:
 
     @classmethod
     def is_enabled(cls) -> bool:
-        """Say yes: whoever installed this wants it."""
+        """Always true: this is installed only if it is wanted."""
         return True
 
     def _ignore(self, msg: Any, publisher: str, stat_bytes: int) -> None:
@@ -174,7 +174,7 @@ class Teller:
         self._since = 0.0
 
     def add(self, logger: LightLogger) -> None:
-        """Tell of a logger from now on."""
+        """Report a logger from now on."""
         with self._lock:
             self._loggers.add(logger)
             if self._thread is None:
@@ -182,7 +182,7 @@ class Teller:
                 self._thread.start()
 
     def discard(self, logger: LightLogger) -> None:
-        """Tell of it no more."""
+        """Stop reporting it."""
         with self._lock:
             self._loggers.discard(logger)
 

@@ -1,15 +1,15 @@
-"""Who tells what was counted at a place, so that two who read the same counters do not tell everything twice."""
+"""Which observer reports the counters of a place, so that two that read the same counters do not both report them."""
 
 from __future__ import annotations
 
 GIVEN_UP_S = 10.0
-"""A place of which its teller said nothing for so long is anybody's again."""
+"""A place that its observer has not reported for this long may be reported by another again."""
 MONITOR = "/monitor"
 """Ends the name of who speaks for the observers beside the monitor: their places are theirs."""
 
 
 class CountedOnce:
-    """Gives each place to the first who tells of it."""
+    """Assigns each place to the first observer that reports it."""
 
     def __init__(self) -> None:
         self._tellers: dict[str, tuple[str, float]] = {}

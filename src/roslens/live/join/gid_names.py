@@ -66,7 +66,7 @@ class GidNames:
         return found
 
     def has(self, service: str) -> bool:
-        """Tell whether the graph has a service, or the action that it is a part of.
+        """Return whether the graph has a service, or the action that it is a part of.
 
         Without a graph of ROS 2 all may be. What the nodes of another domain call is in no graph.
         """
@@ -83,9 +83,9 @@ class GidNames:
         return msgspec.structs.replace(tally, publisher=name) if name else None
 
     def _counts(self, tally: Tally) -> bool:
-        """Tell whether the graph has the node that counted; without a graph of ROS 2 all may be."""
+        """Return whether the graph has the node that counted; without a graph of ROS 2 it may have any."""
         return not self._names or (tally.subscriber or tally.publisher) in self._nodes
 
     def _stands(self, tally: Tally) -> bool:
-        """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""
+        """Return whether a connection still exists: the silence of a removed one is not worth reporting."""
         return all((name, tally.topic) in self._there for name in (tally.publisher, tally.subscriber) if name)

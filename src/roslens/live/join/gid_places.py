@@ -14,7 +14,7 @@ _VENDOR = "010f"
 _CONTEXT = 24
 _PID_BITS = 0xFFFF
 _SOME = 2
-"""So many processes on one host are no chance; fewer may well be on another one that nobody tells of."""
+"""This many processes on one host are no coincidence; fewer may be on another host that is not reported."""
 
 
 class GidPlaces:
@@ -64,7 +64,7 @@ class GidPlaces:
     def _counting(
         self, processes: Iterable[Process], sure: Mapping[str, tuple[str, int]]
     ) -> dict[str, tuple[str, int]]:
-        """Return the process of each context of which one process alone says that it holds its nodes."""
+        """Return the process of each context whose nodes are claimed by a single process."""
         reported: dict[tuple[str, int], set[tuple[str, int]]] = {}
         for process in processes:
             for node in process.nodes:
@@ -96,7 +96,7 @@ class GidPlaces:
         return found
 
     def _by_processes(self, known: Iterable[str], free: set[str]) -> dict[str, tuple[str, str]]:
-        """Return the hosts that have all processes seen with bits of which nobody tells anything better."""
+        """Return the hosts of all observed processes with these bits, for bits without better evidence."""
         seen: dict[str, set[int]] = {}
         for context in self.nodes_of:
             seen.setdefault(_host_bits(context), set()).add(_pid_bits(context))

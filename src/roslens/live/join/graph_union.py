@@ -1,4 +1,4 @@
-"""One graph of what several observers see: each knows a part, and what it says replaces what it said before."""
+"""The union of the graphs of several observers: each knows a part, and its report replaces its previous one."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _known(node: Node) -> int:
 
 
 def _processes(graphs: Iterable[Graph]) -> tuple[Process, ...]:
-    """Return each process once, with the nodes that anybody knows of it."""
+    """Return each process once, with its nodes known to any observer."""
     found: dict[tuple[str, int], Process] = {}
     for process in sorted(process for graph in graphs for process in graph.processes):
         known = found.get((process.host, process.pid), process)

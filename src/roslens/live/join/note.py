@@ -1,4 +1,4 @@
-"""What a watch tells of itself: neither a verdict, nor a change of the system, nor a failure of an observer."""
+"""Notes of a watch: neither a verdict, nor a change of the system, nor a failure of an observer."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class NoteKind(str, Enum):
 
 
 class Note(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Something to tell at ``time``, seconds on the monitor's clock; ``where`` is ``file:line`` of a constraint."""
+    """A note at ``time``, seconds on the monitor's clock; ``where`` is ``file:line`` of a constraint."""
 
     time: float
     kind: NoteKind

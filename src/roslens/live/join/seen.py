@@ -1,4 +1,4 @@
-"""Everything that a watch has seen since it began; at its end it says which constraints were about nothing of it."""
+"""Everything that a watch has observed; at its end it reports the constraints that matched nothing of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Calls of services, as several hosts tell of them, joined: a server on one, clients on others."""
+"""Service calls, joined from the reports of several hosts: a server on one, clients on others."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class ServiceCalls:
         self._due = float("-inf")
 
     def put(self, sender: str, sample: Sample, now: float) -> None:
-        """Take what an observer tells of a service."""
+        """Take the report of an observer on a service."""
         self._reported.setdefault(sample.entity, {})[sender] = (now, sample)
         self._news.add(sample.entity)
 

@@ -32,7 +32,7 @@ from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
 BEGIN_S = 60.0
-"""So long is waited for observers that say nothing at all; then what nobody saw counts as absent all the same."""
+"""How long to wait for observers that report nothing at all; then what was not observed counts as absent."""
 
 
 class Source(Protocol):
@@ -96,7 +96,7 @@ class Step(msgspec.Struct, frozen=True):
 
 
 class Session:
-    """Joins what observers tell, and rates it.
+    """Joins the reports of observers, and rates them.
 
     Attributes:
         begun: whether all observers see, so that who is not there is absent; :func:`run` finds out.
@@ -131,7 +131,7 @@ class Session:
         self._pids: dict[str, frozenset[int]] = {}
 
     def name_processes(self, watchers: Iterable[ProcessWatcher]) -> None:
-        """Tell who samples processes which of them hold nodes, where that has changed."""
+        """Inform the samplers of processes which of them contain nodes, if that has changed."""
         if not self._graph_changed:
             return
         pids: dict[str, set[int]] = {}
@@ -150,7 +150,7 @@ class Session:
         self._graph_changed |= self._graphs.places.know(hosts)
 
     def wait_for(self, beginners: Sequence[Beginner], now: float) -> None:
-        """Let grace of what nobody saw yet count from when all of these see.
+        """Let the grace of entities that were not observed yet count from when all of these observe.
 
         A process that observes takes a second to start, and five on a busy machine: what it has not reported by then
         was not looked for.
@@ -159,7 +159,7 @@ class Session:
         self.begun = now - self._start > BEGIN_S or all(one.seeing for one in beginners)
 
     def take(self, came: Iterable[Frame | Failure]) -> None:
-        """Take what observers tell."""
+        """Take the reports of observers."""
         for one in came:
             if isinstance(one, Failure):
                 self._fail(one)
@@ -313,7 +313,7 @@ class Session:
 
 
 def _of_graph(frame: Frame) -> bool:
-    """Whether a frame tells who is there: agents tell of a host and its processes alone."""
+    """Whether a frame contains a graph: agents only report a host and its processes."""
     return frame.graph is not None and bool(frame.graph.nodes or frame.graph.endpoints)
 
 
@@ -326,7 +326,7 @@ def run(
     report: Callable[[Step], None],
     longest_wait_s: float = 0.1,
 ) -> None:
-    """Watch until ``stopped`` says so, and tell each step.
+    """Watch until ``stopped`` returns true, and report each step.
 
     The sources are closed at the end, whatever happens.
     """

@@ -1,4 +1,4 @@
-"""What many trials say of a reference: which faults it sees, how fast, and at what price."""
+"""The score of a reference over many trials: which faults it detects, how fast, and at what price."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def score(
     seconds: float,
     planned: int,
 ) -> Score:
-    """Return what trials, and the alarms of the recording as it is, say of a reference."""
+    """Return the score of a reference from trials, and from its alarms in the unchanged recording."""
     topics = sorted({one.fault.topic for one in trials})
     by_topic = {
         topic: {

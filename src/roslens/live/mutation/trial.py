@@ -1,4 +1,4 @@
-"""Trials: a fault, where it is put, and what a reference says of it that it does not say without."""
+"""Trials: a fault, its place, and the verdicts of a reference that it causes."""
 
 from __future__ import annotations
 

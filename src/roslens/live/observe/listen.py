@@ -28,7 +28,7 @@ PROOF_S = 5.0
 """Who has not proven that it knows the key so long after it connected is hung up on, whatever it sends."""
 
 _FULL_PAUSE_S = 1.0
-"""Where the system gives no further descriptor, nobody is let in for so long: asked at once it would say the same."""
+"""How long no connection is accepted after the system has run out of descriptors: a retry at once would fail too."""
 
 _MOST_STRANGERS = 1024
 _PIECE = 65_536
@@ -93,7 +93,7 @@ class Listener:
         return {line.peer.rpartition(":")[0]: line.sender.rpartition("/")[0] for line in lines}
 
     def descriptors(self) -> list[int]:
-        """Return what becomes readable when an agent says something."""
+        """Return the descriptors that become readable when an agent sends data."""
         return [self._selector.fileno()]
 
     def poll(self, seconds: float = 0.0) -> list[Frame | Failure]:
@@ -115,7 +115,7 @@ class Listener:
         return found
 
     def name(self, host: str, pids: frozenset[int]) -> None:
-        """Tell the agent of a host which processes hold nodes, if that is news to it."""
+        """Inform the agent of a host which processes contain nodes, if that is new to it."""
         self._named[host] = pids
         for line in list(self._lines.values()):
             self._tell_pids(line)
@@ -281,7 +281,7 @@ class Listener:
         return [Failure("link", what, expected=expected, advice="Look at its output")]
 
     def _refuse(self, line: _Line, found: str) -> list[Failure]:
-        """End the line of somebody who is no agent; what a host says instead is reported once, and of so many hosts."""
+        """Close the connection of a peer that is not an agent; this is reported once per host, for so many hosts."""
         self._hang_up(line)
         host = line.peer.rpartition(":")[0]
         if host in self._strangers or len(self._strangers) >= _MOST_STRANGERS:

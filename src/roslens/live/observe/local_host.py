@@ -95,7 +95,7 @@ class LocalHost:
         )
 
     def _counted(self, counters: Counters, wall: float) -> list[Frame]:
-        """Return a frame for each place where is counted, which says at least that it is reported from here."""
+        """Return a frame for each place with counters, which at least shows that it is reported from here."""
         counters.read(wall)
         failures = counters.failures()
         return [self._frame([], counted_at=place, failures=failures) for place in counters.places()]

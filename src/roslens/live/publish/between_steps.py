@@ -35,7 +35,7 @@ class BetweenSteps:
             raise TimeoutError(f"no answer for {self._patience_s:g} s: what was asked is busy or has ended") from None
 
     def answer(self) -> None:
-        """Answer all who ask, with one text; without anybody it costs next to nothing."""
+        """Answer all requests with one text; without requests it costs next to nothing."""
         text = None
         while True:
             try:

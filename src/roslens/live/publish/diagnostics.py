@@ -28,14 +28,14 @@ _FACTS = frozenset({GONE.id, STOPPED.id})
 
 
 def own_host(entity: EntityId) -> str:
-    """Return the host that the name of an entity tells; empty where it tells none."""
+    """Return the host that is part of the name of an entity; empty if there is none."""
     if entity.kind is EntityKind.HOST:
         return entity.name
     return entity.name.rpartition("/")[0] if entity.kind is EntityKind.PROCESS else ""
 
 
 def diagnostics(verdicts: Iterable[Verdict], host_of: Callable[[EntityId], str] = own_host) -> tuple[Status, ...]:
-    """Return one status for each entity, sorted by name; ``host_of`` tells on which hardware it is."""
+    """Return one status for each entity, sorted by name; ``host_of`` returns the host of an entity."""
     of_entity: dict[EntityId, list[Verdict]] = {}
     for verdict in verdicts:
         of_entity.setdefault(verdict.entity, []).append(verdict)

@@ -12,7 +12,7 @@ from typing import IO
 MOST_WAITING = 16_000_000
 """Bytes that wait for an observer that does not read; of more, the oldest are lost."""
 LONGEST_WAIT_S = 10.0
-"""What was so long ago is sent to nobody: an observer that was held up goes on with what is now."""
+"""Older data is not sent: an observer that was delayed continues with current data."""
 
 
 class Downlink:

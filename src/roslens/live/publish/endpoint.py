@@ -53,7 +53,7 @@ class Endpoint:
                 self.wfile.write(body)
 
             def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002 - the library's name
-                """Say nothing: Prometheus asks every few seconds."""
+                """Log nothing: Prometheus sends a request every few seconds."""
 
         self._server = ThreadingHTTPServer(address, Answer)
         self._server.daemon_threads = True

@@ -33,7 +33,7 @@ def cause_line(verdict: Verdict, begin: float | None = None) -> str:
 
 
 def note_line(note: Note) -> str:
-    """Return what a watch tells of itself as a line without its end."""
+    """Return a note of a watch as a line without its end."""
     return _line("note", msgspec.to_builtins(note))
 
 

@@ -1,4 +1,4 @@
-"""On which host an entity is, as far as the graph tells: of a topic or connection, where it is published."""
+"""On which host an entity is, as far as the graph shows: of a topic or connection, where it is published."""
 
 from __future__ import annotations
 

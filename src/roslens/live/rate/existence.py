@@ -16,7 +16,7 @@ from roslens.model.traffic.tally import Tally
 
 
 class Existence:
-    """Tells presences what appears and vanishes.
+    """Informs presences of what appears and vanishes.
 
     A host of which there are samples lives as long as they come, whatever the graph remembers of it. What an event
     said to have vanished stays so until a later graph, sample or event has it.

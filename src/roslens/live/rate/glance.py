@@ -20,7 +20,7 @@ from roslens.live.system.world import World
 from roslens.model.verdict import Verdict
 
 ROUND_S = 10.0
-"""In so many seconds every topic has its turn, whether or not somebody looks at it."""
+"""Every topic is evaluated within this many seconds, whether or not it is displayed."""
 LEAST_LOOKS = 20
 """A round takes at least so many looks: who looks seldom has no more to do at each."""
 

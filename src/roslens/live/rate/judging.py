@@ -62,7 +62,7 @@ def _judge_silent(groups: Iterable[Group], now: float, silent_observer: Observer
 
 
 def _note(group: Group, evidence: str) -> None:
-    """Say of the constraints of a group why there is no value."""
+    """Set the reason why there is no value for the constraints of a group."""
     for judged in group.judged:
         judged.evidence = evidence
 
@@ -190,7 +190,7 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
 
 
 def _began(judged: Judged, now: float, raw: State, window: Window | None) -> float:
-    """Return when what is wrong began, where the window says more than the moment of the look."""
+    """Return when a violation began, if the window is more precise than the time of the evaluation."""
     if window is None:
         return NEVER
     if raw is State.HIGH and judged.quantity == "largest_gap":
@@ -210,7 +210,7 @@ def _early(constraint: ReadyConstraint, window: Window, raw: State) -> bool:
 
 
 def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool) -> bool:
-    """Judge a constraint about a topic of which nobody tells anything."""
+    """Judge a constraint on a topic that no observer reports."""
     constraint = judged.constraint
     judged.window = None
     judged.silent_observer = ""

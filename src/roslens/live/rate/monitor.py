@@ -1,4 +1,4 @@
-"""The monitor: takes what observers tell, rates it against a reference, and says what changed."""
+"""The monitor: takes the reports of observers, rates them against a reference, and reports what changed."""
 
 from __future__ import annotations
 
@@ -201,7 +201,7 @@ class Monitor:
             self._checks.fields.add(topic, time, values, known.types if known is not None else ())
 
     def add_frame(self, frame: Frame) -> None:
-        """Take everything that an observer tells at once."""
+        """Take everything that an observer reports at once."""
         observer_status = self.take_report(frame.sender, frame.vouched, of_graph=frame.graph is not None)
         self.add_tallies(frame.tallies, observer_status)
         for sample in frame.samples:
@@ -214,7 +214,7 @@ class Monitor:
         self.shed += max(frame.shed, 0)
 
     def begin(self, time: float) -> None:
-        """Let grace of what nobody saw yet count from ``time``: before, nobody could see it."""
+        """Let the grace of entities that were not observed yet count from ``time``: they could not be before."""
         self._began = time
         self._checks.presences.look_again()
         for one in self._world.entities():
@@ -298,7 +298,7 @@ class Monitor:
         return self._glances.tree.view(self._standing(), now)
 
     def glance(self, now: float, looked_at: Collection[str]) -> Glance:
-        """Return tree and verdicts; values of topics that nobody looks at may be some seconds old, states never."""
+        """Return tree and verdicts; values of topics that are not displayed may be some seconds old, states never."""
         turn = self._glances.turn(looked_at, now)
         self._moved += self._evaluator.look_again(self._clock.now, *turn)
         return self._glances.at(self._standing(), now, turn)
@@ -339,7 +339,7 @@ class Monitor:
             self._moved.append(one)
 
     def _resume(self, time: float) -> None:
-        """Begin anew: what came before the break says nothing of what comes now."""
+        """Start again: data from before the break is no evidence about data after it."""
         self._evaluator.suspended = False
         self._began = time
         self._checks.fields.clear()
@@ -380,7 +380,7 @@ class Monitor:
                 self._retire(plan(one, self._world, self._rules, now), now)
 
     def _retire(self, dropped: Iterable[Standing], now: float) -> None:
-        """Say of verdicts that are judged no more that they are unknown."""
+        """Set verdicts that are no longer judged to unknown."""
         for one in dropped:
             self._explained.drop(one)
             if one.reported is not State.UNKNOWN:

@@ -21,7 +21,7 @@ _SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SER
 
 
 def required(world: World, rules: Rulebook, now: float) -> list[Measured]:
-    """Return the entities that the rules name without wildcards, made where nobody has seen them yet."""
+    """Return the entities that the rules name without wildcards, created if they were not observed yet."""
     found: list[Measured] = []
     for kind, name in rules.required:
         entity: Measured | None = None

@@ -54,7 +54,7 @@ class VerdictList:
         return tuple(found)
 
     def _moved(self) -> set[int]:
-        """Return the places of what stands otherwise than before, or tells something else."""
+        """Return the places of verdicts whose state or text has changed."""
         ordered = self._sorted
         marks: list[list[object]] = [
             [one.state.state for one in ordered], [one.state.since for one in ordered], [one.details for one in ordered]

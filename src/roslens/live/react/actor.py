@@ -1,4 +1,4 @@
-"""Joins what is due, what gates say of it, who carries it out, and the journal of all of it.
+"""Joins due actions, the decisions of gates, the executors, and the journal of all of it.
 
 Nothing here waits: it gets each step of the session, and hands over what there is to do.
 """
@@ -16,11 +16,11 @@ from roslens.live.react.reactor import Reactor
 from roslens.model.acting.reaction import Decision, Mode, Outcome, Result, Verification, repeats
 
 ANSWER_WITHIN_S = 60.0
-"""What nobody allowed or refused so long after it was asked is not done."""
+"""An action that is neither approved nor refused within this time is not carried out."""
 LONGEST_WAIT_S = 300.0
 """What a gate lets wait longer than that is refused."""
 _UNANSWERED_S = 180.0
-"""Who carries out tells before that; if not, it counts as failed."""
+"""The executor reports before that; otherwise the action counts as failed."""
 
 
 class Writing(Protocol):
@@ -31,7 +31,7 @@ class Writing(Protocol):
 
 
 class CarriedOut(msgspec.Struct, frozen=True):
-    """What became of what was handed over; ``refused`` where somebody who acts said no before it was tried."""
+    """The result of an action that was handed over; ``refused`` if the executor refused it before trying."""
 
     decision: str
     done: bool
@@ -44,7 +44,7 @@ class Hands(Protocol):
     """All who carry out."""
 
     def do(self, decision: Decision) -> None:
-        """Begin; :meth:`poll` tells what became of it."""
+        """Start it; :meth:`poll` returns the result."""
 
     def poll(self) -> list[CarriedOut]:
         """Return what was carried out since the last time."""
@@ -57,7 +57,7 @@ class Hands(Protocol):
 
 
 class Asker(Protocol):
-    """Somebody who may allow what is due."""
+    """An operator who may approve due actions."""
 
     def ask(self, decision: Decision, until_s: float) -> None:
         """Ask whether it may be done."""
@@ -165,7 +165,7 @@ class Actor:
         self._pass(decision, now)
 
     def _pass(self, decision: Decision, now: float) -> None:
-        """Let a decision through the gate, or say why not."""
+        """Let a decision through the gate, or report why not."""
         steady = self._steady()
         found = self._gate.judge(decision, steady, wall_s=now, held=self._held())
         waiting = self._waiting.get(decision.id)
@@ -221,7 +221,7 @@ class Actor:
                 self._end(asked.decision, Outcome(Result.REFUSED, why), step.time)
 
     def _allowed(self, decision: Decision, now: float) -> None:
-        """Do what somebody allowed, if it is still to be done and nothing else forbids it by now."""
+        """Carry out an approved action, if it is still due and nothing forbids it by now."""
         if self.reactor.holds(decision.id) is not True:
             self._end(decision, Outcome(Result.REFUSED, "its condition no longer holds, or is unknown"), now)
             return

@@ -86,7 +86,7 @@ class AllHands:
         self._snapshots: dict[str, Path] = {}
 
     def prepare(self, reactions: Sequence[Reaction]) -> None:
-        """Get ready for every action of some reactions that is done through ROS; :meth:`unready` says how that goes."""
+        """Get ready for every action of some reactions that needs ROS; :meth:`unready` returns the progress."""
         self._prepared.ask(self._lines, reactions)
         self._rosout.prepare(reactions)
 
@@ -95,7 +95,7 @@ class AllHands:
         return self._prepared.unready()
 
     def waiting(self) -> bool:
-        """Whether somebody has not said yet whether all can be done."""
+        """Whether some executor has not reported yet whether all can be done."""
         return self._prepared.waiting()
 
     def prepare_next(self, reactions: Sequence[Reaction]) -> Prepared:

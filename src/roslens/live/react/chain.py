@@ -73,7 +73,7 @@ class Chain:
         self._go_on()
 
     def verify(self, lasts: Truth, now: float) -> list[Checked]:
-        """Say what is known of whether it helped: ``lasts`` is whether the condition is still true."""
+        """Take whether it helped: ``lasts`` is whether the condition is still true."""
         if self.latest is None:
             return []
         if self.stage is Stage.VERIFYING and now >= self._deadline and lasts is not False:
@@ -86,7 +86,7 @@ class Chain:
         return []
 
     def ended(self, now: float) -> list[Checked]:
-        """Say that the condition is false."""
+        """Note that the condition is false."""
         return [Checked(one, Verification.GONE, now, "the condition is false") for one in self._tried]
 
     def _go_on(self) -> bool:

@@ -23,13 +23,13 @@ _CAREFUL = (Mode.DRY_RUN, Mode.ASK, Mode.ACT)
 
 _RESTARTS = frozenset({"restart", "start"})
 _PROCESS = frozenset({"restart", "start", "stop", "kill"})
-"""What ends or begins a process: a node that one reaction restarts is gone for a moment, and nobody else mends that."""
+"""What ends or begins a process: a node that restarts is gone for a moment, which no other reaction should repair."""
 _MOST_KEYS = 10_000
 _LOOK_AGAIN_S = 0.5
 
 
 class Answer(str, Enum):
-    """What a gate says of a decision."""
+    """The answer of a gate to a decision."""
 
     ALLOW = "allow"
     ASK = "ask"
@@ -41,7 +41,7 @@ class Answer(str, Enum):
 
 
 class GateAnswer(msgspec.Struct, frozen=True):
-    """What a gate says, and why, in words; of ``WAIT`` after how many seconds it is worth to ask again."""
+    """The answer of a gate and its reason, in words; for ``WAIT`` the seconds until the next attempt."""
 
     answer: Answer
     text: str
@@ -80,7 +80,7 @@ class _Process(msgspec.Struct, frozen=True):
 
 
 class Gate:
-    """Says of each decision whether it is carried out, and remembers what was.
+    """Decides whether each decision is carried out, and remembers those that were.
 
     Times are seconds on a clock that never jumps, but for ``wall_s``, which is that of the host.
     """
@@ -100,7 +100,7 @@ class Gate:
         return tuple(sorted(self._given_up))
 
     def judge(self, decision: Decision, now_s: float, *, wall_s: float, held: str = "") -> GateAnswer:
-        """Say what becomes of a decision; ``held`` is who holds everything and why, empty where nobody does."""
+        """Return the answer to a decision; ``held`` is who put everything on hold and why, empty if none did."""
         if held:
             return GateAnswer(Answer.HELD, f"everything is held: {held}")
         if self._limits.mode is None:
@@ -158,7 +158,7 @@ class Gate:
         return freed
 
     def _done_by_another(self, decision: Decision, target: str, now_s: float) -> GateAnswer | None:
-        """Say to wait where another reaction has ended or begun the same process just now."""
+        """Return ``WAIT`` if another reaction has just ended or started the same process."""
         if decision.action.kind not in _PROCESS or target not in self._processes:
             return None
         held = self._processes[target]

@@ -62,7 +62,7 @@ class Known:
         self._bad: set[EntityId] = set()
 
     def take(self, step: Step, now: float) -> None:
-        """Take what a step tells."""
+        """Take the content of a step."""
         self.now = now
         for verdict in (*step.changes, *step.causes):
             self._judged(verdict)

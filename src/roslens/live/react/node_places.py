@@ -55,9 +55,9 @@ class NodePlaces:
         self._generations.update((name, frozenset(found)) for name, found in seen.items())
 
     def of(self, node: str) -> Home | None:
-        """Return where a node lives, or lived last; None where nobody saw that."""
+        """Return the host of a node, or its last one; None if it is unknown."""
         return self._homes.get(node)
 
     def generations_of(self, node: str) -> frozenset[int]:
-        """Return the generations of ROS that a node is, or was last, in; empty where nobody saw that."""
+        """Return the generations of ROS that a node is, or was last, in; empty if unknown."""
         return self._generations.get(node, frozenset())

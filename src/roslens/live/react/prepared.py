@@ -1,4 +1,4 @@
-"""Whether the actions of some reactions that are done through ROS can be done, as far as anybody has said so."""
+"""Whether the actions of some reactions that are carried out through ROS can be done, as far as reported."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SILENT = "not answered yet"
 
 
 class Prepared:
-    """The actions of one reading of a reference. ``turn`` tells the ids of one reading from those of another."""
+    """The actions of one reading of a reference. ``turn`` distinguishes the ids of different readings."""
 
     def __init__(self, turn: int = 0) -> None:
         """Begin with no action."""
@@ -39,7 +39,7 @@ class Prepared:
                 line.prepare(id_, call.kind, target, kind.filled(call.arguments))
 
     def take(self, generation: int, reply: Reply) -> None:
-        """Take what a line says of an action; those of another reading are left alone."""
+        """Take the report of a line on an action; those of another reading are ignored."""
         if (generation, reply.id) in self._unfit:
             self._unfit[generation, reply.id] = "" if reply.done else reply.text
 
@@ -57,7 +57,7 @@ class Prepared:
         return found
 
     def waiting(self) -> bool:
-        """Whether somebody has not said yet whether all can be done."""
+        """Whether some executor has not reported yet whether all can be done."""
         return _SILENT in self._unfit.values()
 
     def forget(self, lines: Sequence[RosLine]) -> None:

@@ -10,7 +10,7 @@ from roslens.model.graph import Change, Event, Graph, Role
 BEFELL_S = 10.0
 """So long it counts that something was restarted, or that it flaps."""
 TOGETHER_S = 10.0
-"""Nodes of a host that go within this time go together: their host went, or somebody ended them all."""
+"""Nodes of a host that vanish within this time vanish together: the host went down, or all were shut down."""
 MOST_GONE = 10_000
 """Of what is gone so many are remembered, the latest."""
 _ENDS = {
@@ -25,7 +25,7 @@ class Presences:
     """What was ever there, and since when it is or is not; times are seconds on the monitor's clock."""
 
     def __init__(self) -> None:
-        """Know of nobody."""
+        """Start without any node."""
         self._there: dict[EntityId, float] = {}
         self._gone: dict[EntityId, float] = {}
         self._crashed: dict[EntityId, float] = {}
@@ -56,7 +56,7 @@ class Presences:
         return entity in self._gone or any((entity, change) in self._befell for change in _BEFELL)
 
     def went_with_host(self, node: EntityId) -> bool:
-        """Whether all nodes of the host went with a node: its host is off, or somebody ended them all."""
+        """Whether all nodes of the host vanished with a node: its host is off, or all were shut down."""
         at, host = self._gone.get(node), self._hosts.get(node.name, "")
         if at is None or not host:
             return False
@@ -78,7 +78,7 @@ class Presences:
             yield from (one for one in part if one.kind is kind)
 
     def happened(self, event: Event) -> bool:
-        """Take a change of the graph; return whether it tells of something new."""
+        """Take a change of the graph; return whether it adds something new."""
         try:
             entity = EntityId.parse(event.entity)
         except ValueError:

@@ -34,7 +34,7 @@ _FORWARDING = {"{entity}", "{host}", "{cause}"}
 
 
 class Reactor:
-    """Says which actions are due, and whether those that were done helped.
+    """Determines which actions are due, and whether those that were carried out helped.
 
     Attributes:
         unwell: why nothing is decided, because of the monitor itself; empty where it is fit to.

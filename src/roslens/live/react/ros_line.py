@@ -51,7 +51,7 @@ class RosLine:
         return self._process.stdout.fileno() if self._process and self._process.stdout else None
 
     def prepare(self, id_: str, kind: str, target: str, arguments: Mapping[str, Any]) -> None:
-        """Have it get ready for an action; a reply says whether it can."""
+        """Have it prepare an action; a reply reports whether it can."""
         order = Order(VERSION, id_, Verb.PREPARE, kind, target, dict(arguments))
         self._prepared[id_] = order
         self._say(order)
@@ -61,7 +61,7 @@ class RosLine:
         self._prepared.pop(id_, None)
 
     def do(self, id_: str, kind: str, target: str, arguments: Mapping[str, Any]) -> None:
-        """Have it done; a reply says what became of it.
+        """Have it carried out; a reply reports the result.
 
         Raises:
             OrderError: it cannot be sent.
@@ -72,7 +72,7 @@ class RosLine:
         self._downlink.say(body)
 
     def clear(self, id_: str) -> None:
-        """Say that what an action was done about is gone."""
+        """Report that the cause of an action is gone."""
         self._say(Order(VERSION, id_, Verb.CLEAR))
 
     def stop(self) -> None:

@@ -38,7 +38,7 @@ class RosoutBeside:
             line.prepare(f"{_ID}prepare", "record", "", _ASKED)
 
     def add(self, done: CarriedOut, folder: Path) -> bool:
-        """Have it written into the folder of a snapshot that was taken; return whether :meth:`take` tells of that."""
+        """Have it written into the folder of a snapshot that was taken; return whether :meth:`take` reports it."""
         asked = 0
         for line in self._lines if self._keeping and done.done else ():
             path = str(folder / f"rosout-ros{line.generation}.mcap")

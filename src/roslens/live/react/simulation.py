@@ -38,7 +38,7 @@ class Simulation:
     def __init__(
         self, reactions: Sequence[Reaction], *, start: float, results: Mapping[str, Result] | None = None
     ) -> None:
-        """Begin at ``start``; ``results`` says what becomes of actions by their kind, else they count as dry runs."""
+        """Begin at ``start``; ``results`` are the results of actions by kind; all others count as dry runs."""
         self.decisions: list[Decision] = []
         self.checks: list[Checked] = []
         self.withheld: dict[tuple[str, str, str], float] = {}

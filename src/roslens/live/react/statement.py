@@ -1,4 +1,4 @@
-"""What a statement says of one entity: true, false or unknown, and what shows it."""
+"""The value of a statement for one entity: true, false or unknown, and its evidence."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _AWAY = (Being.GONE, Being.CRASHED)
 
 
 class Said:
-    """What a statement says of one entity.
+    """The value of a statement for one entity.
 
     Attributes:
         truth: whether it is so; None where that is unknown.
@@ -36,7 +36,7 @@ class Said:
 
 
 def say(stated: Stated, entity: EntityId, known: Known, *, effects: bool) -> Said:
-    """Return what a statement says of an entity; with ``effects`` faults count that another fault explains."""
+    """Return the value of a statement for an entity; with ``effects`` faults count that another fault explains."""
     if stated.about is About.VERDICT:
         said = _of_verdicts(stated, entity, known, effects=effects or stated.effects)
     elif stated.about is About.BEING:

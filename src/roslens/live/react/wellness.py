@@ -15,7 +15,7 @@ _BACK_S = 0.05
 
 
 class Wellness:
-    """Says why a monitor is not fit to decide; fed with each step in order."""
+    """Determines why a monitor is not fit to decide; fed with each step in order."""
 
     def __init__(self, start: float) -> None:
         """Begin at ``start``, in seconds on the monitor's clock."""

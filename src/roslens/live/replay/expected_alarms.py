@@ -1,4 +1,4 @@
-"""What a reference should say of a recording, written down so that it can be tested again and again.
+"""The alarms that a reference should raise in a recording, written down for repeated tests.
 
 .. code-block:: yaml
 

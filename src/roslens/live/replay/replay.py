@@ -25,7 +25,7 @@ _OF_STAMPS = frozenset({"age", "age_max"})
 
 
 class RecordedTopic(Protocol):
-    """What a recording says of a topic."""
+    """The metadata of a topic in a recording."""
 
     @property
     def name(self) -> str:
@@ -82,7 +82,7 @@ def replay(
     begun: Callable[[Session], None] = lambda _: None,
     graphs: Sequence[tuple[float, Graph]] = (),
 ) -> Session:
-    """Rate a recording and tell each step; returns the session as it was at the end.
+    """Rate a recording and report each step; returns the session as it was at the end.
 
     Stamps and fields are read only of topics for which the reference has a constraint on them. A step is by default
     half as long as the tightest bound on gaps, or gaps shortly after one another could not be distinguished. ``begun``

@@ -5,7 +5,7 @@ from __future__ import annotations
 PAUSE_S = 0.6
 """Between two turns of an observer that was there."""
 SETTLE_S = 0.4
-"""After a pause what waited is read for so long; what comes in it says nothing of when it was sent."""
+"""After a pause, queued data is read for this long; its arrival is no evidence of when it was sent."""
 
 
 class Attention:

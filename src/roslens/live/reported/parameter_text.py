@@ -20,7 +20,7 @@ _LOGIN = re.compile(r"(://[^/\s:@]*:)[^/\s@]+(?=@)")
 
 
 def is_secret(name: str) -> bool:
-    """Tell whether a name is that of something that nobody should read: a password, a token, a key.
+    """Return whether a name is that of a secret: a password, a token, a key.
 
     A word of the name decides, not a part of one: ``api_key`` and ``apiKey`` are secret, ``keyframe_rate`` is not.
     """

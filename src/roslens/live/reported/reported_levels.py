@@ -82,7 +82,7 @@ class ReportedLevels:
 
 
 def is_reported(event: Event) -> bool:
-    """Tell whether an event is what another monitor reports."""
+    """Return whether an event is the report of another monitor."""
     return event.detail.startswith(SAID)
 
 

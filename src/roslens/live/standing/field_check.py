@@ -1,4 +1,4 @@
-"""Values of fields of messages against what a reference says of them."""
+"""Values of fields of messages against the constraints of a reference."""
 
 from __future__ import annotations
 

@@ -128,7 +128,7 @@ class Measured:
         self.calm = False
 
     def resume(self, time: float) -> None:
-        """Be judged anew from ``time``: what came before says nothing of what comes now."""
+        """Be judged again from ``time``: earlier data is no evidence about later data."""
         self.appeared = self.due = time
 
     def adopt(self, constraints: Iterable[ReadyConstraint], now: float) -> list[Judged]:

@@ -33,7 +33,7 @@ NOTHING_KNOWN = Facts()
 
 
 def find_all(index: PatternIndex[T], kind: EntityKind, name: str, facts: Facts) -> list[T]:
-    """Return what an index says of an entity with one of its hosts, one of its types and one of its publishers."""
+    """Return the constraints on an entity with one of its hosts, one of its types and one of its publishers."""
     ways = product(facts.hosts or ("",), facts.types or ("",), facts.publishers or ("",))
     return [
         item

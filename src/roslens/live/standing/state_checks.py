@@ -1,4 +1,4 @@
-"""Lifecycle states of nodes and values of parameters against what a reference says of them."""
+"""Lifecycle states of nodes and values of parameters against the constraints of a reference."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ class StateChecks:
         return list(self._standing.values())
 
     def take(self, graph: Graph, now: float) -> None:
-        """Take what a graph tells."""
+        """Take the states in a graph."""
         self.graph = graph
         if not self._checks:
             return

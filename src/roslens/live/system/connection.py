@@ -1,4 +1,4 @@
-"""A connection: what its observers tell of the traffic from one publisher to one subscriber over one topic."""
+"""A connection: the reports of its observers on the traffic from one publisher to one subscriber over one topic."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ class Connection(Measured):
         self.envelope = None
 
     def catch_up(self) -> None:
-        """Let the windows know when news came that nobody has looked at."""
+        """Inform the windows of when data came that was not evaluated yet."""
         if self.envelope is not None:
             self.envelope.notice()
 
@@ -144,7 +144,7 @@ class Connection(Measured):
                     self.appeared = now
 
     def resume(self, time: float) -> None:
-        """Be judged anew from ``time``: what came before says nothing of what comes now."""
+        """Be judged again from ``time``: earlier data is no evidence about later data."""
         self.appeared = time
         self.clear(time)
         self.due = time
@@ -158,7 +158,7 @@ class Connection(Measured):
                 window.clear()
 
     def value(self, key: str, at: int, percentile: float = 0.0) -> tuple[float | None, Window | None]:
-        """Return a signal and the window it is from: that of the best observer who speaks and can tell."""
+        """Return a signal and the window it is from: that of the best observer that reports and has it."""
         measure = MEASURES.get(key)
         if measure is None:
             return None, None
@@ -170,7 +170,7 @@ class Connection(Measured):
         return measured(window, key), window
 
     def _of_best(self, measure: Measure, key: str, at: int, percentile: float) -> tuple[float | None, Window | None]:
-        """Return a signal of the best of several observers; of one that is behind only where nobody else can tell."""
+        """Return a signal of the best of several observers; of one that is behind only if no other has it."""
         stale: tuple[float | None, Window | None] = (None, None)
         for windows in self._order:
             window = windows[at]
@@ -225,7 +225,7 @@ class Connection(Measured):
         return None
 
     def reported_by(self, observer_status: ObserverStatus) -> bool:
-        """Whether an observer tells of it."""
+        """Whether an observer reports it."""
         return any(windows[0].observer_status is observer_status for windows in self._order)
 
     @property

@@ -1,4 +1,4 @@
-"""Publishers and subscriptions of one topic that look joined and are not: nothing arrives, and nobody says so."""
+"""Publishers and subscriptions of one topic that look matched and are not: nothing arrives, without an error."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ class Readings:
         return self._reported.get(entity, _NOTHING)
 
     def holds(self, topic: Topic, now: float) -> bool:
-        """Return whether a topic and its connections tell at ``now`` what they reported when they were read last."""
+        """Return whether a topic and its connections still report at ``now`` what they reported when last read."""
         if self._graph is not self._world.graph:
             return False
         ends = 0
@@ -91,7 +91,7 @@ class Readings:
             self._reported.pop(entity, None)
 
     def _read_connections(self, connections: Iterable[Connection], now: float, changed: list[EntityId]) -> set[str]:
-        """Read the connections that may tell something else; return the topics of these."""
+        """Read the connections whose values may have changed; return their topics."""
         touched = set()
         marks = self._connections
         for one in connections:

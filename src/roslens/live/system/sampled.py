@@ -60,7 +60,7 @@ class Sampled(Measured):
         self._window = window
 
     def add(self, sample: Sample, values: dict[str, float]) -> bool:
-        """Take the ``values`` of a sample that are fine; an old or repeated sample tells nothing new."""
+        """Take the ``values`` of a sample that are fine; an old or repeated sample adds nothing."""
         if sample.time <= self._newest:
             return False
         if self.seen and math.isfinite(self._newest):

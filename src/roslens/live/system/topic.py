@@ -100,7 +100,7 @@ class Topic(Measured):
     def value(
         self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
     ) -> tuple[float | None, Window | None]:
-        """Return a signal of the topic and the window that tells most of it; ``views`` are taken where known."""
+        """Return a signal of the topic and the window that has most of it; ``views`` are taken where known."""
         if key in ENDS:
             return self._of_graph(key, None), None
         if key in _OF_PUBLISHERS:
@@ -142,7 +142,7 @@ class Topic(Measured):
         return None
 
     def _of_last(self, connection: Connection) -> bool:
-        """Whether a connection is of those who published last: who left before says nothing of how it ended."""
+        """Whether a connection is of the last publishers: those that left before are no evidence of how it ended."""
         return connection.publisher in self.former
 
 

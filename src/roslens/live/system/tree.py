@@ -14,7 +14,7 @@ from roslens.model.verdict import State
 
 _WORSE = {state: place for place, state in enumerate(State)}
 UNKNOWN_NAME = ""
-"""Name of the host of nodes of which nobody knows where they are, and of the node of topics nobody publishes."""
+"""Name of the host of nodes on unknown hosts, and of the node of topics without a publisher."""
 
 
 States: TypeAlias = "Mapping[EntityId, Sequence[State]]"
@@ -56,7 +56,7 @@ class Parts(Protocol):
 
     @property
     def graph(self) -> Graph | None:
-        """Who is there; None before anybody looked."""
+        """The graph; None before the first observation."""
 
     @property
     def sampled(self) -> Collection[EntityId]:
@@ -196,7 +196,7 @@ class Plan:
 
 
 _NOTHING: tuple[None, dict[str, int]] = (None, {})
-"""What nothing judges; one for all, and nobody writes into it."""
+"""The state of an entity that nothing judges; shared and never modified."""
 
 
 class _Placing:

@@ -24,9 +24,9 @@ from roslens.model.traffic.tally import Tally
 MAX_ENTITIES = 100_000
 """Connections, topics and sampled entities together; more are refused and counted."""
 FORGET_GONE_S = 300.0
-"""After which a connection is forgotten that the graph has no more, and a process or node that nobody samples."""
+"""After which a connection is forgotten that the graph has no more, and a process or node that is not sampled."""
 FORGET_QUIET_S = 3600.0
-"""After which a silent connection is forgotten of which no graph says that it is gone."""
+"""After which a silent connection is forgotten that no graph reports as gone."""
 SURPLUS_S = 60.0
 """After which a silent connection that nobody judges, and that is gone or was in no graph, may give its place to newer
 ones."""
@@ -168,7 +168,7 @@ class World:
         return connection.appeared if quiet is None and not self._matters(connection) else quiet
 
     def outdated_samples(self, now: float) -> list[Sampled]:
-        """Return the processes of which nothing is sampled for long, and the nodes and services nobody judges."""
+        """Return the processes of which nothing is sampled for long, and the nodes and services that nothing judges."""
         return [
             one
             for one in self.sampled.values()
@@ -187,7 +187,7 @@ class World:
         return [one for one in gone[: max(len(gone) - MOST_GONE, 0)] if not one.connections]
 
     def ended(self) -> set[EntityId]:
-        """Return the topics, and connections of these, that graphs had and have no more and that nobody judges."""
+        """Return the topics, and connections of these, that graphs had and have no more and that nothing judges."""
         topics = [one for one in self.topics.values() if _ended(one)]
         return {one.id for topic in topics for one in (topic, *topic.all_connections()) if not one.judged}
 
@@ -240,7 +240,7 @@ class World:
         return found
 
     def _take_servers(self, graph: Graph) -> None:
-        """Note who serves; what a service depended on that nobody serves any more is who did."""
+        """Note the servers; a service that has no server any more depends on its last ones."""
         servers: dict[EntityId, set[str]] = {}
         for end in graph.endpoints:
             if (kind := _ENDS.get(end.role)) is not None:
@@ -385,7 +385,7 @@ def _gone(topic: Topic) -> bool:
 
 
 def _ended(topic: Topic) -> bool:
-    """Whether graphs had a topic and have it no more, and nobody judges it."""
+    """Whether graphs had a topic and no longer have it, and nothing judges it."""
     return _gone(topic) and not topic.judged
 
 

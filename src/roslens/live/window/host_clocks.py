@@ -13,7 +13,7 @@ from roslens.model.traffic.sample import Sample
 from roslens.model.traffic.tally import NOTHING, Moments, Tally
 
 USUAL_TOLERANCE_S = 0.01
-"""How wrong a time may be of which no constraint says how long it may be."""
+"""The accepted error of a time that no constraint limits."""
 
 
 class HostClocks:
@@ -23,7 +23,7 @@ class HostClocks:
         self._clocks: dict[str, tuple[float, float]] = {}
 
     def take(self, sample: Sample) -> None:
-        """Take what a host says of its clock."""
+        """Take the report of a host on its clock."""
         offset, bound = sample.values.get("clock_offset"), sample.values.get("clock_bound")
         if sample.entity.kind is EntityKind.HOST and offset is not None and bound is not None:
             self._clocks[sample.entity.name] = (offset, bound)

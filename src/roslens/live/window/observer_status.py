@@ -88,7 +88,7 @@ class ObserverStatus:
         self._base, self.lag = float("inf"), 0.0
 
     def _take_looked(self, now: float) -> None:
-        """Find out how late it tells: frames that waited for a line come later than they usually do.
+        """Estimate how late it reports: frames that waited for a connection come later than usual.
 
         They can be late by no more than the time without a report, so what is later is a clock that was
         set, and by how much two clocks differ says nothing.

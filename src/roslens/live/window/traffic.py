@@ -1,4 +1,4 @@
-"""Signals of one window: what its tallies say of rate, gaps, sizes and times."""
+"""Signals of one window: rate, gaps, sizes and times from its tallies."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ MEASURES: dict[str, Measure] = {
     "loss": loss,
     "processing": _mean_of("processing"),
 }
-"""By key of the signal; each returns None where the window has nothing to tell."""
+"""By key of the signal; each returns None if the window has no data for it."""
 
 
 def measured(window: Window, key: str) -> float | None:

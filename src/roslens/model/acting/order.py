@@ -72,7 +72,7 @@ class Reply(msgspec.Struct, frozen=True, array_like=True):
 
 
 class OrderError(ValueError):
-    """Bytes that are no frame; the text says what was found and expected."""
+    """Bytes that are not a frame; the text states what was found and expected."""
 
 
 _ENCODER = msgspec.msgpack.Encoder()

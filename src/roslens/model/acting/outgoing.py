@@ -90,7 +90,7 @@ class Outgoing(msgspec.Struct, frozen=True, array_like=True):
 
 
 class OutgoingError(ValueError):
-    """Bytes that are no frame; the text says what was found and expected."""
+    """Bytes that are not a frame; the text states what was found and expected."""
 
 
 _ENCODER = msgspec.msgpack.Encoder()

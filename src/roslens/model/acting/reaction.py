@@ -11,7 +11,7 @@ from roslens.model.acting.condition import Condition
 from roslens.model.entity import EntityId
 
 SETTLED_S = 2.0
-"""For how long the first cause has to have been the same, where a reaction does not say."""
+"""For how long the first cause has to have been the same, unless a reaction sets it."""
 COOL_DOWN_S = 60.0
 
 
@@ -92,7 +92,7 @@ def repeats(call: ActionCall) -> bool:
 
 
 def essence(reaction: Reaction) -> Reaction:
-    """Return a reaction without the places where it is written: two that say the same are equal."""
+    """Return a reaction without its locations: two with the same content are equal."""
     found: Reaction = _placeless(reaction)
     return found
 
@@ -133,7 +133,7 @@ class Because(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Decision(msgspec.Struct, frozen=True, omit_defaults=True):
-    """That an action is due. Gates say whether it is done.
+    """A due action. Gates decide whether it is carried out.
 
     Attributes:
         id: unique within a run of the monitor: ``<reaction>/<number of the chain>.<step>``.
@@ -202,7 +202,7 @@ class Verification(str, Enum):
 
 
 class Checked(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What a decision came to: ``at_s`` is when that was seen, ``text`` says it in words."""
+    """The result of a decision: ``at_s`` is when it was observed, ``text`` describes it."""
 
     decision: str
     verification: Verification

@@ -38,7 +38,7 @@ _FAILING = (*_BAD, "unknown")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what to watch, what to hold it against, and where to tell it."""
+    """Add options for what to watch, the references to compare with, and the outputs."""
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
     add_reference_argument(parser)
     add_observer_arguments(parser)

@@ -18,7 +18,7 @@ def prepare(ros: Ros, asked: Asked) -> None:
 
 
 def act(ros: Ros, asked: Asked) -> str:
-    """Call it, and say what it answered.
+    """Call it, and return a description of the response.
 
     Raises:
         ActionError: nobody answers in time, or the answer says that it did not succeed.

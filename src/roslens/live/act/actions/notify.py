@@ -23,7 +23,7 @@ def prepare(ros: Ros, asked: Asked) -> None:
 
 
 def act(ros: Ros, asked: Asked) -> str:
-    """Say it.
+    """Publish the message.
 
     Raises:
         ActionError: it cannot be published.

@@ -20,7 +20,7 @@ def prepare(ros: Ros, asked: Asked) -> None:
 
 
 def act(ros: Ros, asked: Asked) -> str:
-    """Publish, and say to how many.
+    """Publish, and return a description with the number of subscribers.
 
     Raises:
         ActionError: it cannot be published, or nobody is there to hear it.

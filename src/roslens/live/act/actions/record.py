@@ -18,7 +18,7 @@ def prepare(ros: Ros, asked: Asked) -> None:
 
 
 def act(ros: Ros, asked: Asked) -> str:
-    """Write the recording, and say what is in it.
+    """Write the recording, and return a description of its content.
 
     Raises:
         ActionError: it cannot be written.

@@ -1,4 +1,4 @@
-"""A recording: what it says of itself, its traffic as tallies, its messages' fields and its graph."""
+"""A recording: its metadata, its traffic as tallies, the fields of its messages, and its graph."""
 
 from __future__ import annotations
 
@@ -264,7 +264,7 @@ def _numbered(index: int, part: Part, stamped: Collection[int]) -> Iterator[tupl
 
 
 def _topics(parts: Sequence[Part]) -> tuple[BagTopic, ...]:
-    """Join what the files say of each topic with each of its types."""
+    """Merge the metadata of all files on each topic with each of its types."""
     found: dict[tuple[str, str, str], list[tuple[Channel, int]]] = {}
     for part in parts:
         for number, channel in part.channels.items():

@@ -1,4 +1,4 @@
-"""What a file of a recording says of one of its streams of messages."""
+"""The metadata of a message stream in a file of a recording."""
 
 from __future__ import annotations
 

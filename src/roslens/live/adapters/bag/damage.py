@@ -11,7 +11,7 @@ MOST = 50
 
 
 class DamageError(ValueError):
-    """Bytes that are not what they should be; the text says what was found."""
+    """Bytes that are not as expected; the text states what was found."""
 
 
 class FailureLog:

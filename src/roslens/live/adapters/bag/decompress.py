@@ -1,4 +1,4 @@
-"""Compressed pieces of recordings, unpacked no further than they say they reach."""
+"""Compressed chunks of recordings, decompressed up to their declared size."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a file format must tell of its chunks so that they can be read."""
+"""What a file format must provide so that its chunks can be read."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ _REINDEX = "The readable part is used. `mcap recover` writes a whole file."
 
 
 class _Summary(NamedTuple):
-    """What stands behind the data of a file: chunks, messages by channel, and how many chunks it says there are."""
+    """The summary after the data of a file: chunks, messages by channel, and the declared number of chunks."""
 
     chunks: list[Chunk]
     counts: dict[int, int]
@@ -39,7 +39,7 @@ class _Summary(NamedTuple):
 
 
 def open_mcap(source: Source) -> ChunkedPart:
-    """Read what a file says of itself.
+    """Read the metadata of a file.
 
     Raises:
         DamageError: nothing of it can be used.

@@ -42,7 +42,7 @@ class _Record(NamedTuple):
 
 
 def open_ros1(source: Source) -> ChunkedPart:
-    """Read what a bag says of itself.
+    """Read the metadata of a bag.
 
     Raises:
         DamageError: nothing of it can be used.

@@ -32,7 +32,7 @@ from roslens.live.publish.asked import when_asked
 
 DEFAULT_MASTER = "http://localhost:11311"
 PARAMETERS_WAIT_S = 10.0
-"""The longest the parameter server may take to tell all."""
+"""The longest time that the parameter server may take to return all parameters."""
 _SETTLE_S = 0.25
 """A node that registers is reported at its first registration; so much later it has made the others."""
 HEARD_S = 0.1

@@ -1,4 +1,4 @@
-"""Notice of processes that end: at once, by what the kernel tells of a process and of a connection to it."""
+"""Detection of processes that end: immediate, from kernel events on a process and on a connection to it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from contextlib import suppress
 
 
 class Ends:
-    """Watches processes of this host and connections to any host; says each end once.
+    """Watches processes of this host and connections to any host; reports each end once.
 
     Args:
         ended: called with the name given with what ended, in a thread of its own.

@@ -1,4 +1,4 @@
-"""The graph of what the master and the nodes tell, and what changed from one graph to the next; pure."""
+"""The graph from the answers of the master and the nodes, and the changes between graphs; pure."""
 
 from __future__ import annotations
 

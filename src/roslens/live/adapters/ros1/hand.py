@@ -158,7 +158,7 @@ class Ros1Hand:
         self.advertise(_ROSOUT, _LOG, {}, latched=False)
 
     def log(self, level: str, text: str) -> None:
-        """Say something on /rosout.
+        """Publish a text on /rosout.
 
         Raises:
             ActionError: the master does not register it.

@@ -120,7 +120,7 @@ class Master:
         return read_types(self._call("getTopicTypes"), self.uri)
 
     def pid(self) -> int:
-        """Return the process of the master, which another one tells from a master that was started again.
+        """Return the process id of the master; another one means that the master was restarted.
 
         Raises:
             CallError: the master does not tell.

@@ -39,7 +39,7 @@ def brief(value: Any) -> str:
 
 
 def odd(what: str, source: str, expected: str) -> Failure:
-    """Return the failure that says that a part of an answer was left out."""
+    """Return the failure for a part of an answer that was left out."""
     return Failure(
         TOOL, what, expected, "The rest is shown; find the program that registers or answers this", entity=source,
         partial=True,

@@ -118,7 +118,7 @@ class Observation:
         return self._frame(now, tallies, [*events, *set_since], graph, fresh)
 
     def between(self) -> Frame:
-        """Return a frame with nothing in it, for what is heard between two rounds."""
+        """Return an empty frame, for what is received between two rounds."""
         return self._frame(self._clock(), [], [], None, [])
 
     def ended(self, names: Iterable[str]) -> Frame | None:

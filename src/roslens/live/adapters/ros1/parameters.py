@@ -1,4 +1,4 @@
-"""The parameter server: read once, kept up to date by what the master says of each change, read anew now and then.
+"""The parameter server: read once, updated by notifications of the master, and read again now and then.
 
 The master calls back for every change below ``/`` of who subscribed to it, so that nothing is asked again and again.
 What did not arrive, because the way back is closed, is found when all is read a minute later.
@@ -66,7 +66,7 @@ class Parameters:
         self._subscribed = False
 
     def note(self, key: str, value: Any) -> None:
-        """Take what the master says of a parameter that was set or, with an empty table, deleted; in any thread."""
+        """Take the notification of a parameter that was set or, with an empty table, deleted; in any thread."""
         with self._lock:
             self._updates.append((key, value))
             if len(self._updates) > MOST_UPDATES:

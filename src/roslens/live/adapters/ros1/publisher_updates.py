@@ -1,4 +1,4 @@
-"""A slave API of our own, at which the master tells of publishers of a topic that appear and go."""
+"""A slave API of our own, through which the master reports publishers of a topic that appear and vanish."""
 
 from __future__ import annotations
 
@@ -107,6 +107,6 @@ def _handler(answers: Mapping[str, Answer]) -> type[BaseHTTPRequestHandler]:
             self.wfile.write(body)
 
         def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
-            """Say nothing: standard error is for failures of our own."""
+            """Log nothing: standard error is for failures of our own."""
 
     return Handler

@@ -24,7 +24,7 @@ class MonitorPublisher:
     """
 
     def __init__(self, address: str, own: str, caller: str, *, diagnostics: bool, rated: str) -> None:
-        """Publish on /diagnostics where ``diagnostics`` says so, and on the topic ``rated`` unless it is empty.
+        """Publish on /diagnostics if ``diagnostics`` is set, and on the topic ``rated`` unless it is empty.
 
         Args:
             address: to listen at, empty for all of this host.

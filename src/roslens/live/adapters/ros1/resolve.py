@@ -14,7 +14,7 @@ _LONGEST_NAME = 255
 
 
 class UnresolvedError(OSError):
-    """A host whose address is not known; the text says why."""
+    """A host whose address is unknown; the text states the reason."""
 
 
 def _ask(host: str) -> str:

@@ -19,7 +19,7 @@ class Speaker:
         self._sequence = 0
 
     def say(self, frame: Frame) -> None:
-        """Write a frame; one that is too long is replaced by the failure to tell it."""
+        """Write a frame; one that is too long is replaced by a failure."""
         numbered = msgspec.structs.replace(frame, sequence=self._sequence)
         body = encode_frame(numbered)
         if len(body) > MAX_FRAME_BYTES:

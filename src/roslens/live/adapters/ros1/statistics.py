@@ -1,4 +1,4 @@
-"""``/statistics``, in which subscribers tell what they received, as tallies."""
+"""``/statistics``, in which subscribers report what they received, as tallies."""
 
 from __future__ import annotations
 

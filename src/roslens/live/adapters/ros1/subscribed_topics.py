@@ -1,4 +1,4 @@
-"""What is listened to: which publishers, by patterns on topics, and how it joins what nodes tell of themselves."""
+"""Subscriptions of the tap: to which publishers, by patterns on topics, and how they join what nodes report."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class SubscribedTopics:
         return self._with_received(msgspec.structs.replace(frame, events=events))
 
     def received(self) -> Frame:
-        """Return the frame of what was received since; one of nothing says that there was silence."""
+        """Return the frame of what was received since; an empty one means silence."""
         return self._with_received(self._observation.between())
 
     def _with_received(self, frame: Frame) -> Frame:

@@ -39,7 +39,7 @@ ASKING_SETTLE_S = 0.4
 ASK_S = 0.02
 """How long it is from one look for their answers to the next."""
 LOOK_S = 1.0
-"""How often the graph is looked at where nothing tells of its changes."""
+"""How often the graph is read if nothing reports its changes."""
 MEET_S = 0.5
 """How long the first graph waits: who was there before is met in that time, and did not appear."""
 COUNT_EVERY_S = 0.15
@@ -85,7 +85,7 @@ class _Speaker:
         self._sequence = 0
 
     def say(self, frame: Frame) -> None:
-        """Write a frame; one that is too long is replaced by the failure to tell it."""
+        """Write a frame; one that is too long is replaced by a failure."""
         body = encode_frame(msgspec.structs.replace(frame, sequence=self._sequence))
         if len(body) > MAX_FRAME_BYTES:
             failure = Failure(

@@ -34,7 +34,7 @@ _PEER = "<locator><udpv4><address>127.0.0.1</address><port>{port}</port></udpv4>
 
 
 def wanted(environment: Mapping[str, str], folder: Path) -> bool:
-    """Whether participants are found by their ports alone, and no profile of the user's says otherwise.
+    """Whether participants are found by their ports alone, and no profile of the user overrides that.
 
     Args:
         environment: of the process that makes the participant.

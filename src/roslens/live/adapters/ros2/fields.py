@@ -35,7 +35,7 @@ def interface(type_: str, room: str) -> Any:
 
 
 def filled(kind: Any, fields: Mapping[str, Any], stamp: tuple[int, int]) -> Any:
-    """Return a message of a class with these values; headers that say nothing else are stamped.
+    """Return a message of a class with these values; headers without a stamp are stamped.
 
     Args:
         kind: class of the message.

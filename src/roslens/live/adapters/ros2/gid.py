@@ -1,4 +1,4 @@
-"""What the identifier of an endpoint says of the process that made it (Fast DDS).
+"""What the identifier of an endpoint reveals about the process that created it (Fast DDS).
 
 Bytes 0 and 1 are the vendor's, 2 and 3 tell the host, 4 and 5 are the low 16 bits of the process id, little-endian, 6
 and 7 are random; with 8 to 11 they are the prefix that all endpoints of a context share.
@@ -31,5 +31,5 @@ def pid_bits(gid: str) -> int | None:
 
 
 def host_bits(gid: str) -> str:
-    """Return what tells the host; empty where the identifier is of another layout."""
+    """Return the part that identifies the host; empty if the identifier has another layout."""
     return gid[4:8] if gid.startswith(VENDOR) else ""

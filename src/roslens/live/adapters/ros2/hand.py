@@ -116,7 +116,7 @@ class Ros2Hand:
         """The node logs from its beginning on."""
 
     def log(self, level: str, text: str) -> None:
-        """Say something on /rosout."""
+        """Publish a text on /rosout."""
         logger = self._node.get_logger()
         # One call site each: rclpy keeps the level of a site.
         if level == "error":
@@ -140,7 +140,7 @@ class Ros2Hand:
         return keeping.write(path, "ros2", after_s) if path else "kept from now on"
 
     def close(self) -> None:
-        """Hear no more."""
+        """Stop receiving."""
         for one in self._listening:
             one.close()
 

@@ -1,4 +1,4 @@
-"""States of managed nodes, asked of those that offer to tell."""
+"""States of managed nodes, requested from those that offer the service."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _SERVICE = "/get_state"
 
 
 def managed(endpoints: Iterable[Endpoint]) -> dict[str, str]:
-    """Return the nodes that tell their state, with the service that does."""
+    """Return the nodes that offer their state, with the service for it."""
     return {
         end.node: end.name
         for end in endpoints
@@ -57,7 +57,7 @@ class Lifecycles:
 
 
 class StateClient:
-    """A client of rclpy, which nobody needs to spin."""
+    """A client of rclpy that does not need to be spun."""
 
     def __init__(self, node: Any, service: str) -> None:
         from lifecycle_msgs.srv import GetState
@@ -67,7 +67,7 @@ class StateClient:
         self._client = node.create_client(GetState, service)
 
     def ask(self) -> None:
-        """Send a request, if somebody is there to answer."""
+        """Send a request, if the service is available."""
         if self._client.service_is_ready():
             with self._client.handle:
                 self._client.handle.send_request(self._type.Request())

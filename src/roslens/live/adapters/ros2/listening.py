@@ -1,4 +1,4 @@
-"""Hears topics of ROS 2 that match patterns, as bytes, for what keeps them."""
+"""Receives topics of ROS 2 that match patterns, as bytes, for what stores them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Listening:
     """Subscribes to every topic that matches, from a thread of its own that looks for new ones."""
 
     def __init__(self, node: Any, patterns: Sequence[str], received: Callable[[Topic, bytes], None]) -> None:
-        """Hear topics for which a pattern matches.
+        """Receive topics that match a pattern.
 
         Raises:
             ActionError: a pattern is none.
@@ -55,7 +55,7 @@ class Listening:
                 self._subscribed[name] = self._subscribe(name, types[0])
 
     def close(self) -> None:
-        """Hear no more; subscriptions end with their node."""
+        """Stop receiving; subscriptions end with their node."""
         self._closed.set()
 
     def _run(self) -> None:

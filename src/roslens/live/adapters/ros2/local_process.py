@@ -55,7 +55,7 @@ def _with_bits(bits: int, proc: Path) -> Iterator[int]:
 
 
 def _innermost(status: str, pid: int) -> int:
-    """Return the number that a process has for itself; ``pid`` where its status does not say."""
+    """Return the process id within its own namespace; ``pid`` if its status does not contain it."""
     for line in status.splitlines():
         # The last of the numbers is the one of the innermost namespace, which the process itself sees.
         if line.startswith("NSpid:"):

@@ -1,9 +1,9 @@
-"""How long a message waits for the first subscriber: a publisher that was just made knows nobody yet."""
+"""How long a message waits for the first subscriber: a new publisher has no matched subscribers yet."""
 
 from __future__ import annotations
 
 YOUNG_S = 5.0
-"""So long after its start a node may not have met everybody; that nobody is known says nothing then."""
+"""For this long after its start, discovery may be incomplete, and an empty graph is no evidence."""
 _FIRST_S = 1.0
 _MATCH_S = 5.0
 

@@ -1,4 +1,4 @@
-"""Makes frames of what the graph and the counters say."""
+"""Makes frames of the graph and the counters."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Taps(Protocol):
 
 
 class Reports(Protocol):
-    """What listens to what nodes and monitors tell of themselves."""
+    """The subscriptions to what nodes and monitors report about themselves."""
 
     parameters: Parameters
 
@@ -181,7 +181,7 @@ class Observation:
         return self._reports.take(now, self._name_of)
 
     def _with_parameters(self, now: float) -> Graph | None:
-        """Return the graph anew where parameters are other than it says."""
+        """Return the graph again if parameters differ from those in it."""
         if self._reports is None or self._graph is None or not self._reports.parameters.news:
             return None
         if now - self._parameters_reported < PARAMETERS_S:
@@ -191,7 +191,7 @@ class Observation:
         return self._graph
 
     def _stands(self, tally: Tally) -> bool:
-        """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""
+        """Return whether a connection still exists: the silence of a removed one is not worth reporting."""
         return all((name, tally.topic) in self._there for name in (tally.publisher, tally.subscriber) if name)
 
     def _here(self, one: Counted) -> bool:

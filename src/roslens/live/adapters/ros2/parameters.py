@@ -174,7 +174,7 @@ class Parameters:
 
 
 def lives(graph: Graph) -> dict[str, frozenset[str]]:
-    """Return the nodes that offer to tell their parameters, each with its processes as far as they are known."""
+    """Return the nodes that offer their parameters, each with its processes as far as they are known."""
     offers: dict[str, int] = {}
     processes: dict[str, set[str]] = {}
     for end in graph.endpoints:
@@ -208,7 +208,7 @@ def value_of(value: Any) -> Any:
 
 
 class NodeQuestions:
-    """Asks one node by two clients of rclpy, which nobody needs to spin.
+    """Queries one node by two clients of rclpy that do not need to be spun.
 
     Args:
         node: of rclpy.

@@ -24,7 +24,7 @@ class MonitorPublisher:
     """
 
     def __init__(self, node: Any, *, diagnostics: bool, rated: str) -> None:
-        """Publish on /diagnostics where ``diagnostics`` says so, and on the topic ``rated`` unless it is empty."""
+        """Publish on /diagnostics if ``diagnostics`` is set, and on the topic ``rated`` unless it is empty."""
         self.failures: list[Failure] = []
         self._lock = threading.Lock()
         self._closed = False

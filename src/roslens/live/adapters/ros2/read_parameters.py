@@ -16,7 +16,7 @@ from roslens.live.adapters.ros2.graph import OWN
 from roslens.live.adapters.ros2.parameters import NodeQuestions
 
 NOT_THERE = 4
-"""The exit code where nobody answers."""
+"""The exit code if the node does not answer."""
 _LOOK_S = 0.02
 
 

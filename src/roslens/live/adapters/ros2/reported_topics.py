@@ -1,4 +1,4 @@
-"""What nodes and monitors tell of themselves on topics: changes of parameters, diagnostics, statistics.
+"""What nodes and monitors report about themselves on topics: changes of parameters, diagnostics, statistics.
 
 Own subscriptions, opened only where somebody publishes, and emptied once a period without an executor.
 """
@@ -61,7 +61,7 @@ class ReportedTopics:
         self._failures: list[Failure] = []
 
     def choose(self, graph: Graph) -> None:
-        """Listen where somebody speaks."""
+        """Subscribe to topics that have a publisher."""
         self.parameters.follow(graph)
         spoken = {
             end.name for end in graph.endpoints if end.role is Role.PUBLISHER and _TYPES.get(end.name) == end.type
@@ -147,4 +147,4 @@ class ReportedTopics:
 
 
 def _nothing(_: object) -> None:
-    """Is never called: nobody spins the node."""
+    """Never called: the node is not spun."""

@@ -250,4 +250,4 @@ class Tap:
 
 
 def _nothing(_: object) -> None:
-    """Is never called: nobody spins the node."""
+    """Never called: the node is not spun."""

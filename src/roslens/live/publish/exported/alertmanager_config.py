@@ -1,4 +1,4 @@
-"""A configuration of Alertmanager for the alerts of a reference: it tells first causes, not what follows from them."""
+"""A configuration of Alertmanager for the alerts of a reference: it notifies of first causes, not of their effects."""
 
 from __future__ import annotations
 

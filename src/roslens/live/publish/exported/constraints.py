@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.reference_document import ReferenceConstraint
 
 ALARMS = ("low", "high", "absent")
-"""States of which somebody is notified."""
+"""States that cause a notification."""
 
 
 def by_group(reference: Reference) -> Iterator[tuple[str, list[ReferenceConstraint]]]:
@@ -25,7 +25,7 @@ def by_group(reference: Reference) -> Iterator[tuple[str, list[ReferenceConstrai
 
 
 def words_of(constraint: ReferenceConstraint) -> str:
-    """Return what a constraint says: ``topic /scan: rate 25 Hz ± 15 %``."""
+    """Return a constraint in words: ``topic /scan: rate 25 Hz ± 15 %``."""
     return f"{subject_words(constraint)}: {expected_words(constraint)}"
 
 

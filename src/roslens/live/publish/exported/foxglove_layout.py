@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
 
 RATED = "/roslens/rated"
-"""Topic of ``roslens watch --publish-statistics``, where nobody names another one."""
+"""Topic of ``roslens watch --publish-statistics``, unless another one is given."""
 DIAGNOSTICS = "/diagnostics"
 MOST_PLOTS = 12
 

@@ -1,4 +1,4 @@
-"""The graph that a recording of ROS 2 holds where somebody published it, as graph-monitor does.
+"""The graph in a recording of ROS 2, if it was published, as by graph-monitor.
 
 The fields are those of rosgraph_msgs in rcl_interfaces, and of its forerunner rosgraph_monitor_msgs in graph-monitor.
 Such a message says who publishes, takes and serves what at one instant; nothing else in a recording of ROS 2 does.

@@ -14,7 +14,7 @@ from roslens.model.qos import Qos
 
 
 def graph_of(generation: str, channels: Iterable[Channel]) -> Graph:
-    """Return nodes and publishers; in ROS 2, where nothing says who published, their node is empty."""
+    """Return nodes and publishers; in ROS 2, their node is empty if the publisher is unknown."""
     endpoints = {}
     nodes = set()
     for channel in channels:

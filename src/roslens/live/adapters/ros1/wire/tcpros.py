@@ -18,11 +18,11 @@ _HEADER_FIELD = re.compile(r"(std_msgs/|roslib/)?Header\s+\w+\s*$")
 
 
 class TcprosError(Exception):
-    """What came is no TCPROS, or the publisher refuses; the text says what was found."""
+    """The data is not TCPROS, or the publisher refuses; the text states what was found."""
 
 
 class Handshake(msgspec.Struct, frozen=True):
-    """What a publisher says of a topic before its first message.
+    """The connection header of a publisher, which precedes its first message.
 
     Attributes:
         caller: name of the publishing node.
@@ -76,7 +76,7 @@ def is_stamped(type_: str, definition: str) -> bool:
 
 
 def connect(address: str, port: int, topic: str, caller: str, wait_s: float) -> tuple[socket.socket, Handshake]:
-    """Connect to a publisher and return the line, at its first message, and what the publisher says.
+    """Connect to a publisher and return the line, at its first message, and the header of the publisher.
 
     Raises:
         TcprosError: the publisher refuses, or does not speak TCPROS.

@@ -49,7 +49,7 @@ class Trouble(str, Enum):
 
 
 class CallError(Exception):
-    """A call without an answer; its text says what was found."""
+    """A call without an answer; its text states what was found."""
 
     def __init__(self, trouble: Trouble, text: str) -> None:
         super().__init__(text)

@@ -65,8 +65,9 @@ What was read of each rule; of one that was below {bound:.0f} %, since the cause
 findings of at least {spread} repositories, drawn with a seed. Where there are fewer, it is every finding of the last
 table that has any: how often the rule is true in the repositories that are named is then known, not estimated, although
 they may be few, and older tables may hold findings that nobody read. Of a rule of which none was found no share is
-known: it rests on its fixtures. The last table on all rules is of {looked_at} repositories. A rule of which five or
-more were read and less than {bound:.0f} % are true is a note or off, which a test sees to."""
+known: it rests on its fixtures. The last table on all rules is of {looked_at} repositories, the one before it of
+{before}. A rule of which five or more were read and less than {bound:.0f} % are true is a note or off, which a test
+sees to."""
 _BELOW = """\
 Below {:.0f} % over all tables, however few were read, and warnings or errors all the same: each was mended by the cause
 of what was not true. What was read before still counts in its share; what was read in tables that were drawn since
@@ -150,11 +151,11 @@ def _overview(found: Mapping[str, Sample], on: Sequence[str], errors: Container[
     mendings = read_mendings()
     known = {rule: standing_of(rule, mendings.get(rule), found) for rule in on}
     complete = (one for one in found.values() if not one.developed_on and not one.only)
-    newest = max(complete, key=lambda one: one.seed)
-    looked_at = len(newest.repositories) - len(newest.not_read)
+    looked_at = [len(one.repositories) - len(one.not_read) for one in sorted(complete, key=lambda one: one.seed)]
+    before, last = looked_at[-2:]
     lines = [
         "## Each rule that warns by default", "",
-        _OVERVIEW.format(read=READ, spread=SPREAD, bound=100 * BOUND, looked_at=looked_at), "",
+        _OVERVIEW.format(read=READ, spread=SPREAD, bound=100 * BOUND, looked_at=last, before=before), "",
         "| rule | severity | read | repositories | true | enough? |", "| --- | --- | --: | --: | --: | --- |",
     ]  # fmt: skip
     for rule, one in known.items():

@@ -37,6 +37,8 @@ EITHER = (
 )
 COMPARED = "#include <rclcpp/rclcpp.hpp>\nbool f() {{ return {0} > rclcpp::Time(0); }}\n"
 CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clock::now(); }}\n"
+SPINS = '#include <ros/ros.h>\nvoid f(A a) {{ {0} }}\nvoid g() {{ handle.subscribe("a", 1, f); }}\n'
+SHARED = '#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") {{ {0} }}\n'
 TIMER, HEARD = "Timer(rospy.Duration(1), self.read)", "Subscriber('a', String, self.read)"
 RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 
@@ -51,6 +53,15 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
             "node.deprecated_ros2",
             Language.CPP,
             HEADER.format(f"{EXECUTORS}::StaticSingleThreadedExecutor"),
+            Severity.NOTE,
+        ),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("ros::spinOnce(); take(a);"), Severity.NOTE),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce();"), Severity.WARNING),
+        ("node.shared_in_constructor", Language.CPP, SHARED.format("take(shared_from_this());"), None),
+        (
+            "node.shared_in_constructor",
+            Language.CPP,
+            SHARED.format("try { take(shared_from_this()); } catch (const E & e) { log(e); }"),
             Severity.NOTE,
         ),
         ("node.service_result_dropped", Language.CPP, SERVICE.format("", "drive();"), None),

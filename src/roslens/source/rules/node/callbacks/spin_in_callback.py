@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import arguments, call_at, function_around, loop_around
+from roslens.source.rules.calls import arguments, body_of, call_at, function_around, loop_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -42,8 +42,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{text}` in {spoken(callback)}, which an executor is running already; expected "
             + ("`async_send_request` with a callback" if is_ros2 else "the callback to return"),
             callback=callback,
-            severity=None if is_ros2 else Severity.WARNING,
+            severity=None if is_ros2 else _severity(call, text),
         )
+
+
+def _severity(call: Node, text: str) -> Severity:
+    """Return how severe it is in ROS 1; what a callback takes in before it begins cannot change under it."""
+    function, statement = function_around(call), call.parent
+    body = body_of(function) if function is not None else None
+    first = next((one for one in body.named_children if one.type != "comment"), None) if body is not None else None
+    begins = statement is not None and statement == first
+    return Severity.NOTE if text == "ros::spinOnce" and begins else Severity.WARNING
 
 
 def _is_waited_for(call: Node, view: FileView) -> bool:

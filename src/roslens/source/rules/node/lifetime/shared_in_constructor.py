@@ -8,7 +8,7 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import function_name
-from roslens.source.rules.calls import call_at, function_around
+from roslens.source.rules.calls import call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
@@ -26,6 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             call,
             f"`{view.text(call)}` in the constructor of `{last}` throws std::bad_weak_ptr; expected `*this`, the "
             "interfaces of the node, or a function called after it was made",
+            severity=Severity.NOTE if is_handled(call) else None,
         )
 
 
@@ -33,8 +34,7 @@ RULE = FileRule(
     id="node.shared_in_constructor",
     title="shared_from_this in a constructor",
     finds="`shared_from_this()` in a constructor. Hand over `*this` or the node's interfaces, or begin in a function "
-    "that "
-    "is called once the node was made.",
+    "that is called once the node was made. Behind a handler of exceptions it is a note.",
     why="No shared pointer owns the object before its constructor returns: it throws std::bad_weak_ptr, and the node "
     "ends "
     "before it began.",

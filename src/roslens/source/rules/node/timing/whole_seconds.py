@@ -29,6 +29,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if around.parent is not None and view.text(around.parent.child_by_field_name("operator")) in _COMPARED:
         return
+    if around.parent is not None and view.text(around.parent.child_by_field_name("operator")) == "+=":
+        # What is left out of one difference is in the next.
+        return
     function = function_around(name) or statement_around(name)
     if b"nsec" not in (code := view.code[function.start_byte : function.end_byte]) and b"nanosec" not in code:
         yield view.hit(

@@ -14,6 +14,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
 _ASKS_FIRST = re.compile(rb"can_transform|canTransform|waitForTransform|wait_for_transform")
+_LOOKS_UP = re.compile(rb"\.lookup_?[tT]ransform\(")
 _FEWEST = 3
 
 
@@ -26,7 +27,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     start = body.start_byte if body is not None else 0
     # rospy hands what a service or action raises on to whoever asked.
     callback = callback_around(call, view, of_stream=b"rclpy" not in view.content)
-    if callback is not None and not _ASKS_FIRST.search(view.code[start : call.start_byte]):
+    before = view.code[start : call.start_byte]
+    # The first look-up of a function raises for those behind it.
+    if callback is not None and not _ASKS_FIRST.search(before) and not _LOOKS_UP.search(before):
         yield view.hit(
             "node.transform_unhandled_python",
             call,
@@ -39,7 +42,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.transform_unhandled_python",
     title="Unhandled exception of a transform look-up (Python)",
-    finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before. "
+    finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before; of "
+    "several in a function the first one. "
     "Catch `TransformException` and go on without. Handlers of services and actions of rospy are left out: the caller "
     "is told.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "

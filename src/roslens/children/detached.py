@@ -1,4 +1,4 @@
-"""Processes that are started for somebody else, and go on when the one that started them ends."""
+"""Detached processes, which continue after the process that started them ends."""
 
 from __future__ import annotations
 

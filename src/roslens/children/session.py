@@ -7,7 +7,7 @@ from contextlib import suppress
 
 
 def number_in_session(leader: int) -> int:
-    """Return how many processes the session has that a process began; 0 where the kernel does not tell."""
+    """Return how many processes the session has that a process began; 0 if the kernel does not provide it."""
     try:
         names = os.listdir("/proc")  # noqa: PTH208 - many times
     except OSError:

@@ -47,7 +47,7 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Have processes that are started meanwhile hear no interrupt, which Python answers first by a traceback."""
+    """Have processes that are started meanwhile ignore interrupts, on which Python would print a traceback."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

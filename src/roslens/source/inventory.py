@@ -22,7 +22,7 @@ from roslens.source.workspace.vendored import named_folders, vendored_folders
 from roslens.store.cache import FileStat
 
 LARGEST_UNNAMED_BYTES = 1 << 20
-"""A larger file whose name tells no language is not opened to find out."""
+"""A larger file whose name does not determine a language is not opened to detect it."""
 
 
 class Inventory(msgspec.Struct, frozen=True):

@@ -18,7 +18,7 @@ _decode = msgspec.msgpack.Decoder(Outcome).decode
 
 
 class KeptOutcomes:
-    """Asks plug-ins about a package once for all that shapes what they say."""
+    """Asks plug-ins about a package once for each set of inputs to their findings."""
 
     def __init__(self, cache: Cache, keys: Mapping[str, str]) -> None:
         """Keep in a cache.
@@ -31,7 +31,7 @@ class KeptOutcomes:
         self._keys = keys
 
     def of(self, measured: MeasuredPackage, look: Callable[[MeasuredPackage], Outcome]) -> Outcome:
-        """Return what plug-ins say of a package; where something failed, they are asked again the next time.
+        """Return the outcome of plug-ins for a package; after a failure they are asked again the next time.
 
         Args:
             measured: the package.

@@ -13,7 +13,7 @@ import roslens
 
 
 def content_hash(content: bytes) -> str:
-    """Return git's blob id of the content, so that ``git ls-files -s`` tells it for free."""
+    """Return git's blob id of the content, so that ``git ls-files -s`` provides it for free."""
     return sha1(b"blob %d\0" % len(content) + content, usedforsecurity=False).hexdigest()
 
 

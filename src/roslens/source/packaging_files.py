@@ -15,7 +15,7 @@ PACKAGING_FILES = ("setup.cfg", "pyproject.toml")
 
 
 def packaging(found: FoundPackage, root: str, *, is_launched: bool) -> list[tuple[str, str]]:
-    """Return the hashes of files that have no language and say how a package is installed or started.
+    """Return the hashes of files without a language that define how a package is installed or started.
 
     Args:
         found: the package.

@@ -42,7 +42,7 @@ class ParsedFile(Protocol):
         """
 
     def program(self) -> Program:
-        """Return what tells of nodes, topics and parameters."""
+        """Return the facts about nodes, topics and parameters."""
 
     def view(self) -> FileView:
         """Return the file as rules see it."""

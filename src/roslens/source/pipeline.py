@@ -199,7 +199,7 @@ def analyse(
 
 
 def _check_settings(settings: SourceSettings, plugins: Discovered) -> None:
-    """Tell of options of plug-ins, and of settings of rules, that there are not."""
+    """Report options of plug-ins and settings of rules that do not exist."""
     if settings.options:
         check_options(manifests_of(settings, plugins), settings.options)
     if settings.rules != RuleSettings():
@@ -307,7 +307,7 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
 
 
 BYTES_A_WORKER = 500_000
-"""To start one more worker takes as long as to measure so many bytes: nobody waits for one that was not asked for."""
+"""Starting one more worker takes as long as measuring this many bytes: no run waits for an unrequested one."""
 
 
 def _measured(
@@ -364,7 +364,7 @@ def _looked_at(
     kept: KeptOutcomes,
     rest: list[Outcome],
 ) -> Iterator[tuple[MeasuredPackage | FinishedPackage, Outcome]]:
-    """Yield each package with what plug-ins say of it; what they say of no package goes to ``rest``."""
+    """Yield each package with its outcome of plug-ins; outcomes about no package go to ``rest``."""
     from roslens.plugins.outcome import Outcome
     from roslens.source.measure.analyse_package import MeasuredPackage
 

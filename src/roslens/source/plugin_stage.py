@@ -1,4 +1,4 @@
-"""Plug-ins in a run: which take part, what each package's hooks say, what those that see all packages say."""
+"""Plug-ins in a run: which take part, and the outcomes of the hooks for each package and for all packages."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         jobs: int,
         log: Path | None = None,
     ) -> None:
-        """Take the plug-ins that have something to say.
+        """Take the plug-ins that have hooks.
 
         One that comes with roslens runs only where a quality model asks for a quantity that it
         gives (``wanted``): a foreign tool on every file costs more than all the rest.
@@ -111,7 +111,7 @@ class PluginStage(AbstractContextManager["PluginStage"]):
             self._workers.__exit__(kind, error, trace)
 
     def run_package(self, measured: MeasuredPackage) -> Outcome:
-        """Return what the file and package hooks of all plug-ins say of a package."""
+        """Return the outcome of the file and package hooks of all plug-ins for a package."""
         members = [member for member in self.members if {"file", "package"} & set(member.manifest.scopes)]
         if not members:
             return Outcome()
@@ -127,7 +127,7 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         )
 
     def run_workspace(self, measured: Sequence[MeasuredPackage], outcomes: Sequence[Outcome]) -> Outcome:
-        """Return what the hooks that see all packages say."""
+        """Return the outcome of the hooks that see all packages."""
         from roslens.plugins.isolation import run_plugins
 
         packages = tuple(self._input(package) for package in measured)
@@ -173,7 +173,7 @@ def is_wide(members: Sequence[Member]) -> bool:
 
 
 def shared_out(outcome: Outcome, files: Mapping[str, tuple[SourceFile, ...]]) -> tuple[dict[str, Outcome], Outcome]:
-    """Give each package what an outcome says of it; return that by package id, and the rest."""
+    """Divide an outcome by package; return it by package id, and the rest."""
     owner = {file.path: package for package, held in files.items() for file in held}
 
     def package_of(path: str, entity: str) -> str:

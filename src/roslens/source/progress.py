@@ -1,4 +1,4 @@
-"""What a long step tells whoever watches it."""
+"""Progress of a long step."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ class Progress(Protocol):
         """Begin a step of ``total`` items (0: unknown)."""
 
     def advance(self, count: int = 1, item: str = "") -> None:
-        """Say that ``count`` more items are done, the last of them ``item``."""
+        """Report that ``count`` more items are done, the last of them ``item``."""
 
 
 class Silent:
-    """Nobody watches."""
+    """Progress is not shown."""
 
     def step(self, title: str, total: int) -> None:
         """Do nothing."""

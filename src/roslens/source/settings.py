@@ -44,7 +44,7 @@ class MacroSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
-    """What code cannot tell of a node: endpoints, a line each (``name package/msg/Type``), and names at places.
+    """Facts about a node beyond its source: endpoints, a line each (``name package/msg/Type``), and names at places.
 
     ``names`` maps ``path:line`` of an endpoint whose name is unresolved to that name. ``loads`` names code that is in
     it: plug-ins, classes or functions with their namespaces, or files.
@@ -112,7 +112,7 @@ class ToolCommand(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknow
 
 
 class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Which foreign tools look at the source, and what becomes of what they say.
+    """Which foreign tools check the source, and how their findings are treated.
 
     ``use`` are names of tools, ``all`` for every one that is installed. ``layout`` says whether findings about white
     space and line breaks become one a package (``fold``) or stay as they are (``each``). ``time_limit_s`` is how long

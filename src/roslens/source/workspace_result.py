@@ -1,4 +1,4 @@
-"""What a run says of the workspace as a whole, and of itself."""
+"""The results of a run on the workspace as a whole, and on itself."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def workspace_result(
 
 
 def header_of(run: Run) -> RunHeader:
-    """Return what a run says of itself."""
+    """Return the results of a run on itself."""
     from roslens.source.commit import commit_of
     from roslens.source.versions import tool_versions
 

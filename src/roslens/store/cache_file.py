@@ -70,7 +70,7 @@ def remove_cache_file(path: Path) -> None:
 
 
 def cache_warning(path: Path | None, error: Exception, *, rebuilt: bool) -> Failure:
-    """Return what there is to say about a cache that failed."""
+    """Return the message on a cache that failed."""
     return Failure(
         tool="cache",
         what=f"the cache cannot be used ({str(error)!r})",

@@ -1,4 +1,4 @@
-"""What people noted of alerts: who has seen one, and who wants to hear nothing of one until when."""
+"""Notes of people on alerts: who acknowledged one, and who muted one until when."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Process metrics kept with runs: written once however many runs share them, read when somebody asks."""
+"""Process metrics kept with runs: written once however many runs share them, read on demand."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from roslens.store.encodable import encodable
 
 
 def write_process(connection: sqlite3.Connection, run: int, found: Sequence[RepositoryProcess]) -> None:
-    """Keep what the histories of repositories say with a run, in their order."""
+    """Store the histories of repositories with a run, in their order."""
     for position, one in enumerate(found):
         content = _encoded(one)
         digest = blake2b(content, digest_size=16).hexdigest()

@@ -275,7 +275,7 @@ class RunView:
         return 0
 
     def set_aside(self, *, path: str | None = None, tags: TagFilter | None = None) -> Iterator[SetAside]:
-        """Yield the findings that count nowhere because somebody said so, with who and why."""
+        """Yield the findings that were set aside, with their source and reason."""
         where = Conditions()
         where.equal("set_aside.path", path)
         wanted = tags or TagFilter()
@@ -299,7 +299,7 @@ class RunView:
 
     @cached_property
     def process(self) -> tuple[RepositoryProcess, ...]:
-        """What the histories of repositories say; nothing where the run did not ask them."""
+        """The histories of repositories; nothing if the run did not read them."""
         from roslens.store.process import read_process
 
         with self._run.reading() as connection:

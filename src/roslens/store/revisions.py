@@ -29,7 +29,7 @@ _read_commits = msgspec.json.Decoder(tuple[tuple[str, str], ...]).decode
 
 
 def write_revision(connection: sqlite3.Connection, one: KeptRevision) -> None:
-    """Say of which commit a run is."""
+    """Store the commit of a run."""
     connection.execute(
         'INSERT INTO revision (run, "commit", key, time_s, commits) VALUES (?, ?, ?, ?, ?) ON CONFLICT (run) DO UPDATE '
         'SET "commit" = excluded."commit", key = excluded.key, time_s = excluded.time_s, commits = excluded.commits',

@@ -225,7 +225,7 @@ class Store:
         return RunView(Run(self._readers, self._path, number), rows.to_header(found))
 
     def mark_revision(self, one: KeptRevision) -> None:
-        """Say of which past commit a run is.
+        """Store the past commit of a run.
 
         Raises:
             StoreError: the store cannot be written.

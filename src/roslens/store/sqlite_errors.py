@@ -1,4 +1,4 @@
-"""From what SQLite says to what a user can do about it."""
+"""From errors of SQLite to advice for the user."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from roslens.model.errors import StoreError
 from roslens.store.full_disk import full_file_system
 
 SERVER = "database server"
-"""What every error of a shared store's server says."""
+"""The advice of every error of a shared store's server."""
 
 _ADVICE = (
     (
@@ -61,7 +61,7 @@ _ADVICE = (
 )
 
 _PERHAPS_FULL = ("disk is full", "disk I/O error", "unable to open")
-"""What SQLite says where there is no room: for the file itself, or for what it writes beside it."""
+"""The errors of SQLite for a full disk: for the file itself, or for what it writes beside it."""
 
 
 def store_error(path: Path | str | None, error: Exception) -> StoreError | None:
@@ -94,7 +94,7 @@ def store_error(path: Path | str | None, error: Exception) -> StoreError | None:
 
 @contextmanager
 def as_store_errors(path: Path | str | None) -> Iterator[None]:
-    """Turn errors of SQLite inside the block into errors that say what to do.
+    """Turn errors of SQLite inside the block into errors with advice.
 
     Raises:
         StoreError: SQLite failed for a reason that a user can do something about.

@@ -41,7 +41,7 @@ _SUMS = {"files", "classes", "functions", "rqv", "rcv"}
 
 
 class Trends:
-    """The runs of past revisions and of today, and what they say of a quantity.
+    """The runs of past revisions and of today, and their values of a quantity.
 
     Everything is read once: summaries of packages are shared by the runs in which a package did not change.
     ``other_root`` is the workspace of a run that was left out because it is another one's; empty for none.
@@ -166,7 +166,7 @@ class Trends:
         return self
 
     def of(self, key: str) -> Trend:
-        """Return how a quantity went; one that nobody measured has no values."""
+        """Return the trend of a quantity; one that was not measured has no values."""
         names = {one.id for packages in self._packages for one in packages if one.id != OUTSIDE_PACKAGES}
         columns: dict[str, list[float | None]] = {name: [] for name in sorted(names)}
         whole: list[float | None] = []

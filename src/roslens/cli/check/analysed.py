@@ -1,4 +1,4 @@
-"""A workspace as its configuration and the options of ``roslens check`` say, analysed."""
+"""Analysis of a workspace by its configuration and the options of ``roslens check``."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def analysed(
     begun: float,
     unchanged: Mapping[str, str] | None = None,
 ) -> Answer:
-    """Analyse, and keep the run in a store; what the cache has to say goes to standard error.
+    """Analyse, and keep the run in a store; messages of the cache go to standard error.
 
     Args:
         options: ``paths``, ``model``, ``jobs``, ``graph``, ``no_cache`` and ``no_store`` of ``roslens check``.
@@ -114,7 +114,7 @@ def _engine(
 def settings_of(
     options: argparse.Namespace, configuration: Configuration, environment: Mapping[str, str]
 ) -> SourceSettings:
-    """Return what shapes the result, as configuration, options and environment say."""
+    """Return what determines the result, from configuration, options and environment."""
     import msgspec
 
     from roslens.source.workspace.conditions import environment_of

@@ -101,7 +101,7 @@ def take_back(options: argparse.Namespace, root: Path) -> int:
 
 
 def tell(options: argparse.Namespace, text: str, failures: Sequence[Failure]) -> None:
-    """Say on standard error what was done; what could not be done is said even where it is to be quiet."""
+    """Report on standard error what was done; what could not be done is reported even with ``--quiet``."""
     if not options.quiet:
         print(f"roslens: {text}", file=sys.stderr)
     for failure in failures:

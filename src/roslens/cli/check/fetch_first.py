@@ -12,7 +12,7 @@ from roslens.model.errors import UsageError
 
 
 def fetch_first(options: argparse.Namespace) -> int:
-    """Fetch as the options of ``roslens check`` say, have them look there, and return how much could not be had.
+    """Fetch by the options of ``roslens check``, check the result, and return how much could not be fetched.
 
     What became of repositories goes to standard error, as standard output is the report's.
 

@@ -1,4 +1,4 @@
-"""Options that say which repositories are fetched and how: of ``roslens fetch``, and of ``roslens check --fetch``."""
+"""Options for which repositories are fetched and how: of ``roslens fetch``, and of ``roslens check --fetch``."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def refuse_without_fetch(options: argparse.Namespace) -> None:
 def fetched(
     options: argparse.Namespace, configuration: Configuration, *, jobs: int, progress: Progress
 ) -> tuple[list[Taken], list[Failure]]:
-    """Fetch as the options say; return what became of each repository, and what was asked for and is none.
+    """Fetch by the options; return the outcome of each repository, and the requested names that are none.
 
     Raises:
         UsageError: an option or a document is wrong.

@@ -1,4 +1,4 @@
-"""What is to be mended first of what is new since a baseline, kept so that pages say what the terminal said."""
+"""The new findings since a baseline to correct first, stored so that pages show the same as the terminal."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def keep_new(folder: Path, run: int, baseline: str, first: Sequence[RuleCount] |
 
 
 def kept_new(folder: Path, run: int) -> tuple[RuleCount, ...]:
-    """Return what was kept of a run; nothing where its last check was compared with nothing, or somebody changed it."""
+    """Return what was stored for a run; nothing if its last check had no baseline, or the file was changed."""
     try:
         kept = msgspec.json.decode(read_bounded(folder / _FILE, _MOST_BYTES), type=KeptNew)
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""``roslens check``: analyse packages, keep the run, say what is wrong."""
+"""``roslens check``: analyse packages, store the run, report findings."""
 
 from __future__ import annotations
 
@@ -206,7 +206,7 @@ def _keep_new(folder: Path, scope: Scope) -> None:
 
 
 def _tell(scope: Scope, outcome: Answer, seconds: float) -> None:
-    """Say beside the result how it came about."""
+    """Report details of the run besides the result."""
     tell_not_run(scope.whole.header)
     if outcome.left_out:
         print(f"roslens: {left_to_whole_run(outcome.left_out)}", file=sys.stderr)
@@ -215,7 +215,7 @@ def _tell(scope: Scope, outcome: Answer, seconds: float) -> None:
 
 
 def _code(options: argparse.Namespace, scope: Scope, missing: int) -> int:
-    """Return the exit code; of a comparison that was asked for and could not be made it says so."""
+    """Return the exit code; a requested comparison that could not be made is reported."""
     if options.baseline and scope.baseline is None:
         # What was asked is not answered: that there are findings is not what the user wanted to know.
         print(f"roslens: nothing was compared with --baseline {options.baseline!r}; see the result", file=sys.stderr)

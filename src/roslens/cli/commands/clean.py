@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Remove and say what was removed.
+    """Remove, and report what was removed.
 
     Raises:
         UsageError: nothing is kept there, or N is less than one.

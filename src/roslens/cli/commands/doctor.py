@@ -66,7 +66,7 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
 
 
 def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
-    """Say which foreign tools are there; none is needed."""
+    """Report which foreign tools are installed; none is required."""
     from roslens.cli.workplace.tools_found import found_tools
 
     absent = []

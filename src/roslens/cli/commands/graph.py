@@ -155,13 +155,13 @@ def _say_given(source: GraphSource, found: tuple[Configuration, ...], options: a
 
 
 def _say_lacking(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
-    """Tell what a launch file needs of which nobody says how it is started: that is no finding."""
+    """Report what a launch file needs that nothing is known to start: this is not a finding."""
     if not options.arg and options.launch not in source.settings.graph.configurations:
         _say_given(source, found, options)
 
 
 def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
-    """Return the exit code that says whether there is a graph at all: none that could be read is not a clean one."""
+    """Return the exit code for whether there is a graph at all: an unreadable one is not a clean one."""
     return CLEAN if any(one.nodes for one in found) and not source.facts.broken else NOT_ANALYSED
 
 

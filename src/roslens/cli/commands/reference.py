@@ -1,4 +1,4 @@
-"""``roslens reference``: documents that say how a running robot should behave, and what is done with them."""
+"""``roslens reference``: documents that specify the expected behaviour of a running robot, and operations on them."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Do what the action says and return the exit code.
+    """Carry out the action and return the exit code.
 
     Raises:
         DocumentError: a document is wrong.

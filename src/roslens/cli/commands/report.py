@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the files and say where they are.
+    """Write the files and print their paths.
 
     Raises:
         UsageError: there is no run, the number of processes is none, or the folder holds something else.

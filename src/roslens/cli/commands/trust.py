@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Trust, and say what.
+    """Trust, and report what was trusted.
 
     Raises:
         UsageError: what the user trusts cannot be read.

@@ -31,7 +31,7 @@ def names_sides(words: Sequence[str], launch: str | None = None) -> bool:
 
 
 def compare_sides(words: Sequence[str], options: argparse.Namespace) -> int:
-    """Compare, write what differs, and return 1 where a difference is as grave as ``--fail-on`` says.
+    """Compare, write what differs, and return 1 if a difference has at least the severity of ``--fail-on``.
 
     Raises:
         RoslensError: a side cannot be read, or there is nothing to compare.

@@ -27,7 +27,7 @@ GRAPH = "graph.json"
 
 
 def live_side(options: argparse.Namespace) -> Side:
-    """Observe what runs here until nothing changes any more, for as long as ``--for`` says at most.
+    """Observe the running system until nothing changes any more, for at most the time of ``--for``.
 
     Raises:
         UsageError: no ROS is found, or nothing runs.
@@ -63,7 +63,7 @@ def live_side(options: argparse.Namespace) -> Side:
 
 
 class _Still:
-    """Tells when a graph has nodes, those that can tell their parameters did, and nothing changed for a while."""
+    """Detects when a graph has nodes, all available parameters were reported, and nothing changed for a while."""
 
     def __init__(self, session: Session, *, exact: bool) -> None:
         self._session = session

@@ -70,7 +70,7 @@ def kind_of(word: str) -> WordKind:
 
 
 def _holds_recording(folder: Path) -> bool:
-    """Tell a folder of a recording from a workspace: it has recordings and no packages in it."""
+    """Return whether a folder is a recording, not a workspace: it contains recordings and no packages."""
     if (folder / "package.xml").exists() or (folder / "src").is_dir():
         return False
     return (folder / "metadata.yaml").is_file() or any(one.name.endswith(_RECORDING) for one in folder.iterdir())

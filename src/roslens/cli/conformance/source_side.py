@@ -105,7 +105,7 @@ def document_side(path: str, options: argparse.Namespace, others: Sequence[Side]
 
 
 def best(found: Mapping[str, Configuration], others: Sequence[Side], options: argparse.Namespace) -> str:
-    """Return the name of the configuration that has most nodes and topics of the other sides; say which it was."""
+    """Return the name of the configuration that has most nodes and topics of the other sides, and report it."""
     names = [*found]
     if len(names) == 1:
         return names[0]

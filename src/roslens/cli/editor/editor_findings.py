@@ -99,7 +99,7 @@ def ignore_edits(finding: Finding, path: str, lines: Sequence[str]) -> tuple[Edi
 
 
 def failure_as_finding(failure: Failure) -> Finding:
-    """Return a finding that says what of a file was not analysed."""
+    """Return a finding about the parts of a file that were not analysed."""
     place = failure.location
     return Finding(
         "roslens.not_analysed",

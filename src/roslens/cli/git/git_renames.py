@@ -1,4 +1,4 @@
-"""Which files have another path in a later revision, as git tells by how alike they are."""
+"""Which files have another path in a later revision, by git's detection of similar contents."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def _folders(repository: Repository, commit: str, path: str) -> Iterator[Path]:
 
 
 def _name(repository: Repository, commit: str, path: str) -> str:
-    """Return the submodule's name, which it keeps where it is moved; empty where nobody tells it."""
+    """Return the submodule's name, which it keeps where it is moved; empty if it is unknown."""
     reported = repository.git(
         "config", "--blob", f"{commit}:.gitmodules", "-z", "--get-regexp", r"^submodule\..*\.path$"
     )

@@ -11,7 +11,7 @@ Commits = tuple[tuple[str, str], ...]
 
 
 def renamed_between(root: Path, before: Commits, after: Commits) -> dict[str, str]:
-    """Return the later path of each renamed file by its earlier one; none where git cannot tell."""
+    """Return the later path of each renamed file by its earlier one; none if git cannot determine them."""
     from roslens.cli.git.git_renames import renamed_files
     from roslens.cli.git.git_repository import repository_of
 

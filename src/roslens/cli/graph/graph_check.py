@@ -65,7 +65,7 @@ def _text(findings: list[Finding]) -> str:
 
 
 def _counted(findings: list[Finding], missed: int, fail_on: str) -> str:
-    """Return how many there are of each severity, from which on they fail, and what nobody could look at."""
+    """Return the number of findings of each severity, the severity that fails, and what could not be checked."""
     words = [
         f"{count} {word}{'s' * (count != 1)}"
         for word in ("error", "warning", "note")

@@ -24,7 +24,7 @@ LOOKING = "Looking at configurations"
 """The step in which they are assembled, one by one."""
 
 MOST = 8
-"""As many launch files are shown where nobody declares which ones matter: those that together start most nodes."""
+"""Maximum number of launch files that are shown without a declaration: those that together start most nodes."""
 
 
 class Named(msgspec.Struct, frozen=True):
@@ -105,7 +105,7 @@ def _started(launch: Launch) -> tuple[str, ...]:
 
 
 def most_telling(started: Mapping[str, tuple[str, ...]], most: int = MOST) -> frozenset[str]:
-    """Return which configurations together start most nodes: what starts almost the same as another tells little.
+    """Return which configurations together start most nodes: one that starts almost the same as another adds little.
 
     Args:
         started: the names of the nodes that each of them starts.

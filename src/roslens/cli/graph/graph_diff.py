@@ -78,7 +78,7 @@ def _writer(form: str) -> Callable[[Sequence[Difference], str, str, FindingDiffe
 
 
 def findings_between(before: Side, after: Side, nodes: Sequence[str] = ()) -> FindingDifference | None:
-    """Return which findings about the nodes that are asked for are new and gone; None where nobody looked for any."""
+    """Return the new and gone findings about the requested nodes; None if no findings were computed."""
     from roslens.cli.graph.graph_choice import chosen
     from roslens.compare.finding_difference import about, finding_difference
 

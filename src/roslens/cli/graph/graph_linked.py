@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def with_linked(
     found: Sequence[Configuration], unstarted: Sequence[Configuration], facts: WorkspaceFacts
 ) -> tuple[Configuration, ...]:
-    """Return configurations whose empty nodes say which code belongs to them perhaps.
+    """Return configurations whose empty nodes name the code that may belong to them.
 
     A factory of another library may make the objects that a node consists of: then nothing is seen to make them, and
     their endpoints stand among what no known program starts.

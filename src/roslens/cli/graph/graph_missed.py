@@ -41,7 +41,7 @@ def reported_by_file(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
 
 
 def with_roles(configuration: Configuration, roles: Mapping[str, str]) -> Configuration:
-    """Return a configuration whose unresolved parts tell whose code they are in; ``roles`` are those of files."""
+    """Return a configuration whose unresolved parts have the role of their code; ``roles`` are those of files."""
     missed = (msgspec.structs.replace(one, role=roles.get(one.proof.path, "")) for one in configuration.unresolved)
     nodes = tuple(_with_role(one, roles) for one in configuration.nodes)
     return msgspec.structs.replace(configuration, nodes=nodes, unresolved=tuple(missed))

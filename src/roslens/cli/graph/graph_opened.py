@@ -1,4 +1,4 @@
-"""The workspace that ``roslens graph`` looks at, as its options and ``roslens.toml`` say."""
+"""The workspace of ``roslens graph``, by its options and ``roslens.toml``."""
 
 from __future__ import annotations
 

@@ -303,7 +303,7 @@ class GraphSource:
         return None
 
     def no_launch_file(self, launch: str) -> UsageError:
-        """Return the error that tells which launch file may have been meant."""
+        """Return the error with the launch file that may have been meant."""
         import difflib
 
         near = difflib.get_close_matches(launch, list(self.launch_files()), 1, 0.4)

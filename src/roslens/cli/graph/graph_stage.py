@@ -32,7 +32,7 @@ def graph_look(
     cache: Path | None,
     progress: Progress,
 ) -> Beyond | None:
-    """Return the look at configurations; None where nobody wants it.
+    """Return the check of configurations; None if it is not requested.
 
     Args:
         options: of the command line.

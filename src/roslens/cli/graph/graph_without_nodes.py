@@ -1,4 +1,4 @@
-"""Why there are no nodes: what was not understood, what nobody finds, and what to look at instead."""
+"""Why there are no nodes: what was not understood, what was not found, and what to check instead."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _MOST = 10
 
 
 def reasons(source: GraphSource, launch: str | None) -> Iterator[str]:
-    """Yield lines that say why a workspace or launch file comes to no nodes.
+    """Yield lines with the reasons why a workspace or launch file has no nodes.
 
     Args:
         source: that was read.

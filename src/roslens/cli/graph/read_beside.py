@@ -57,7 +57,7 @@ class GraphsBeside:
         self._progress.step(title, total)
 
     def advance(self, count: int = 1, item: str = "") -> None:
-        """Say that ``count`` more items are done."""
+        """Report that ``count`` more items are done."""
         if self._total and self._done < self._total:
             self._done += count
             self._tell()

@@ -49,7 +49,7 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, co
 
 
 def source_reader(root: Path) -> Callable[[str], bytes | None]:
-    """Return a function that reads a file below ``root`` by its relative path, or says that it cannot."""
+    """Return a function that reads a file below ``root`` by its relative path, or reports that it cannot."""
 
     def read(path: str) -> bytes | None:
         try:

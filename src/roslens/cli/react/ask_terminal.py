@@ -80,14 +80,14 @@ class AskTerminal:
 
 
 class AskNobody:
-    """For modes that ask nobody."""
+    """For modes that do not ask for approval."""
 
     def ask(self, decision: Decision, until_s: float) -> None:
-        """Nobody is there."""
+        """No operator is there."""
 
     def withdraw(self, decision: str) -> None:
-        """Nobody was asked."""
+        """No question was asked."""
 
     def answers(self) -> list[tuple[str, bool, str]]:
-        """Nobody answers."""
+        """There is no answer."""
         return []

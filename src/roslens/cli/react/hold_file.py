@@ -44,7 +44,7 @@ def release(environment: Mapping[str, str]) -> bool:
 
 
 class Held:
-    """Says who holds everything; looks at the file each time that it is asked, which costs microseconds."""
+    """Returns who has put everything on hold; reads the file at each call, which takes microseconds."""
 
     def __init__(self, environment: Mapping[str, str]) -> None:
         self._path = hold_path(environment)
@@ -53,7 +53,7 @@ class Held:
         self._until: float | None = None
 
     def __call__(self) -> str:
-        """Return who holds and why; empty where nobody does. What cannot be read holds, too."""
+        """Return who has put everything on hold and why; empty without a hold. An unreadable file is a hold."""
         try:
             found = self._path.stat()
         except FileNotFoundError:

@@ -47,7 +47,7 @@ _LOG_LINES = 500
 
 
 def react_live(options: argparse.Namespace) -> int:
-    """React until the time is over or somebody stops it, and return the exit code.
+    """React until the time is over or it is stopped, and return the exit code.
 
     Raises:
         UsageError: the options make no sense, or no ROS is observed in which anything could be done.
@@ -153,7 +153,7 @@ class _Telling:
         self.publish: Callable[[str], None] = lambda _: None
 
     def add(self, what: str, time: float, **fields: Any) -> object:
-        """Append an entry, then tell it."""
+        """Append an entry, then print it."""
         import msgspec
 
         from roslens.report.history.journal_text import journal_line
@@ -167,7 +167,7 @@ class _Telling:
 
 
 class Reacting:
-    """Watches what runs and does what a reference says: prepared, shown where that is wanted, and run.
+    """Watches the running system and carries out the reactions of a reference: prepared, shown if requested, and run.
 
     Attributes:
         session: of the watch.
@@ -200,7 +200,7 @@ class Reacting:
         self._shown: Callable[[Step], None] | None = None
 
     def show(self, address: str, shown: Callable[[Step], None]) -> None:
-        """Tell ``shown`` each step; its pages are at ``address``."""
+        """Pass each step to ``shown``; its pages are at ``address``."""
         self._address, self._shown = address, shown
 
     def prepare(self) -> None:
@@ -354,7 +354,7 @@ class Reacting:
 
 
 class _Wakes:
-    """A source that has nothing to tell, and ends the session's waiting when something was carried out."""
+    """A source without reports, which ends the waiting of the session when an action was carried out."""
 
     def __init__(self, hands: AllHands) -> None:
         self.descriptors = hands.descriptors

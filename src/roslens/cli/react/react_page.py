@@ -57,7 +57,7 @@ def serve_reacting(
     stack: contextlib.ExitStack, session: Session, title: str, options: argparse.Namespace, journal: Path,
     questions: Questions | None,
 ) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
-    """Serve until ``stack`` is left, say where, and return that and what to tell each step.
+    """Serve until ``stack`` is left, print the address, and return it and the receiver of each step.
 
     Raises:
         UsageError: the address is none, or cannot be listened on, or tokens or certificates are wrong.
@@ -108,6 +108,6 @@ class AskEverywhere:
 
 
 def write_refusals(questions: Questions, journal: Writing) -> None:
-    """Write down who was refused, so that nobody tries it unseen."""
+    """Record refused requests, so that no attempt goes unnoticed."""
     for one in questions.refusals():
         journal.add("refused-answer", one.time, text=one.why, address=one.address)

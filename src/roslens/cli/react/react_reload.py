@@ -59,7 +59,7 @@ class Renewal:
         self._next: tuple[Reference, Prepared, float] | None = None
 
     def look(self, step: Step) -> Step:
-        """Take over what changed, and return the step with what there is to tell of that."""
+        """Take over changes, and return the step with notes on them."""
         notes: list[Note] = []
         for note in self._files.look(step.time):
             if note.kind is NoteKind.KEPT:

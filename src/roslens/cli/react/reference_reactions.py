@@ -23,7 +23,7 @@ def reactions_table(reactions: Sequence[Reaction]) -> str:
 
 
 def types_not_checked(reactions: Sequence[Reaction]) -> list[str]:
-    """Return a line for each type that actions name and nobody here knows.
+    """Return a line for each type that actions name and that is not installed here.
 
     Raises:
         DocumentError: a package that is known here has no such type, or a type no such field.

@@ -1,4 +1,4 @@
-"""``roslens reference draft``: what a reference for a recording, for what runs now, or for a graph could say."""
+"""``roslens reference draft``: a draft of a reference for a recording, for the running system, or for a graph."""
 
 from __future__ import annotations
 

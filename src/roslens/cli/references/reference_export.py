@@ -44,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def export(options: argparse.Namespace) -> int:
-    """Write it, tell what is left out, and return the exit code.
+    """Write it, report what is left out, and return the exit code.
 
     Raises:
         DocumentError: a reference is wrong.

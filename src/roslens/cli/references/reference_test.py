@@ -98,7 +98,7 @@ def _test_bag(options: argparse.Namespace) -> int:
 
 
 def line_of(alarm: Alarm, start: float) -> str:
-    """Return when an alarm began, counted from ``start``, how long it lasted, and what it says."""
+    """Return when an alarm began, counted from ``start``, how long it lasted, and its text."""
     from roslens.live.publish.diagnostics import verdict_message
 
     length = "to the end" if alarm.until == float("inf") else f"for {max(alarm.until - alarm.since, 0):.1f} s"

@@ -1,4 +1,4 @@
-"""Who changed a file of a workspace last, as git tells."""
+"""Who changed a file of a workspace last, by its git history."""
 
 from __future__ import annotations
 

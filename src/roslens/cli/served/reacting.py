@@ -1,4 +1,4 @@
-"""`roslens serve --live --react`: what a reference says is done about faults; questions are asked on the pages."""
+"""`roslens serve --live --react`: the reactions of a reference to faults; approval is requested on the pages."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ _END_S = 10.0
 
 
 class _LeftError(Exception):
-    """Nobody wants the rest of the recording."""
+    """The rest of the recording is not needed."""
 
 
 @contextmanager

@@ -23,7 +23,7 @@ class Reviewing:
         self._entries: dict[str, Reviewed] = {}
 
     def entries(self) -> Mapping[str, Reviewed]:
-        """Return what the file says now; nothing where it cannot be read, which a check reports."""
+        """Return the current content of the file; nothing if it cannot be read, which a check reports."""
         try:
             found = self._place.stat()
             stamp = found.st_mtime_ns, found.st_size

@@ -8,7 +8,7 @@ from typing import Any, NoReturn
 
 
 class CommandParser(argparse.ArgumentParser):
-    """A parser that says which command, action or choice a mistyped word may have been meant to be."""
+    """A parser that suggests the command, action or choice that a mistyped word may mean."""
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Refuse a word that is no command, or no choice of an option.

@@ -9,7 +9,7 @@ import os
 import sys
 
 CUT_OFF = 141
-"""Whoever read standard output went away before its end; a shell says the same of a program that SIGPIPE ends."""
+"""The reader of standard output closed it before its end; shells use this code for a program ended by SIGPIPE."""
 
 NOT_WRITTEN = 74
 """Standard output could not be written (EX_IOERR)."""
@@ -67,7 +67,7 @@ class Output(io.TextIOWrapper):
 
 
 def close_output(code: int) -> int:
-    """Write what is left of standard output; return ``code``, or what says that it could not be written."""
+    """Write what is left of standard output; return ``code``, or the code for output that could not be written."""
     with contextlib.suppress(OSError, ValueError):
         sys.stdout.flush()
     return output_failed() or code

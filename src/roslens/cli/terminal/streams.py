@@ -19,7 +19,7 @@ def add_stream_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def wants_color(options: argparse.Namespace, stream: TextIO) -> bool:
-    """Return whether ``stream`` is a terminal and nobody asked for plain text."""
+    """Return whether ``stream`` is a terminal and plain text was not requested."""
     if options.no_color or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return False
     return stream.isatty()
@@ -58,7 +58,7 @@ class TerminalProgress:
         self._show("", force=True)
 
     def advance(self, count: int = 1, item: str = "") -> None:
-        """Say that ``count`` more items are done, the last of them ``item``."""
+        """Report that ``count`` more items are done, the last of them ``item``."""
         self._done += count
         self._show(item)
 
@@ -98,7 +98,7 @@ class LineProgress:
             print(f"{title}: {total}", file=self._stream, flush=True)
 
     def advance(self, count: int = 1, item: str = "") -> None:
-        """Say that ``count`` more items are done, the last of them ``item``."""
+        """Report that ``count`` more items are done, the last of them ``item``."""
         self._done += count
         now = time.monotonic()
         if self._verbose or now - self._last >= self._every_s:
@@ -111,7 +111,7 @@ class LineProgress:
 
 
 class NoProgress:
-    """Nobody wants to know."""
+    """Progress is not requested."""
 
     def step(self, title: str, total: int) -> None:
         """Do nothing."""

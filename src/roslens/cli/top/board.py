@@ -34,7 +34,7 @@ q            end"""
 
 
 class Board(App[None]):
-    """Asks a feed each second and shows what it says."""
+    """Polls a feed each second and shows its content."""
 
     ENABLE_COMMAND_PALETTE = False
     CSS = """
@@ -59,7 +59,7 @@ class Board(App[None]):
     ]
 
     def __init__(self, feed: Feed, terminal: Callable[[int], Terminal], *, pace_s: float = PACE_S) -> None:
-        """Show what ``feed`` says; ``terminal`` returns what can be shown in so many columns."""
+        """Show the content of ``feed``; ``terminal`` returns what can be shown in so many columns."""
         super().__init__()
         self._feed = feed
         self._terminal = terminal

@@ -111,7 +111,7 @@ def sign_of(state: str, terminal: Terminal) -> tuple[str, str]:
 
 
 def spark_of(row: Row, past: Past, terminal: Terminal, width: int = 8) -> str:
-    """Return the sparkline of the value of a row that says most of it."""
+    """Return the sparkline of the most informative value of a row."""
     for key in _SPARK_SIGNALS:
         if any(value is not None for value in past.series(row.entity, key)):
             return sparkline(past.series(row.entity, key), width, bars_of(terminal))
@@ -152,7 +152,7 @@ def head(snapshot: Snapshot | None, title: str, problem: str) -> str:
 
 
 def detail_lines(found: Detail, past: Past, terminal: Terminal) -> tuple[str, ...]:
-    """Return all that is known of an entity: what each constraint says, and every signal with a sparkline."""
+    """Return all that is known of an entity: its verdict for each constraint, and every signal with a sparkline."""
     clean = terminal.clean
     first = f"{found.kind} {clean(found.name)}"
     reported = [first + (f"  ({clean(found.below)})" if found.below else "")]

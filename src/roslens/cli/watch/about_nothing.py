@@ -1,4 +1,4 @@
-"""Constraints of a reference that nothing was judged by, as a watch and a test tell of them at their end."""
+"""Constraints of a reference that matched nothing, as a watch and a test report them at their end."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def about_nothing(session: Session, reference: Reference, time: float, kinds: Co
 
 
 def errors_about_nothing(session: Session, reference: Reference, kinds: Collection[EntityKind]) -> bool:
-    """Return whether a constraint of severity error is about nothing that was there, so that nobody judged it."""
+    """Return whether a constraint of severity error matched nothing, so that it was never judged."""
     missed = unmatched(reference, session.seen(), kinds)
     return any(one.constraint.details.severity is Severity.ERROR for one in missed)
 

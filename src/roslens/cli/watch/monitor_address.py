@@ -20,7 +20,7 @@ _EXPECTED = "a `roslens watch --serve` or `roslens serve --live`"
 
 
 def fetched(address: str, what: str, environment: Mapping[str, str] = os.environ) -> bytes:
-    """Return a document of the live page at an address; empty where the page has nothing to say.
+    """Return a document of the live page at an address; empty if the page has no content.
 
     A token that is part of the address, as the monitor printed it, or that of ``$ROSLENS_TOKEN``, is sent in a header.
 

@@ -18,7 +18,7 @@ PREFIX = "param:"
 
 
 def add_reference_argument(parser: argparse._ActionsContainer) -> None:
-    """Add what says how things should be, given as often as one likes."""
+    """Add the option for references, which may be repeated."""
     parser.add_argument(
         "--reference",
         type=reference_argument,

@@ -1,4 +1,4 @@
-"""How long to watch: from when the observers see something, until the time is over or somebody says so."""
+"""How long to watch: from the first observation, until the time is over or it is stopped."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ _ENTER, _LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
 
 
 def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: frozenset[str]) -> int:
-    """Watch until the time is over or somebody stops it, and return the exit code.
+    """Watch until the time is over or it is stopped, and return the exit code.
 
     Raises:
         UsageError: the options make no sense, or an address is taken.
@@ -109,7 +109,7 @@ def _watched(
 
 
 def length_of(text: str, option: str) -> float:
-    """Return the seconds that an option says.
+    """Return the seconds that an option specifies.
 
     Raises:
         UsageError: it is no time above 0.
@@ -179,10 +179,10 @@ def _of_ros(options: argparse.Namespace, publishes: Publishes | None) -> list[So
 
 
 class NoRos:
-    """Says once that no ROS was found, where it was not asked for by name."""
+    """Reports once that no ROS was found, unless it was requested by name."""
 
     def __init__(self, error: UsageError) -> None:
-        """Say what was tried."""
+        """Report what was tried."""
         self._failure: Failure | None = Failure(
             "ros", f"no ROS was found: no $ROS_MASTER_URI and {error.what}", error.expected, error.advice
         )

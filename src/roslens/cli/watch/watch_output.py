@@ -1,4 +1,4 @@
-"""What `roslens watch` writes where nobody looks at a screen: a line for each change, and how it was at the end."""
+"""The output of `roslens watch` without a screen: a line for each change, and the final state."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Teller:
     """
 
     def __init__(self, options: argparse.Namespace, clock: Callable[[float], str], begin: float | None = None) -> None:
-        """Write as the options say; ``clock`` writes times, ``begin`` is that of a recording.
+        """Write by the options; ``clock`` writes times, ``begin`` is that of a recording.
 
         Raises:
             OSError: the file cannot be written.
@@ -129,7 +129,7 @@ class Teller:
         )
 
     def tell_unjudged(self, verdicts: Sequence[Verdict], time: float) -> None:
-        """Say so as a failure where nothing was ever more than unknown, or something of severity error was not.
+        """Report a failure if everything, or something of severity error, was never more than unknown.
 
         ``verdicts`` are those that stand at the end, at ``time``.
         """

@@ -24,7 +24,7 @@ _LONGEST_TOPIC = 200
 
 
 def wanted(options: argparse.Namespace) -> Publishes | None:
-    """Return what the options say is to be published; None for nothing.
+    """Return what to publish by the options; None for nothing.
 
     Raises:
         UsageError: the topic is none.

@@ -45,7 +45,7 @@ class ReferenceFiles:
         self.broken = False
 
     def look(self, time: float) -> tuple[Note, ...]:
-        """Read the files again if they have changed, and return what there is to tell at ``time``."""
+        """Read the files again if they have changed, and return the notes on that at ``time``."""
         now = self._steady()
         if now < self._next:
             return ()

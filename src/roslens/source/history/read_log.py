@@ -87,14 +87,14 @@ def _raw(header: list[str], changes: tuple[Row, ...]) -> _Raw:
 
 
 def _counted(pieces: list[bytes]) -> Iterator[Row]:
-    """Yield what ``--numstat`` says; a binary file has ``-`` for its lines."""
+    """Yield the content of ``--numstat``; a binary file has ``-`` for its lines."""
     for piece in pieces:
         added, deleted, path = piece.split(b"\t", 2)
         yield path.decode("utf-8", "replace"), _number(added), _number(deleted)
 
 
 def _named(pieces: list[bytes]) -> Iterator[Row]:
-    """Yield what ``--raw`` says: modes, hashes and a letter, then the path."""
+    """Yield the content of ``--raw``: modes, hashes and a letter, then the path."""
     for path in pieces[1::2]:
         yield path.decode("utf-8", "replace"), 0, 0
 
@@ -145,7 +145,7 @@ def _log(
 
 
 def _person(name: str) -> str:
-    """Return what stands for a person: who it is, is nobody's business here, only whether two are one."""
+    """Return a token for a person: only whether two are the same matters here, not who it is."""
     return blake2b(name.encode("utf-8", "replace"), digest_size=8).hexdigest()
 
 

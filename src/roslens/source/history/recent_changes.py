@@ -1,4 +1,4 @@
-"""How often files changed lately: what is worked on is worth mending before what nobody touches."""
+"""How often files changed lately: files under development are worth correcting before files that no longer change."""
 
 from __future__ import annotations
 

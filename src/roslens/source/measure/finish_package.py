@@ -103,7 +103,7 @@ class Finisher:
 
 
 def _as_said(finding: Finding) -> Finding:
-    """Return a finding of a model; as a note where the file says by itself what comments would say."""
+    """Return a finding of a model; as a note if the file documents itself without comments."""
     if finding.quantity == comment_ratio.QUANTITY.key and comment_ratio.speaks_for_itself(finding.path):
         return msgspec.structs.replace(finding, severity=Severity.NOTE)
     return finding

@@ -1,1 +1,1 @@
-"""What many packages together say: distributions, correlations, roles."""
+"""Statistics over many packages: distributions, correlations, roles."""

@@ -21,7 +21,7 @@ TABLE = "measurement"
 
 
 def missing(error: ImportError) -> UsageError:
-    """Return what to say where a library of the extra is not installed."""
+    """Return the message for a library of the extra that is not installed."""
     return UsageError(
         f"{error.name or 'a library'} is not installed, and studies are computed with it",
         expected="the extra for studies",

@@ -1,4 +1,4 @@
-"""What section V of the 2016 paper says of its corpus, each statement beside what its own raw data says.
+"""The statements of section V of the 2016 paper about its corpus, each compared with its own raw data.
 
 Constraints that claim something hold or do not; where the section gives figures, the figures of the data stand here and
 nothing is claimed. All are reported in our words; Santos, Cunha, Macedo and Lourenço, A Framework for Quality
@@ -24,7 +24,7 @@ _NO_RULES = "no table of rules was given"
 def paper_statements(
     corpus: Corpus, rules: Sequence[RuleTotal], correlations: Sequence[Correlation]
 ) -> tuple[Statement, ...]:
-    """Return the statements; those about rules say nothing without a table of rules."""
+    """Return the statements; those about rules are undecided without a table of rules."""
     return (
         _scope(corpus),
         _roles(corpus),

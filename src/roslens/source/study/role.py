@@ -82,7 +82,7 @@ def facts_of(result: PackageResult, spoken: Spoken | None = None) -> RoleFacts:
 
 
 class RolesInRuns:
-    """Tells the roles of packages of runs; what the graphs of a run say is read once."""
+    """Determines the roles of packages of runs; the graphs of a run are read once."""
 
     def __init__(self) -> None:
         """Know nothing yet."""

@@ -1,4 +1,4 @@
-"""What the nodes of a package say to others in the computation graphs of a run, as far as it tells its role."""
+"""Evidence of the role of a package in the computation graphs of a run: what its nodes exchange with others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What of a package tells its role: marks, each with the reason it gives. Pure; the words are in role_words.toml."""
+"""Evidence of the role of a package: marks, each with its reason. Pure; the words are in role_words.toml."""
 
 from __future__ import annotations
 

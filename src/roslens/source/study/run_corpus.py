@@ -18,7 +18,7 @@ from roslens.store.read import RunView
 KIND = "runs"
 _SIZES = ("loc", "comment_lines", "dependents", "rqv", "rcv")
 RoleOf = Callable[[RunView, PackageSummary], str]
-"""Says which role a package has."""
+"""Returns the role of a package."""
 
 
 def corpus_of_runs(
@@ -27,7 +27,7 @@ def corpus_of_runs(
     role_of: RoleOf,
     wanted: Sequence[str] = (),
 ) -> Corpus:
-    """Return the corpus of runs; what histories say is of repositories, all else of packages.
+    """Return the corpus of runs; values of histories are of repositories, all others of packages.
 
     Args:
         runs: each with the name of its distribution, by which several can be distinguished.

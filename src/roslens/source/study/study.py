@@ -1,4 +1,4 @@
-"""From a corpus to everything that a study says of it."""
+"""From a corpus to all results of a study."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ def blank_cpp(content: bytes) -> tuple[bytes, bool]:
 
 
 def _has_plain_bytes(content: bytes) -> bool:
-    """Tell whether no line is continued, not even when a comment goes, and there are no control characters."""
+    """Return whether no line is continued, not even when a comment goes, and there are no control characters."""
     if content.translate(_CLEANED) != content:
         return False
     first = content.find(b"\\")
@@ -116,7 +116,7 @@ def _has_plain_bytes(content: bytes) -> bool:
 
 
 def _is_plain(parts: list[bytes], firsts: bytes, found: list[bytes]) -> bool:
-    """Tell whether every comment is one for those who know no strings, and ends its line if it has several."""
+    """Return whether every comment is also one without regard to strings, and ends its line if it has several."""
     if parts and parts[-1].startswith(b"/*") and not (parts[-1].endswith(b"*/") and len(parts[-1]) > len(b"/*/")):
         return False
     strings = b"".join(compress(parts, firsts.translate(_IS_STRING)))
@@ -168,7 +168,7 @@ def _python_parts(parts: list[bytes]) -> list[bytes]:
 
 
 def _stands_alone(parts: list[bytes], place: int) -> bool:
-    """Tell whether nothing but white space, a string prefix and a comment shares the lines of a part."""
+    """Return whether nothing but white space, a string prefix and a comment shares the lines of a part."""
     before, after = parts[place - 1], parts[place + 1]
     line_start = before.rfind(b"\n") + 1
     if (not line_start and place > 1) or before[line_start:].strip(_WHITE + b"rRuUbBfF"):

@@ -1,4 +1,4 @@
-"""What the names, parameters and declarators of C++ say."""
+"""Names, parameters and declarators of C++."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PARAMETERS = ("parameter_declaration", _WITH_DEFAULT, "variadic_parameter_decla
 
 
 class Declarator(msgspec.Struct, frozen=True):
-    """What a function's declarator says: its name, the scope written before it, and its parameters.
+    """The content of a function's declarator: its name, the scope written before it, and its parameters.
 
     ``macro`` tells that it looks like a macro such as TEST, ``pointer`` that it declares a pointer to a function.
     """

@@ -135,7 +135,7 @@ class Walk:
         return frame
 
     def _is_operand(self, start: int, end: int, outer: Frame) -> bool:
-        """Tell whether nothing but parentheses stands between a logical expression and the one around it."""
+        """Return whether nothing but parentheses stands between a logical expression and the one around it."""
         first, last = self._captures.operators[outer.start, outer.end]
         if start < first:
             before, after = self._code[outer.start : start], self._code[end:first]
@@ -266,7 +266,7 @@ class Walk:
             top.scope.body = (start, end)
 
     def _overrides(self, declarator: Declarator, end: int) -> bool:
-        """Tell whether ``override`` or ``final`` stands behind the parameters."""
+        """Return whether ``override`` or ``final`` stands behind the parameters."""
         tail = self._source[declarator.end : min(end, declarator.end + _LONGEST_NAME)]
         if b"override" not in tail and b"final" not in tail:
             return False

@@ -64,7 +64,7 @@ class Halstead(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
 
 class Lines(msgspec.Struct, frozen=True, array_like=True, gc=False):
-    """Lines of a file, as cloc tells them apart: ``physical = code + comment + blank``.
+    """Lines of a file, as cloc classifies them: ``physical = code + comment + blank``.
 
     A line with code and a comment is code.
     """

@@ -77,7 +77,7 @@ def _normalised(content: bytes) -> bytes:
 
 
 def _is_continued(text: bytes) -> bool:
-    """Tell whether a line ends with a backslash; one byte is found many times faster than two."""
+    """Return whether a line ends with a backslash; one byte is found many times faster than two."""
     first = text.find(b"\\")
     return first >= 0 and text.find(b"\\\n", first) >= 0
 

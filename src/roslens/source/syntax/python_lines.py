@@ -58,7 +58,7 @@ class LineMap:
         return bisect_right(self._executed, last) - bisect_left(self._executed, first)
 
     def lines(self, first: int, last: int) -> Lines:
-        """Tell the lines from ``first`` to ``last`` apart."""
+        """Classify the lines from ``first`` to ``last``."""
         code = bisect_right(self._numbers, last) - bisect_left(self._numbers, first)
         blank = bisect_right(self._blank, last) - bisect_left(self._blank, first)
         physical = last - first + 1

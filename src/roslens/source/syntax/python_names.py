@@ -1,4 +1,4 @@
-"""Names in Python source: of callees, types, parameters, bases and decorators, and what they say about access."""
+"""Names in Python source: of callees, types, parameters, bases and decorators, and the access that they imply."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ class TextLines:
     """The lines of a text."""
 
     def __init__(self, text: bytes) -> None:
-        """Split ``text`` once somebody asks."""
+        """Split ``text`` on first use."""
         self._text = text
 
     @cached_property

@@ -39,7 +39,7 @@ class AmentLinter(Tool):
         return self.read_result(content, request)
 
     def read_result(self, content: bytes, request: Request) -> Reading:
-        """Return what an xUnit file says."""
+        """Return the findings in an xUnit file."""
         root = xml_root(content, "testsuite")
         found = []
         for case in root.iter("testcase"):

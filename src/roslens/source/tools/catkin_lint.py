@@ -40,7 +40,7 @@ class CatkinLint(Tool):
         return file.language in (Language.CMAKE, Language.MANIFEST) or file.role in READ_ROLES
 
     def words(self, request: Request) -> list[str]:
-        """Return the call, which asks nobody on the net."""
+        """Return the call, which does not use the network."""
         return [
             request.program,
             "--offline",

@@ -14,7 +14,7 @@ _NEAR = 2
 
 
 def matched_values(entities: Sequence[Entity], files: Iterable[StudiedFile]) -> dict[str, dict[str, float]]:
-    """Return what cccc says of our classes and functions: values by key, by the id of the entity.
+    """Return the results of cccc for our classes and functions: values by key, by the id of the entity.
 
     A class that is not defined in the file that names it is the one class of that name in the package, if there is
     one only. What is seen several times has the largest value. Modules that are no class of ours (namespaces, types

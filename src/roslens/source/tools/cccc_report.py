@@ -1,4 +1,4 @@
-"""What cccc says of one file, read from the XML files that it writes.
+"""The results of cccc for one file, read from the XML files that it writes.
 
 ``cccc.xml`` holds the sums of the file. Beside it stands one file for each *module*: a class, a namespace or a
 type that the source defines or only mentions; ``anonymous.xml`` has the functions outside classes.

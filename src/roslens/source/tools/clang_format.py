@@ -1,4 +1,4 @@
-"""The tool ``clang_format``: where C and C++ are not laid out as a ``.clang-format`` of the project says."""
+"""The tool ``clang_format``: C and C++ whose layout deviates from a ``.clang-format`` of the project."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class ClangFormat(Tool):
     options = (Option("style", "str", "Google, LLVM …, or `file` for the .clang-format above each file.", FILE),)
 
     def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:
-        """Refuse a workspace in which nothing says what the layout is."""
+        """Reject a workspace without a configured layout."""
         if options["style"] != FILE:
             return None
         above = SettingsFiles(root)
@@ -50,7 +50,7 @@ class ClangFormat(Tool):
         return None
 
     def words(self, request: Request) -> list[str]:
-        """Return the call; ``--verbose`` makes it say which files it looked at."""
+        """Return the call; ``--verbose`` makes it report which files it checked."""
         style = request.options["style"]
         return [
             request.program,
@@ -79,7 +79,7 @@ class ClangFormat(Tool):
         return Reading(tuple(found.values()), skipped)
 
     def words_for_fixes(self, request: Request) -> list[str]:
-        """Return the call that tells replacements as XML."""
+        """Return the call that reports replacements as XML."""
         style = request.options["style"]
         words = ["--output-replacements-xml", f"--style={style}", "--fallback-style=none", "--", *request.files]
         return [request.program, *words]

@@ -33,7 +33,7 @@ CHECKS = (
     "concurrency-*",
     "performance-*",
 )
-"""What is looked for where neither the project nor the user says."""
+"""The checks unless the project or the user configures them."""
 
 
 class Build(msgspec.Struct, frozen=True):
@@ -95,7 +95,7 @@ class ClangTidy(Tool):
         return Build(commands, above or bool(inside))
 
     def covers(self, file: SourceFile, beside: Any) -> bool:
-        """Return whether the build says how a file is compiled; headers are looked at with what includes them."""
+        """Return whether the build defines how a file is compiled; headers are checked where they are included."""
         return file.path in beside.commands
 
     def part_of(self, file: SourceFile, beside: Any) -> Any:

@@ -13,7 +13,7 @@ from roslens.source.tools.xml_output import number, xml_root
 
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl"})
 _REMARKS = frozenset({"information", "debug", ""})
-"""Severities of what it says of its own work: missing headers, configurations that it left out."""
+"""Severities of messages about its own work: missing headers, configurations that it left out."""
 
 
 MACROS = {

@@ -53,7 +53,7 @@ class Cpplint(Tool):
     )
 
     def words(self, request: Request) -> list[str]:
-        """Return the call; ``Done processing`` is kept, for it tells which files were looked at."""
+        """Return the call; ``Done processing`` is kept, as it shows which files were checked."""
         return [
             request.program,
             f"--filter={','.join(request.options['filter'])}",

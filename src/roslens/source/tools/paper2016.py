@@ -1,4 +1,4 @@
-"""From what cccc says of the files of a package to what the 2016 study says of the package."""
+"""From the results of cccc for the files of a package to the values of the 2016 study for the package."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LEFT_OUT = frozenset({".git", "doc", "bin", "cmake"})
 
 
 class StudiedFile(msgspec.Struct, frozen=True):
-    """A file of the study: its path, what cccc says of it, and its Halstead volume."""
+    """A file of the study: its path, the results of cccc for it, and its Halstead volume."""
 
     path: str
     report: CcccFile
@@ -70,7 +70,7 @@ def file_values(file: StudiedFile) -> dict[str, float]:
 
 
 def package_values(files: Sequence[StudiedFile]) -> dict[str, float]:
-    """Return what the study says of a package with these files, by key; nothing where there is no code."""
+    """Return the values of the study for a package with these files, by key; nothing where there is no code."""
     with_code = [file.report for file in files if file.report.loc > 0]
     if not with_code:
         return {}

@@ -64,7 +64,7 @@ class Request(msgspec.Struct, frozen=True):
 
 
 class Reading(msgspec.Struct, frozen=True):
-    """What the output of one call says.
+    """The content of the output of one call.
 
     ``skipped`` maps files that the tool could not look at to what it says of them; ``trouble`` is what else it
     complains about, while its findings stand.
@@ -76,7 +76,7 @@ class Reading(msgspec.Struct, frozen=True):
 
 
 class ToolFix(msgspec.Struct, frozen=True):
-    """What mends a finding of a tool: the finding's place as the tool tells it, and the edits of its file.
+    """The fix of a finding of a tool: the finding's place as the tool reports it, and the edits of its file.
 
     A ``column`` of 0 is any: what the tool reports once a line is mended as a whole.
     """
@@ -100,7 +100,7 @@ class Tool(ABC):
     languages: tuple[str, ...] = ()
     options: tuple[Option, ...] = ()
     version_words: tuple[str, ...] = ("--version",)
-    """How the program is asked for its version; empty for one that does not say, and counts by its file."""
+    """How the program is asked for its version; empty for one without a version, which is identified by its file."""
 
     version_pattern = r"(\d+(?:\.\d+)+)"
     oldest: tuple[int, ...] = ()
@@ -152,7 +152,7 @@ class Tool(ABC):
         return file.language.value in self.languages and file.role in READ_ROLES
 
     def shapes(self, file: SourceFile) -> bool:
-        """Return whether what it says of *other* files may depend on a file."""
+        """Return whether its results for *other* files may depend on a file."""
         return self.reads(file)
 
     def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:  # noqa: B027 - most tools need nothing
@@ -191,11 +191,11 @@ class Tool(ABC):
         """
 
     def words_for_fixes(self, request: Request) -> list[str]:
-        """Return the call that tells fixes."""
+        """Return the call that reports fixes."""
         return self.words(request)
 
     def read_fixes(self, ended: Ended, request: Request, contents: Mapping[str, bytes]) -> Iterable[ToolFix]:  # noqa: ARG002 - most tools have none
-        """Return the safe fixes that such a call tells of files with these contents, by path.
+        """Return the safe fixes that such a call reports for files with these contents, by path.
 
         Raises:
             ToolError: the output is none of this tool.

@@ -140,7 +140,7 @@ class Acceptances:
 
 
 def _same(entry: Acceptance, finding: Finding) -> bool:
-    """Return whether an entry of a file that moved says the same of it; numbers and the file's path may differ."""
+    """Return whether an entry for a moved file has the same message; numbers and the file's path may differ."""
     if entry.rule != finding.rule or within_file(entry.entity) != within_file(finding.entity):
         return False
     return said(entry.message, entry.path) == said(finding.message, finding.path)

@@ -35,7 +35,7 @@ def classify(path: str, content: bytes, settings: WorkspaceSettings) -> Classifi
 
 
 def language_by_name(path: str) -> Language | None:
-    """Return the language that a path tells; nothing where the content decides."""
+    """Return the language that a path determines; nothing if the content decides."""
     folder, _, name = path.rpartition("/")
     stem, dot, suffix = name.rpartition(".")
     if name in _BY_NAME:
@@ -117,7 +117,7 @@ _LAUNCH_KEY = re.compile(rb"^(?:launch|'launch'|\"launch\")[ \t]*:", re.MULTILIN
 
 
 def _launch_by_name(language: Language, folder: str, stem: str) -> Language | None:
-    """Tell launch files from others of the same suffix; nothing where the name is only a hint."""
+    """Recognise launch files among others of the same suffix; nothing if the name is only a hint."""
     if stem.endswith(".launch"):
         return _LAUNCH_OF[language]
     if language is Language.XML:

@@ -23,7 +23,7 @@ MAXIMUM_SIZE = 1 << 20
 """Bytes; the largest manifest known has 12 thousand."""
 
 DEFAULT_BUILD_TYPE = "catkin"
-"""What REP-149 says a manifest without a build type has."""
+"""The build type of a manifest without one, by REP-149."""
 
 _BUILD_TYPES_OF = {
     "catkin": "catkin",

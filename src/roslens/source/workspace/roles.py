@@ -27,7 +27,7 @@ def given_role(path: str, settings: WorkspaceSettings) -> Role | None:
 
 
 def role_by_path(path: str, settings: WorkspaceSettings) -> Role | None:
-    """Return the role that the path below the workspace root tells; nothing where the content decides."""
+    """Return the role that the path below the workspace root determines; nothing if the content decides."""
     given = given_role(path, settings)
     if given is not None:
         return given
@@ -43,7 +43,7 @@ def role_by_path(path: str, settings: WorkspaceSettings) -> Role | None:
 
 
 def in_folder_of_tests(path: str) -> bool:
-    """Return whether a file lies in a folder that has nothing but tests, as its name says: ``tests``, ``gtest``."""
+    """Return whether a file lies in a folder that contains nothing but tests, by its name: ``tests``, ``gtest``."""
     return any(_OF_TESTS.fullmatch(part) for part in path.lower().split("/")[:-1])
 
 

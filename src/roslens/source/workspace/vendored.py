@@ -27,7 +27,7 @@ _UPSTREAM = re.compile(
 _LAID_OUT = re.compile(
     r"(?:.*?/)?(?:eigen(?=/(?:eigen/)?src/core/)|mavlink(?=/(?:v[12]\.0/)?mavlink_helpers\.h))", re.IGNORECASE
 )
-"""A folder whose name says little and whose inside says whose it is."""
+"""A folder whose name is inconclusive and whose content shows its origin."""
 _OF_ROS = frozenset((
     "std_msgs", "sensor_msgs", "geometry_msgs", "nav_msgs", "diagnostic_msgs", "visualization_msgs", "trajectory_msgs",
     "shape_msgs", "stereo_msgs", "actionlib_msgs", "rosgraph_msgs", "tf2_msgs", "std_srvs", "diagnostic_updater",

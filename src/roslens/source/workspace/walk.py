@@ -180,7 +180,7 @@ class _Walker:
             self._skip(path)
 
     def _skip(self, path: str) -> None:
-        """Say that what has the name of source is a pipe, a socket or a device; others are nothing to be analysed."""
+        """Report a pipe, a socket or a device with the name of a source file; others are not analysed anyway."""
         if language_by_name(path) not in (None, Language.OTHER):
             self._fail(path, "it is a pipe, a socket or a device", "a plain file")
 

@@ -20,7 +20,7 @@ if os.name == "posix":
     import fcntl
 
 TORN = "torn"
-"""What an entry says that follows a line which was never completed."""
+"""The text of an entry that follows an incomplete line."""
 
 
 class Journal:

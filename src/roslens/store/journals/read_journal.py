@@ -61,7 +61,7 @@ class JournalReader:
                 self._waiting = b""
 
     def entries(self) -> Iterator[Entry]:
-        """Yield entries that can be read, each once; what follows from others is :func:`verify`'s to say."""
+        """Yield the readable entries, each once; :func:`verify` judges the others."""
         for line in self.lines():
             try:
                 yield read(line)

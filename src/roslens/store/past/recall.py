@@ -51,7 +51,7 @@ class Recall:
     """Reads a history; may be asked from any thread."""
 
     def __init__(self, reader: Callable[[], AbstractContextManager[sqlite3.Connection]], where: str) -> None:
-        """``reader`` lends a connection, ``where`` says in messages what it is to."""
+        """``reader`` lends a connection, ``where`` names its target in messages."""
         self._reader = reader
         self._where = where
 
@@ -236,7 +236,7 @@ def _from(connection: sqlite3.Connection, table: str, since: float, until: float
 
 
 def _over(one: Verdict) -> bool:
-    """Whether a verdict says that nothing is said of its entity any more."""
+    """Whether a verdict states that its entity is no longer judged."""
     if one.state is State.UNKNOWN and one.evidence == _RETIRED:
         return True
     # Nodes that are gone or stopped are judged by no constraint; back again, nothing judges them.

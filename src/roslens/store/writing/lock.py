@@ -1,4 +1,4 @@
-"""One writer at a time: wait for the other one, or say which it is."""
+"""One writer at a time: wait for the other one, or report it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Writing one run: everything in one transaction, seen by nobody before it is complete."""
+"""Writing one run: everything in one transaction, invisible before it is complete."""
 
 from __future__ import annotations
 

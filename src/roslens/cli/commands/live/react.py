@@ -1,4 +1,4 @@
-"""``roslens react``: do what a reference says is to be done about faults, as far as it is allowed."""
+"""``roslens react``: carry out the reactions of a reference to faults, as far as allowed."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from roslens.source.syntax.facts import ClassFacts, FunctionFacts
 
 
 class ClassInPackage(msgspec.Struct, frozen=True, gc=False):
-    """A class with what other files of its package say about it.
+    """A class with the information on it from other files of its package.
 
     ``bodies`` are its member functions that have one, wherever in the package they are written.
     ``suppliers`` are the other classes it uses, ``clients`` those of the package that use it: full

@@ -107,7 +107,7 @@ class _Joining:
         return self._files[file][0].role
 
     def classes(self) -> dict[Place, ClassInPackage]:
-        """Return every class with what the others say about it."""
+        """Return every class with the information on it from the others."""
         suppliers = {place: self._suppliers(place) for place in self._facts}
         parents = {place: self._parents(place) for place in self._facts}
         clients = self._turned(suppliers)

@@ -50,7 +50,7 @@ _PYTHON_NAMES = frozenset(_PYTHON_NAMES_WORDS.split())
 
 
 def in_cpp_library(name: str) -> bool:
-    """Whether a type's name belongs to C++ itself, as far as its spelling tells.
+    """Whether a type's name belongs to C++ itself, as far as its spelling shows.
 
     True for everything in ``std``, for names of ``boost`` that ``std`` took over, for what is usually
     written without ``std::`` after a ``using``, for scalars in the convention of C (``size_t``) and

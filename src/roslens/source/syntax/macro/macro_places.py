@@ -1,4 +1,4 @@
-"""Where macros stand: what is before and behind a name in capitals that tells it from a type, a constant or a call."""
+"""Places of macros: the text around a name in capitals that distinguishes it from a type, a constant or a call."""
 
 from __future__ import annotations
 

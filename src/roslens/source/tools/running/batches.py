@@ -23,7 +23,7 @@ MOST_RETRIES = 16
 
 
 class Looked(msgspec.Struct, frozen=True):
-    """What a tool says of files: findings by the file that was given, and why others have none."""
+    """The results of a tool for files: findings by file, and why others have none."""
 
     findings: dict[str, tuple[ToolFinding, ...]]
     failed: tuple[tuple[str, tuple[str, ...]], ...] = ()
@@ -72,7 +72,7 @@ class Batches:
         self._retries = MOST_RETRIES
 
     def look_at(self, files: Sequence[SourceFile]) -> Looked:
-        """Return what the tool says of the files."""
+        """Return the results of the tool for the files."""
         findings: dict[str, tuple[ToolFinding, ...]] = {}
         failed: dict[str, list[str]] = {}
         trouble: list[str] = []

@@ -14,7 +14,7 @@ LAYOUT = "layout"
 """Tag of the findings that are folded."""
 
 FEWEST = 2
-"""So many are folded; a single one says more by itself."""
+"""At least this many are folded; a single one is more informative by itself."""
 
 RULE = RuleInfo(
     "layout.differs",

@@ -1,4 +1,4 @@
-"""A program of somebody else, run once: bounded in time and in what it may print, and gone when roslens is."""
+"""A foreign program, run once: bounded in time and in what it may print, and gone when roslens is."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ class ToolRunner:
 
 
 def ended_how(code: int) -> str:
-    """Return an exit code as a message says it."""
+    """Return an exit code as text for a message."""
     if code >= 0:
         return f"ended with exit code {code}"
     with contextlib.suppress(ValueError):

@@ -1,4 +1,4 @@
-"""Settings files of tools in the folders above a source file: what they say shapes what a tool reports."""
+"""Settings files of tools in the folders above a source file: their content affects what a tool reports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Findings of foreign tools with what mends them: asked of the tools when somebody wants it, and kept nowhere."""
+"""Findings of foreign tools with their fixes: requested from the tools on demand, and not stored."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def with_tool_edits(
     settings: SourceSettings,
     runner: ToolRunner | None = None,
 ) -> tuple[tuple[Finding, ...], tuple[Failure, ...]]:
-    """Return findings, those of tools with the safe fixes that these have for them, and what tools could not tell.
+    """Return findings, those of tools with the safe fixes that these have for them, and failures of tools.
 
     Args:
         findings: of a run.

@@ -1,4 +1,4 @@
-"""The foreign tools of one run: which are there, what they have to look at, what they say of each package.
+"""The foreign tools of one run: which are installed, what they have to check, and their results for each package.
 
 What a tool says of a file is kept in the cache under a hash of all that it depends on: the file, the tool's version,
 its options, settings files above the file and, for some tools, other files. So a tool is started for what is new, once
@@ -43,7 +43,7 @@ _decode = msgspec.msgpack.Decoder(tuple[ToolFinding, ...]).decode
 
 
 class ReadyTool(msgspec.Struct, frozen=True):
-    """A tool that can run, with what shapes all it says."""
+    """A tool that can run, with everything that affects its results."""
 
     tool: Tool
     program: Program
@@ -107,7 +107,7 @@ class ToolStage:
         return self._sources.has_failed or any(self._failed.values())
 
     def key_of_package(self, package: str) -> str:
-        """Return a key of all that shapes what tools say of a package besides its own files."""
+        """Return a key of everything besides the files of a package that affects the results of tools for it."""
         parts: list[object] = [self._sources.key] if self._sources.key else []
         for ready in self._ready:
             read = [file for file in self._files[package] if ready.tool.reads(file)]
@@ -138,7 +138,7 @@ class ToolStage:
                     self._found[self._owner.get(finding.path, "")][ready.tool.name].add(finding)
 
     def outcome(self, measured: MeasuredPackage) -> Outcome:
-        """Return what the tools say of a package."""
+        """Return the results of the tools for a package."""
         found = self._found.get(measured.package, {})
         package = measured.package
         total = Outcome(failures=(*self._failed.get(package, ()), *self._left_out.get(package, ())))
@@ -249,7 +249,7 @@ class ToolStage:
         return found
 
     def _tell_uncovered(self, tool: Tool, files: Sequence[SourceFile]) -> None:
-        """Say which files a tool left out, one failure a package and reason."""
+        """Report the files that a tool left out, one failure per package and reason."""
         reasons: dict[tuple[str, str], list[str]] = defaultdict(list)
         for file in files:
             if why := tool.uncovered(file):

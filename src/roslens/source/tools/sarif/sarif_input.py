@@ -19,7 +19,7 @@ from roslens.source.tools.tool import ToolFinding, below_root
 
 MOST_BYTES = 128 * 1024 * 1024
 MOST_RESULTS = 200_000
-"""More results than anybody reads: a file that has more is refused."""
+"""The maximum number of results: a file that has more is rejected."""
 
 LEVELS = {"error": Severity.ERROR, "warning": Severity.WARNING, "note": Severity.NOTE, "none": Severity.NOTE}
 _SILENT_KINDS = frozenset({"pass", "informational", "notApplicable"})
@@ -28,7 +28,7 @@ _LONGEST = 1000
 
 
 class SarifError(Exception):
-    """A document is no SARIF that can be read; the text says what was found."""
+    """A document is not readable SARIF; the text states what was found."""
 
 
 class _Text(msgspec.Struct, frozen=True, rename="camel"):
@@ -135,7 +135,7 @@ class _Log(msgspec.Struct, frozen=True, rename="camel"):
 
 
 class Imported(msgspec.Struct, frozen=True):
-    """What a document says: findings by tool, what their rules are, versions of tools, and what is wrong with it."""
+    """A document: findings by tool, what their rules are, versions of tools, and what is wrong with it."""
 
     findings: dict[str, tuple[ToolFinding, ...]]
     rules: dict[str, RuleInfo]

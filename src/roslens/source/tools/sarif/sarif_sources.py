@@ -51,14 +51,14 @@ class SarifSources:
 
     @property
     def key(self) -> str:
-        """A key of all that shapes what the files and commands say."""
+        """A key of everything that affects the results of files and commands."""
         if not (self._paths or self._tools.commands):
             return ""
         contents = [_digest(path) for path in self._paths]
         return key_of(contents, [self._key(name) for name in sorted(self._tools.commands)])
 
     def read(self) -> tuple[Imported, ...]:
-        """Return what all of them say; commands run now, unless it is known what they say."""
+        """Return the results of all of them; commands run now, unless their results are cached."""
         read = [self._file(path) for path in self._paths]
         read += [self._command(name, command) for name, command in sorted(self._tools.commands.items())]
         return tuple(one for one in read if one is not None)

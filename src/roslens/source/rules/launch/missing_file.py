@@ -12,6 +12,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.launch_view import LaunchXml
 from roslens.source.workspace.elements import Element
 from roslens.source.workspace.globs import compiled
 
@@ -19,7 +20,7 @@ _OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
 _SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
 _WRITTEN = re.compile(r"(?i)result|output|save|record|dump|export|write")
 """In names of parameters: the program makes the file."""
-_USED = re.compile(rb"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
+_USED = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
 _SHOWN = ".rviz"
 """RViz opens its usual display where the file is not there."""
 _FILES = frozenset({"file", "textfile", "binfile", "from", "value", "args", "command", "default"})
@@ -47,17 +48,25 @@ def found(view: PackageView) -> Iterator[Hit]:
     names = {path.rpartition("/")[2] for path in view.listing}
     ignored = _ignored(view)
     for file in view.launch:
-        used = frozenset(_USED.findall(view.read(file.path)))
-        for element, _ in () if file.is_test else file.elements:
-            if element.tag == "arg" and element.attributes.get("name", "").encode() not in used:
-                continue
+        for element in () if file.is_test else _used_elements(file):
             for path in _own_paths(element, view):
-                if _is_there(path, names, view) or (ignored is not None and ignored.fullmatch(path)):
-                    continue
-                hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
-                # Who includes or starts the file may give another than the default.
-                is_note = path.endswith(_SHOWN) or (element.tag == "arg" and "default" in element.attributes)
-                yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
+                if not _is_there(path, names, view) and not (ignored is not None and ignored.fullmatch(path)):
+                    yield _hit(file, element, path, view)
+
+
+def _used_elements(file: LaunchXml) -> Iterator[Element]:
+    """Yield the elements of a launch file without arguments that nothing in it uses."""
+    used = frozenset(_USED.findall(file.text))
+    for element, _ in file.elements:
+        if element.tag != "arg" or element.attributes.get("name", "") in used:
+            yield element
+
+
+def _hit(file: LaunchXml, element: Element, path: str, view: PackageView) -> Hit:
+    hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
+    # Who includes or starts the file may give another than the default.
+    is_note = path.endswith(_SHOWN) or (element.tag == "arg" and "default" in element.attributes)
+    return msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
 
 
 def _ignored(view: PackageView) -> re.Pattern[str] | None:

@@ -1,4 +1,4 @@
-"""Git that takes repositories from elsewhere into clones that roslens itself made: it runs nothing, and asks nobody.
+"""Git that fetches remote repositories into clones that roslens made: it runs no hooks, and never prompts.
 
 What comes from a server can name programs only through attributes, which :data:`ATTRIBUTES` overrules, through
 submodules, which are never followed, and through hooks, of which there are none. What the user's own configuration

@@ -23,7 +23,7 @@ from roslens.model.errors import UsageError
 from roslens.report.writing.left_behind import OLD, PARTIAL, beside, sweep
 
 MARKER = ".roslens-report"
-"""Says that roslens wrote the folder, and what is in it: the names directly below it, one a line."""
+"""Marks a folder that roslens wrote, and lists its content: the names directly below it, one a line."""
 
 _TABLES_ONLY = Limits(findings=0, groups=0, lines=0, excerpts=False)
 _AS_THEY_ARE = ("icon.svg", "roslens.css", "theme.js")
@@ -36,7 +36,7 @@ class Progress(Protocol):
         """Begin a step of ``total`` items."""
 
     def advance(self, count: int = 1, item: str = "") -> None:
-        """Say that ``count`` more items are done, the last of them ``item``."""
+        """Report that ``count`` more items are done, the last of them ``item``."""
 
 
 def export_folder(site: Site, out: Path, progress: Progress, jobs: int = 1) -> None:

@@ -175,7 +175,7 @@ def _metrics(site: Site) -> tuple[GraphMetric, ...]:
 
 
 def _short(value: float | None) -> float | None:
-    """Return the value with no more digits than a reader or a colour can tell apart."""
+    """Return the value with no more digits than a reader or a colour can distinguish."""
     if value is None or not math.isfinite(value):
         return None
     return value if value == int(value) else float(compact(value))

@@ -74,7 +74,7 @@ class Guard:
         self, app: ASGIApp, names: frozenset[str] = frozenset(), advice: str = "start `roslens serve` with --host",
         access: Access | None = None,
     ) -> None:  # fmt: skip
-        """``names`` are further host names to answer to, in lower case; ``advice`` says how to add one.
+        """``names`` are further host names to answer to, in lower case; ``advice`` describes how to add one.
 
         Without ``access`` everybody may view, and nobody act.
         """
@@ -186,7 +186,7 @@ class Guard:
         return ANYBODY
 
     def _refusal(self, scope: Scope, person: Person) -> _Refusal | None:
-        """Return why somebody may not ask for this; None where they may."""
+        """Return why a request is not allowed; None if it is."""
         method = scope["method"]
         if method in _READING:
             return None
@@ -238,7 +238,7 @@ def _session(cookies: str, name: str) -> str:
 
 
 def _same_origin(scope: Scope, *, needed: bool) -> bool:
-    """Return whether a page of this server sent it; ``needed``, whether one that does not say so counts as not."""
+    """Return whether a page of this server sent it; ``needed``, whether a request without its origin is refused."""
     given = Headers(scope=scope)
     site = given.get("sec-fetch-site")
     if site not in (None, "same-origin"):

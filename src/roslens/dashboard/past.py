@@ -19,7 +19,7 @@ class Past:
     """The revisions of a workspace, the earliest first, with the tree of today where it is none of them."""
 
     def __init__(self, trends: Trends, renamed: Renamed) -> None:
-        """Take trends that are loaded, and what tells of renamed files."""
+        """Take loaded trends, and a source of renamed files."""
         self._trends = trends
         self._renamed = renamed
         self.trend = lru_cache(maxsize=256)(trends.of)
@@ -41,7 +41,7 @@ class Past:
         return self._trends.keys
 
     def known(self, key: str) -> Trend | None:
-        """Return how a quantity went; None for one that nobody measured."""
+        """Return the trend of a quantity; None for one that was not measured."""
         return self.trend(key) if key in self.keys else None
 
     def place_of(self, name: str) -> int | None:

@@ -36,10 +36,10 @@ class Reviewed(msgspec.Struct, frozen=True):
 
 
 class Review(Protocol):
-    """The file of a workspace that says which findings stay."""
+    """The file of accepted findings of a workspace."""
 
     def entries(self) -> Mapping[str, Reviewed]:
-        """Return what the file says now, by fingerprint."""
+        """Return the current content of the file, by fingerprint."""
 
     def accept(self, fingerprint: str, reason: str, *, false_positive: bool) -> str:
         """Write that a finding of the run stays; return why not, if not."""

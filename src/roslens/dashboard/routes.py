@@ -65,7 +65,7 @@ OF_THE_PAST = frozenset({"runs", "history", "trend", "difference", "hotspots"})
 
 
 SERVED_ALONE = frozenset({"conformance"})
-"""Pages of what is there while somebody looks: a report that is written has none of it."""
+"""Pages that only a server has: a written report has none of them."""
 
 
 class Target(msgspec.Struct, frozen=True):

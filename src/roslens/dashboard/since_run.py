@@ -12,7 +12,7 @@ Key = tuple[str, str, str, int]
 
 
 class SinceRun:
-    """A run against the one that was kept before it; compared when somebody asks, and once."""
+    """A run against the one that was kept before it; compared on demand, and once."""
 
     def __init__(
         self, name: str, before: Callable[[], Sequence[Finding]], now: Callable[[], Sequence[Finding]]

@@ -90,15 +90,15 @@ class Site:
         self.changes: Mapping[str, int] = {}
         """In how many commits of the last year files of findings changed, as far as the last check knew."""
         self.last_change: Callable[[str], LastChange | None] = unknown_change
-        """Tells of a file, by its path below the workspace root, who changed it last; None where nobody knows."""
+        """Returns who changed a file last, by its path below the workspace root; None if unknown."""
         self.runs: Sequence[StoredRun] = ()
         """The runs that are kept, where there are others than this one."""
         self.since: SinceRun | None = None
         """The run against the one before; None where none was kept."""
         self.gate: GateLine | None = None
-        """Whether it passes; None where nobody asked."""
+        """Whether it passes; None if not requested."""
         self.running: Callable[[], Sequence[Named]] = tuple
-        """Tells what is watched now, or was recorded."""
+        """Describes what is watched now, or was recorded."""
         self.against: Callable[[str], tuple[str, Conformance, list[Side]]] | None = None
         """Compares a configuration by its slug with what runs or was recorded; None where nothing is given."""
         self.review: Review | None = None
@@ -112,7 +112,7 @@ class Site:
 
     @property
     def name(self) -> str:
-        """The workspace as a reader calls it: the last part of its root that says something."""
+        """The name of the workspace: the last meaningful part of its root."""
         parts = [part for part in PurePath(self.view.header.root).parts if part not in {"/", "src"}]
         return parts[-1] if parts else self.view.header.root
 
@@ -163,7 +163,7 @@ class Site:
 
     @cached_property
     def rules(self) -> dict[str, RuleInfo]:
-        """Rule id to rule; rules that findings name but nobody declared are there too."""
+        """Rule id to rule; rules that findings name without a declaration are there too."""
         known = {rule.id: rule for rule in self.view.rules()}
         for package in self.packages:
             for count in package.rules:
@@ -362,7 +362,7 @@ class Site:
         return found
 
     def constraints_on(self, kind: EntityKind, quantity: str) -> Sequence[tuple[QualityModel, Constraint]]:
-        """Return what the models say about a quantity (or a fold of it) of entities of this kind."""
+        """Return the limits of the models on a quantity (or a fold of it) of entities of this kind."""
         return self._constraints.get((kind, quantity), ())
 
     def rating(self, kind: EntityKind, quantity: str, value: float | None) -> str:
@@ -382,7 +382,7 @@ class Site:
         }
 
     def run_facts(self) -> dict[str, object]:
-        """Return what every JSON twin says of the run."""
+        """Return the description of the run for every JSON twin."""
         header = self.view.header
         return {
             "id": self.view.id,

@@ -22,7 +22,7 @@ class TooLargeError(OSError):
     """A file has more bytes than are read of its kind."""
 
     def __init__(self, path: str | Path, size: int, most: int) -> None:
-        """Say which file, its size and the bound, in bytes."""
+        """Take the file, its size and the bound, in bytes."""
         super().__init__(errno.EFBIG, f"a file of {size:,} bytes; at most {most:,} are read", str(path))
 
 

@@ -21,7 +21,7 @@ _AGAIN_S = 0.5
 
 
 class OverBudgetError(Exception):
-    """An input takes more than it may: the message says of what, and how much is allowed."""
+    """An input exceeds its budget: the message states of what, and how much is allowed."""
 
 
 class _Budget(threading.local):
@@ -62,7 +62,7 @@ def is_spent() -> bool:
 
 
 def spent() -> OverBudgetError:
-    """Return the error that says so."""
+    """Return the error for that."""
     return OverBudgetError(f"it takes more than {_budget.seconds:g} s of processor time")
 
 

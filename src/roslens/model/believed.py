@@ -69,7 +69,7 @@ def believed_events(events: list[Event], refused: Refused) -> list[Event]:
 
 
 def believed_samples(samples: list[Sample], refused: Refused) -> list[Sample]:
-    """Return samples of a named entity, at a time; what their values say is for the monitor to judge."""
+    """Return samples of a named entity, at a time; their values are for the monitor to judge."""
     return list(refused.kept("a sample", samples, _wrong_sample))
 
 

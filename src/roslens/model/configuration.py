@@ -153,7 +153,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
 
     @property
     def repeats_an_endpoint(self) -> bool:
-        """Whether it only says once more what an endpoint's quality of service says: an override that nobody sets."""
+        """Whether it only repeats an endpoint's quality of service: an override that is not set."""
         return self.name.startswith("qos_overrides.") and self.set_by is None and self.written_by is None
 
 
@@ -177,7 +177,7 @@ class ConfiguredTimer(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Missing(str, Enum):
-    """What is not known of something that could not be evaluated, where reports tell that apart."""
+    """The unknown part of something that could not be evaluated, where reports distinguish it."""
 
     OTHER = ""
     NODE_NAME = "node name"

@@ -1,4 +1,4 @@
-"""What the history of a repository says of it, of its packages and of their files."""
+"""Process metrics of a repository, its packages and their files, from its history."""
 
 from __future__ import annotations
 

@@ -9,11 +9,11 @@ from roslens.model.finding import Finding
 _NUMBER = re.compile(r"\d[\d.,]*")
 
 Key = tuple[str, str, str, int, int, str]
-"""Tells findings of one run apart."""
+"""Identifies findings within one run."""
 
 
 def key_of_finding(finding: Finding) -> Key:
-    """Return what tells a finding from every other of its run, but for doubles."""
+    """Return what distinguishes a finding from every other of its run, except duplicates."""
     return (finding.fingerprint, finding.rule, finding.path, finding.line, finding.column, finding.message)
 
 

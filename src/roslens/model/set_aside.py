@@ -1,4 +1,4 @@
-"""Findings that do not count because somebody said so, and why."""
+"""Findings that were set aside, and why."""
 
 from __future__ import annotations
 

@@ -151,7 +151,7 @@ class RuleTotal(msgspec.Struct, frozen=True):
 
 
 class Statement(msgspec.Struct, frozen=True):
-    """A statement that somebody wrote about a corpus, and what the corpus says.
+    """A published statement about a corpus, and the result from the corpus.
 
     ``holds`` is None where it cannot be decided from what is there.
     """
@@ -163,7 +163,7 @@ class Statement(msgspec.Struct, frozen=True):
 
 
 class Study(msgspec.Struct, frozen=True):
-    """Everything that a study says of a corpus; ``by`` is what groups are made by, ``""`` for none."""
+    """The results of a study of a corpus; ``by`` is what groups are made by, ``""`` for none."""
 
     corpus: Corpus
     by: str

@@ -50,7 +50,7 @@ class Link(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What one expectation says of one entity, from ``since`` on.
+    """The verdict of one expectation on one entity, from ``since`` on.
 
     Attributes:
         entity: judged.
@@ -92,10 +92,10 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
 
     @property
     def of_observer(self) -> bool:
-        """Whether it is about who observes: unknown while nothing is heard of it."""
+        """Whether it is about an observer: unknown while the observer is silent."""
         return self.entity.kind is EntityKind.OBSERVER
 
     @property
     def wrong(self) -> bool:
-        """Whether somebody has to look: an alarm, or an observer of which nothing is heard."""
+        """Whether it needs attention: an alarm, or a silent observer."""
         return self.state.bad or (self.of_observer and self.state is State.UNKNOWN)

@@ -68,12 +68,12 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
 
     @property
     def vouched(self) -> float:
-        """Up to when the sender has looked; a sender that does not say has looked when it reported traffic."""
+        """Up to when the sender has looked; without it, until it last reported traffic."""
         return self.looked or (self.time if self.tallies else 0.0)
 
 
 class _Packed(msgspec.Struct, frozen=True, array_like=True):
-    """A frame on the line: ``tallies`` has only those that columns cannot tell."""
+    """A frame on the line: ``tallies`` has only those that columns cannot represent."""
 
     version: int
     sender: str
@@ -116,7 +116,7 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
 
 
 class WireError(ValueError):
-    """Bytes that are no frame; the text says what was found and expected."""
+    """Bytes that are not a frame; the text states what was found and expected."""
 
 
 _ENCODER = msgspec.msgpack.Encoder()

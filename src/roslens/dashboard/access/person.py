@@ -12,7 +12,7 @@ SCOPE_KEY = "roslens.person"
 
 
 class Role(Enum):
-    """What somebody may do; who may operate may view."""
+    """The permissions of a person; operators may also view."""
 
     VIEW = "view"
     OPERATE = "operate"

@@ -38,7 +38,7 @@ class Access:
         self.tokens = Tokens(holders or {})
         self.view_needs_token = view_needs_token
         self.refusals = Allowance(MOST_REFUSED, REFUSED_EACH_S, steady)
-        """Of those whose tokens or origins were wrong; who has used it up is not heard with a token for a while."""
+        """The limit on wrong tokens or origins; beyond it, tokens from the address are ignored for a while."""
         self.acts = Allowance(MOST_ACTS, ACTS_EACH_S, steady)
         """Of acting requests."""
         self._audit = audit

@@ -21,7 +21,7 @@ _ADVICE = "Make one with: python3 -c 'import secrets; print(secrets.token_urlsaf
 
 
 class Tokens:
-    """Tells who holds a token, and who holds the session that a browser was given for it.
+    """Identifies the holder of a token, and of the session that a browser was given for it.
 
     A browser keeps a session rather than the token: it is of no use to another run of the server.
     """
@@ -38,17 +38,17 @@ class Tokens:
         return bool(self._people)
 
     def holder(self, token: str) -> Person | None:
-        """Return who holds a token; None where nobody does."""
+        """Return the holder of a token; None for an unknown token."""
         place = _place(token, self._tokens)
         return None if place is None else self._people[place]
 
     def session_of(self, token: str) -> str:
-        """Return what the browser of who holds the token keeps; empty where nobody holds it."""
+        """Return the session for the browser of the token's holder; empty for an unknown token."""
         place = _place(token, self._tokens)
         return "" if place is None else self._sessions[place].decode()
 
     def in_session(self, session: str) -> Person | None:
-        """Return whose session it is; None where it is nobody's."""
+        """Return the person of a session; None for an unknown session."""
         place = _place(session, self._sessions)
         return None if place is None else self._people[place]
 

@@ -24,7 +24,7 @@ class CodeMarks:
     """The marks of every file that a book names, looked up by path."""
 
     def __init__(self, book: Book) -> None:
-        """Take the marks of a book; what several configurations say alike is one mark, of the first of them."""
+        """Take the marks of a book; marks that are equal in several configurations are one, of the first of them."""
         self._found: dict[str, dict[int, dict[tuple[str, str], CodeMark]]] = {}
         for system in book.systems.values():
             for proof, mark in _marks(system):

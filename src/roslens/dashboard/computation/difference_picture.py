@@ -49,7 +49,7 @@ WORDS = {
 
 
 class Element(msgspec.Struct, frozen=True):
-    """A node, topic, service or action as drawn; ``differences`` says what differs of it."""
+    """A node, topic, service or action as drawn; ``differences`` lists its differences."""
 
     key: str
     kind: str
@@ -65,7 +65,7 @@ class Element(msgspec.Struct, frozen=True):
 
 
 class Line(msgspec.Struct, frozen=True):
-    """A line as drawn; ``about`` says what it joins, by what, and how that stands."""
+    """A line as drawn; ``about`` describes its ends, its topic and its state."""
 
     path: str
     standing: Standing
@@ -137,7 +137,7 @@ def difference_picture(
 
 
 class _Differences:
-    """What the differences say of each element and of what it is joined to."""
+    """The differences of each element and of its connections."""
 
     def __init__(self, disparities: Iterable[Disparity]) -> None:
         self.words: dict[str, list[str]] = {}

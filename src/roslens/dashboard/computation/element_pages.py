@@ -235,7 +235,7 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
 
 
 def _overrides(book: Book, node: ConfiguredNode) -> list[Table]:
-    """Return a table of parameters that would change the quality of endpoints, where there are any that nobody sets."""
+    """Return a table of parameters that would change the quality of service of endpoints, if any are not set."""
     columns = (
         Column("name", "Parameter", "name"),
         Column("value", "Value", "code"),

@@ -1,4 +1,4 @@
-"""The plan: what a reference says is to be done about faults, and what became of each part of it."""
+"""The plan: the reactions of a reference to faults, and the outcome of each."""
 
 from __future__ import annotations
 

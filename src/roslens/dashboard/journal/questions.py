@@ -13,7 +13,7 @@ from roslens.model.acting.reaction import Because, Decision
 from roslens.report.history.journal_text import action_text
 
 MOST_OPEN = 200
-"""Questions that are shown at a time; what is asked beyond that nobody could read within a minute."""
+"""Questions that are shown at a time; more than that could not be read within a minute."""
 _MOST_TOLD = 20
 
 
@@ -49,7 +49,7 @@ class Questions:
     """What is asked, and what was answered."""
 
     def __init__(self, wall: Callable[[], float] = time.time) -> None:
-        """Ask nothing yet; ``wall`` says seconds since the epoch."""
+        """Start without questions; ``wall`` returns seconds since the epoch."""
         self._wall = wall
         self._lock = threading.Lock()
         self._open: dict[str, Question] = {}
@@ -104,5 +104,5 @@ class Questions:
 
 
 def _reason(one: Because) -> str:
-    """Return a statement with what was observed, where the statement does not say it already."""
+    """Return a statement with what was observed, unless the statement already contains it."""
     return f"{one.statement}: {one.evidence}" if one.evidence and one.evidence not in one.statement else one.statement

@@ -42,7 +42,7 @@ class ColumnHead(msgspec.Struct, frozen=True):
 
 
 class Drawn(msgspec.Struct, frozen=True):
-    """An edge as drawn: who needs whom, and the SVG path. ``cycle`` says that both need each other."""
+    """An edge as drawn: who needs whom, and the SVG path. ``cycle`` is whether both need each other."""
 
     dependent: int
     needed: int
@@ -65,7 +65,7 @@ class Layout(msgspec.Struct, frozen=True):
 
 
 def lay_out(nodes: Sequence[Node], edges: Sequence[Edge]) -> Layout:
-    """Place ``nodes``, given in the order that decides ties; an edge (a, b) says that a needs b."""
+    """Place ``nodes``, given in the order that decides ties; an edge (a, b) means that a needs b."""
     needs = needs_of(len(nodes), edges)
     component = cycles_of(needs)
     tiers = tiers_of(needs, component)

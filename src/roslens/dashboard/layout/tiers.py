@@ -1,4 +1,4 @@
-"""Which packages are built on which: cycles, tiers and the edges that say something new.
+"""Which packages are built on which: cycles, tiers and the edges that are not redundant.
 
 Nodes are numbers from 0; an edge (a, b) means that a needs b. The tier of a node is the number of edges on the longest
 way down from it, with each cycle taken as one node: what needs nothing is in tier 0.
@@ -53,7 +53,7 @@ def tiers_of(needs: Sequence[Sequence[int]], component: Sequence[int]) -> list[i
 
 
 def reduce_edges(needs: Sequence[Sequence[int]], component: Sequence[int]) -> list[Edge]:
-    """Return the edges that no longer way says already (transitive reduction); those inside a cycle all stay."""
+    """Return the edges that no longer path implies (transitive reduction); those inside a cycle all stay."""
     below = condense(needs, component)
     reach = [0] * len(below)
     kept: set[Edge] = set()

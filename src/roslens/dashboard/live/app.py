@@ -214,7 +214,7 @@ class _Streams:
             await asyncio.sleep(_LOOK_S / 2)
 
     async def read(self, mark: str, reader: str) -> AsyncIterator[bytes]:
-        """Yield what is new to who holds what ``mark`` says, and a beat each second in which nothing is."""
+        """Yield what is new to a reader at ``mark``, and a heartbeat each second without news."""
         clock = asyncio.get_running_loop().time
         snapshots = self._snapshots
         snapshots.look()

@@ -21,7 +21,7 @@ MOST_BOXES = 40
 
 
 class CauseBox(msgspec.Struct, frozen=True):
-    """An entity; ``x`` and ``y`` are the upper left corner, ``first`` says that it is a first cause."""
+    """An entity; ``x`` and ``y`` are the upper left corner, ``first`` is whether it is a first cause."""
 
     entity: str
     name: str
@@ -55,7 +55,7 @@ class CauseLine(msgspec.Struct, frozen=True):
 
 
 class CausePicture(msgspec.Struct, frozen=True, omit_defaults=True):
-    """The graph; ``left_out`` says what is not in it."""
+    """The graph; ``left_out`` describes what is not in it."""
 
     width: float = 0.0
     height: float = 0.0

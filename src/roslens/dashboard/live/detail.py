@@ -15,7 +15,7 @@ class Value(msgspec.Struct, frozen=True):
 
 
 class Judgement(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What one constraint says of the entity.
+    """The verdict of one constraint on the entity.
 
     Attributes:
         expectation: id of the constraint.

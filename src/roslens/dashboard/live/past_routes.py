@@ -20,7 +20,7 @@ _USUAL_S = 300.0
 
 
 class MomentError(Exception):
-    """A parameter of the address is no moment; the message says which, and what is expected."""
+    """A parameter of the address is not a time; the message states which, and what is expected."""
 
 
 class PastRoutes:
@@ -97,7 +97,7 @@ class PastRoutes:
 
 
 def seconds(name: str, text: str) -> float:
-    """Return the seconds that a parameter says.
+    """Return the seconds in a parameter.
 
     Raises:
         MomentError: it is no finite number.
@@ -112,7 +112,7 @@ def seconds(name: str, text: str) -> float:
 
 
 def foreign(request: Request) -> Response | None:
-    """Refuse what a page of another origin asked for; browsers say so themselves."""
+    """Refuse requests of pages of other origins, which browsers mark."""
     if request.headers.get("sec-fetch-site", "none") in ("same-origin", "none"):
         return None
     return PlainTextResponse("Only pages of this server may read this.\n", status_code=403)
@@ -124,12 +124,12 @@ def json_or_nothing(text: bytes) -> Response:
 
 
 async def unreadable(_: Request, error: Exception) -> Response:
-    """Say that the history cannot be read."""
+    """Respond that the history cannot be read."""
     return PlainTextResponse(f"{error}\n", status_code=503)
 
 
 async def refused(_: Request, error: Exception) -> Response:
-    """Say what is wrong with the address."""
+    """Respond with the error in the address."""
     return PlainTextResponse(f"{error}\n", status_code=400)
 
 

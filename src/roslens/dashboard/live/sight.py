@@ -13,7 +13,7 @@ LASTING_S = 5.0
 
 
 class Seen(NamedTuple):
-    """What somebody sees.
+    """What a reader sees.
 
     Attributes:
         rows: keys of rows of the tree.
@@ -35,7 +35,7 @@ class Sight:
     """Keeps what each reader sees; written by one thread, and read by any."""
 
     def __init__(self, steady: Callable[[], float]) -> None:
-        """``steady`` tells how long ago something was, in seconds."""
+        """``steady`` is a monotonic clock, in seconds."""
         self._steady = steady
         self._streams: dict[object, tuple[str, Seen | None]] = {}
         self._entities: dict[str, float] = {}
@@ -43,7 +43,7 @@ class Sight:
         self._all: Seen | None = None
 
     def enter(self, stream: object, reader: str) -> None:
-        """Count a stream that begins; a reader without a name will say nothing, and sees everything."""
+        """Count a stream that begins; a reader without a name reports nothing, and sees everything."""
         self._streams[stream] = reader, NOTHING if reader else None
         self._join()
 
@@ -60,11 +60,11 @@ class Sight:
         return bool(mine)
 
     def take_all(self) -> None:
-        """Somebody has asked for everything, and may do so again."""
+        """Note that a reader has requested everything, and may do so again."""
         self._whole_until = self._steady() + LASTING_S
 
     def ask(self, entity: str) -> bool:
-        """Note that somebody asks about an entity; return whether what is known of it may be some seconds old."""
+        """Note a request for an entity; return whether what is known of it may be some seconds old."""
         seen, until = self.seen(), self._steady() + LASTING_S
         self._entities = {one: end for one, end in self._entities.items() if end > until - LASTING_S}
         new = entity not in self._entities
@@ -73,7 +73,7 @@ class Sight:
         return new and seen is not None and entity not in seen.entities
 
     def seen(self) -> Seen | None:
-        """Return what any reader sees; None where that is everything, or nobody says what it is."""
+        """Return what any reader sees; None if that is everything or unknown."""
         known, now = self._all, self._steady()
         if known is None or now < self._whole_until:
             return None
@@ -96,7 +96,7 @@ class Sight:
 
 
 def seen_of(rows: str, links: str, entity: str, picture: str) -> Seen | None:
-    """Return what a page says that it sees; None where that cannot be read.
+    """Return what a page reports to see; None if that cannot be read.
 
     Args:
         rows: keys, with dots between.

@@ -1,4 +1,4 @@
-"""What readers see, over HTTP: a page tells it, and who asks about something that nobody saw waits for its values."""
+"""What readers see, over HTTP: a page reports it, and a request for an unseen entity waits for its values."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from roslens.dashboard.live.sight import Sight, seen_of
 
 
 class SightRoutes:
-    """Takes what pages tell.
+    """Takes the reports of pages.
 
     Attributes:
         sight: what is seen.
     """
 
     def __init__(self, sight: Sight | None) -> None:
-        """Tell ``sight``; None where everything is made, whoever sees it."""
+        """Report to ``sight``; None if everything is made regardless of readers."""
         self._partial = sight is not None
         self.sight = sight or Sight(time.monotonic)
 
@@ -30,7 +30,7 @@ class SightRoutes:
         return [Route("/sees", self.sees)]
 
     async def sees(self, request: Request) -> Response:
-        """Take what a page says that it sees."""
+        """Take the report of a page on what it sees."""
         if refusal := foreign(request):
             return refusal
         value = request.query_params.get

@@ -1,4 +1,4 @@
-"""Expected against actual: where what source extracts, what runs, recordings and references do not say the same."""
+"""Expected against actual: differences between extracted source, the running system, recordings and references."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ FIRST = 12
 _OVER = {RUNNING: "what ran"}
 """Who is right, said of a recording."""
 HIGHEST_LEFT = 2000
-"""Rows of a table; more than that nobody reads, and the CSV twin holds all."""
+"""Maximum number of rows in a table; the CSV twin has all."""
 
 
 def build(site: Site, request: Request) -> View:

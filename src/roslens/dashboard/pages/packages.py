@@ -1,4 +1,4 @@
-"""All packages as a table: findings and the metrics that tell most; every value in its CSV twin."""
+"""All packages as a table: findings and the most important metrics; every value in its CSV twin."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def build(site: Site, request: Request) -> View | None:
 
 
 def _limit(request: Request) -> int | None:
-    """Return how many rows are shown: written pages hold all, for nobody can be asked for the rest."""
+    """Return how many rows are shown: written pages have all, as there is no server for the rest."""
     if request.complete:
         return None
     first = request.medium == "served" and request.query.get("show") != "all"

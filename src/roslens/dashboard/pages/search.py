@@ -15,7 +15,7 @@ from roslens.model.source import Role
 
 MOST = 50
 MOST_OF_ALL = 2000
-"""Rows where all are asked for: nobody reads more."""
+"""Maximum number of rows if all are requested."""
 
 
 def build(site: Site, request: Request) -> View | None:

@@ -8,7 +8,7 @@ from roslens.dashboard.plan.flow import Flow, tiers
 from roslens.dashboard.plan.ground import Part, Wire
 
 MOST_PAIRS = 600
-"""A topic that joins more pairs of nodes says nothing of where they stand."""
+"""A topic that joins more pairs of nodes does not affect their placement."""
 
 _ASPECT = 1.7
 

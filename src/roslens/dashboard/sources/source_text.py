@@ -20,7 +20,7 @@ _KEPT = 256
 
 
 class SourceText(msgspec.Struct, frozen=True):
-    """The lines of a file. ``changed`` says that it is no longer what the run saw."""
+    """The lines of a file. ``changed`` is whether it differs from what the run analysed."""
 
     lines: tuple[str, ...]
     changed: bool = False

@@ -8,7 +8,7 @@ from roslens.model.study import Study
 
 
 class Tile(msgspec.Struct, frozen=True):
-    """A pair: 0 to 4 for its strength, its sign, whether it may be chance, and what it says when pointed at."""
+    """A pair: 0 to 4 for its strength, its sign, whether it may be chance, and its tooltip."""
 
     row: int
     column: int

@@ -1,4 +1,4 @@
-"""The column of tables that says where entities stand in the field."""
+"""The column of tables with the percentiles of entities in the field."""
 
 from __future__ import annotations
 

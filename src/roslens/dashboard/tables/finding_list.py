@@ -1,4 +1,4 @@
-"""Lists of findings: filtered as the address says, grouped by rule or by file, each with its excerpt."""
+"""Lists of findings: filtered by the address, grouped by rule or by file, each with its excerpt."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The findings that count nowhere because somebody said so, as a table."""
+"""The findings that were set aside, as a table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makes a reference of a file of ARNI, and says what became of each of its lines.
+"""Converts a file of ARNI to a reference, and reports the outcome of each of its lines.
 
 ARNI keeps lists of ``<id>: {<field>: <limits>}`` at ``/arni/specifications``, one list or one under each of several
 names. Ids are ``h!host``, ``n!node``, ``t!topic`` and ``c!subscriber!topic!publisher``. Limits are ``[low, high]`` in
@@ -248,7 +248,7 @@ class _Import:
         self._tell(place, outcome, what, "; ".join([f"`{meaning.signal}: {words}`", *notes]))
 
     def _first(self, constraint: _Constraint, key: str, lines: dict[str, str], what: str, place: Place) -> str | None:
-        """Add lines, and return what there is to say of it; None where they were not added and all has been said.
+        """Add lines, and return a note on it; None if they were not added and all was reported.
 
         What the specification said otherwise before is taken away.
         """

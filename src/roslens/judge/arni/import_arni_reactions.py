@@ -1,4 +1,4 @@
-"""Makes reactions of the countermeasures of ARNI, and says what became of each of their lines.
+"""Converts countermeasures of ARNI to reactions, and reports the outcome of each of their lines.
 
 ARNI keeps them at ``/arni/countermeasure/constraints``: a name to ``constraint`` (a tree of ``and``, ``or`` and ``not``
 over ``<id>: {<field>: high|low|ok|unknown|out_of_bounds}``), ``min_reaction_interval`` (so long it has to hold, 10 s by
@@ -44,7 +44,7 @@ Tell = Callable[[Place, str, str, str], None]
 
 
 class _LeftOutError(Exception):
-    """A condition that cannot be said; everything there is to say of it was said."""
+    """A condition that cannot be expressed; its outcome was reported already."""
 
 
 def has_countermeasures(root: Node | None) -> bool:
@@ -53,7 +53,7 @@ def has_countermeasures(root: Node | None) -> bool:
 
 
 def reactions_of(root: Node | None, tell: Tell) -> list[str]:
-    """Return the lines of the reactions of a file, and tell what became of each of its lines."""
+    """Return the lines of the reactions of a file, and report the outcome of each of its lines."""
     found = _table(root, "countermeasure")
     constraints = found.nodes.get("constraints") if found is not None else None
     if found is None:

@@ -1,4 +1,4 @@
-"""Documents in YAML: typed access to their keys, with errors that say where and what would be right.
+"""Documents in YAML: typed access to their keys, with errors that state where and what was expected.
 
 Models for source and references for live systems are read through this one page. Texts are taken as
 written: ``name: no`` and ``version: 1.10`` are what they look like, not what YAML makes of them.

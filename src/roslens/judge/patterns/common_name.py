@@ -45,7 +45,7 @@ def _automaton(pattern: Pattern) -> Automaton:
 
 
 def _letters(patterns: Sequence[Pattern]) -> list[str]:
-    """Return one character of each kind that the patterns tell apart."""
+    """Return one character of each kind that the patterns distinguish."""
     sets = {letters for pattern in patterns for edges in _automaton(pattern).edges for letters, _ in edges}
     mentioned = sorted({"/"}.union(*(letters.chars for letters in sets)))
     samples = [*_FRESH, *mentioned]

@@ -96,7 +96,7 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 _LONG = 10_000
-"""Numbers from here on are divided into thousands: nobody counts seven digits."""
+"""Numbers from here on are grouped by thousands, for readability."""
 _SHOWN_UNITS = frozenset({"%", "s", "ms", "us", "Hz", "B", "kB", "MB", "B/s", "kB/s", "MB/s"})
 
 

@@ -67,7 +67,7 @@ def fold_steps(quantities: Iterable[Quantity], kind: EntityKind) -> tuple[FoldSt
 
 
 def fold_parts(steps: Iterable[FoldStep], parts: Iterable[Entity]) -> dict[str, float]:
-    """Return what the ``parts`` say about the file or package that they are in.
+    """Return the values of a file or package from those of its ``parts``.
 
     Args:
         steps: made by :func:`fold_steps` for the kind of the whole.

@@ -34,7 +34,7 @@ def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
 
 def limits_broken(finding: Finding) -> tuple[str, ...]:
-    """Return the ids of the rules whose limits a finding of a model says are broken; none for any other finding."""
+    """Return the ids of the rules whose limits a finding of a model reports as violated; none for any other finding."""
     if not finding.model:
         return ()
     return tuple(reason.partition(": ")[0] for reason in finding.others) or (finding.rule,)

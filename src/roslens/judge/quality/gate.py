@@ -52,7 +52,7 @@ class GateFacts(msgspec.Struct, frozen=True):
 
 
 class GateResult(msgspec.Struct, frozen=True):
-    """A condition and whether it holds, None where that cannot be determined; ``text`` says it to a reader."""
+    """A condition and whether it holds, None where that cannot be determined; ``text`` describes it."""
 
     condition: str
     holds: bool | None

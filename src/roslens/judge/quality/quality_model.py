@@ -42,7 +42,7 @@ _NAME = re.compile(r"[a-z][a-z0-9_-]*\Z")
 
 
 class QualityModel(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What a document of constraints says; ``constraints`` holds inherited ones first."""
+    """A quality model; ``constraints`` has inherited ones first."""
 
     name: str
     title: str = ""

@@ -33,7 +33,7 @@ _ID = re.compile(r"[a-z][a-z0-9_.-]*\Z")
 
 
 def read_constraints(document: Section, model: str, known: Mapping[str, Quantity]) -> tuple[Constraint, ...]:
-    """Return what a model's own list says.
+    """Return the constraints of a model's own list.
 
     Args:
         document: the outermost section of the model.

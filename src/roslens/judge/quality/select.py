@@ -13,7 +13,7 @@ EVERY = "*"
 
 
 def matcher(pattern: str) -> Callable[[str], bool] | None:
-    """Return what tells whether a name matches a glob, None where every name does.
+    """Return a matcher of names for a glob, None if every name matches.
 
     ``*`` stands for any text, ``?`` for one character, ``[abc]`` for one of these. Case counts.
     """

@@ -18,7 +18,7 @@ LOOKED_AT = {
     EntityKind.CLASS: ("wmc", "cbo", "lcom", "dit"),
     EntityKind.FUNCTION: ("cyclomatic_complexity", "cognitive_complexity", "nesting", "eloc", "parameters"),
 }  # fmt: skip
-"""Quantities of which more is worse, by kind of entity, that say in one number how unusual an entity is."""
+"""Quantities of which more is worse, by kind of entity, that summarise how unusual an entity is."""
 
 
 class Unusual(msgspec.Struct, frozen=True):

@@ -45,7 +45,7 @@ def visible(section: Section, key: str, text: str, *, lines: bool = False) -> st
 
 
 def read_defaults(section: Section | None, defaults: Defaults) -> Defaults:
-    """Return ``defaults`` with what a section says instead.
+    """Return ``defaults`` with the overrides of a section.
 
     Raises:
         DocumentError: a value is wrong.

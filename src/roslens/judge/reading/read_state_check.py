@@ -1,4 +1,4 @@
-"""What a constraint says of lifecycle states and values of parameters."""
+"""Constraints on lifecycle states and values of parameters."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LIFECYCLE = (
 
 
 def has_states(section: Section) -> bool:
-    """Return whether a constraint says anything of states."""
+    """Return whether a constraint is about states."""
     return any(key in section for key in STATE_KEYS)
 
 

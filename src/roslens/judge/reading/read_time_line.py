@@ -22,9 +22,9 @@ from roslens.model.verdict import State
 from roslens.plugins.nearest import did_you_mean
 
 WITHIN_S = 0.5
-"""How far from its instant a decision may come, where a time line does not say."""
+"""How far from its instant a decision may come, by default."""
 AFTER_S = 60.0
-"""So long a time line goes on after the last that is given, where it does not say."""
+"""How long a time line continues after its last entry, by default."""
 MOST_S = 3600.0
 _KINDS = (*KINDS, EntityKind.OBSERVER)
 

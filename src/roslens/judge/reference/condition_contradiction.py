@@ -58,7 +58,7 @@ def _asked(condition: Condition, *, wanted: bool) -> Iterator[tuple[Stated, bool
 
 
 def _covers(one: Stated, other: Stated) -> bool:
-    """Whether both say the same of the same."""
+    """Whether both make the same statement about the same entities."""
     return (
         one.selector == other.selector
         and one.about is other.about

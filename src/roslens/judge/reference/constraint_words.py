@@ -1,4 +1,4 @@
-"""What a constraint of a reference says, in words."""
+"""Constraints of a reference, in words."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ ReferenceConstraint = Expectation | Presence | FieldCheck | AgeChain | StateChec
 
 
 class Defaults(msgspec.Struct, frozen=True):
-    """What a constraint takes that says nothing of its own."""
+    """The defaults of constraints."""
 
     severity: Severity = Severity.WARNING
     group: str = ""

@@ -1,4 +1,4 @@
-"""Reactions about what is not in a graph: conditions that nothing can fulfil, and targets that nobody finds."""
+"""Reactions about what is not in a graph: conditions that nothing can fulfil, and targets that do not exist."""
 
 from __future__ import annotations
 

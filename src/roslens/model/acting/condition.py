@@ -15,7 +15,7 @@ from roslens.model.selector import Selector
 
 
 class About(str, Enum):
-    """What a statement says of the selected entities.
+    """What a statement requires of the selected entities.
 
     - verdict: how a constraint of the reference judges them; its states are those of ``model.verdict.State``, ``bad``
       (low, high or absent) and ``wrong`` (bad, or an observer of which nothing is heard)

@@ -57,7 +57,7 @@ class _Search(Generic[Thing]):
         self._path.append((thing, iter(self._targets(thing))))
 
     def _goes_on(self, thing: Thing, targets: Iterator[Thing]) -> bool:
-        """Enter the next target that nobody saw yet; return whether there was one."""
+        """Enter the next target that was not visited yet; return whether there was one."""
         for target in targets:
             if target not in self._index:
                 self._enter(target)

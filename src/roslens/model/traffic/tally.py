@@ -8,7 +8,7 @@ import msgspec
 
 
 class Observer(str, Enum):
-    """How something was observed, which says what a value cannot see.
+    """How something was observed, which determines what a value does not include.
 
     - inside: counted in the process that publishes or takes
     - protocol: read from what the middleware tells of itself

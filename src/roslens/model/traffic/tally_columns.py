@@ -12,7 +12,7 @@ from roslens.model.traffic.tally import Moments, Observer, Tally
 
 _BETWEEN = "\n"
 Row = tuple[float, float, int, int, float, float, Moments, Moments, Moments, int, Observer, str, Moments, float]
-"""What a tally says besides its names, in the order of its fields."""
+"""The fields of a tally besides its names, in their order."""
 
 
 class Columns(msgspec.Struct, frozen=True, array_like=True, gc=False):
@@ -40,7 +40,7 @@ class Columns(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
 
 class TallyColumns(Sequence[Tally]):
-    """Tallies that are made when somebody asks for them.
+    """Tallies that are created on demand.
 
     Attributes:
         names: of each, as :func:`names_of` takes apart.
@@ -63,7 +63,7 @@ class TallyColumns(Sequence[Tally]):
                 raise ValueError(f"{len(values)} values of {field} for {many} tallies")
 
     def rows(self) -> Iterator[Row]:
-        """Return what each says besides its names."""
+        """Return the fields of each besides its names."""
         many = len(self.names)
         columns = (values if len(values) == many else repeat(values[0], many) for values in self._values)
         return zip(*columns, strict=False)
@@ -108,13 +108,13 @@ def names_of(text: str) -> tuple[str, str, str]:
 
 
 def tally_of(names: str, row: Row) -> Tally:
-    """Return a tally with these names that says what a row says."""
+    """Return a tally with these names and the fields of a row."""
     topic, publisher, subscriber = names_of(names)
     return Tally(topic, publisher, subscriber, *row)
 
 
 def row_of(tally: Tally) -> Row:
-    """Return what a tally says besides its names."""
+    """Return the fields of a tally besides its names."""
     return (
         tally.start, tally.end, tally.count, tally.bytes, tally.first, tally.last, tally.period, tally.latency,
         tally.age, tally.lost, tally.observer, tally.host, tally.processing, tally.longest_at,

@@ -45,7 +45,7 @@ class At(msgspec.Struct, frozen=True):
 
 
 def parse_at(text: str) -> At:
-    """Return what ``--at`` says.
+    """Return the value of ``--at``.
 
     Raises:
         UsageError: it is no date, no commit, no number and not :data:`COUNTED`.

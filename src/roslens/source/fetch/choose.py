@@ -70,7 +70,7 @@ class _Choice:
             self.failures.append(_unknown("package", package, self._homes))
 
     def wanted(self, commits: Mapping[str, int]) -> list[Wanted]:
-        """Return what was picked, by name; ``commits`` says how much of the history some of it needs."""
+        """Return what was picked, by name; ``commits`` is how much of the history some of it needs."""
         return [
             msgspec.structs.replace(self._by_name[name], packages=packages or (), commits=commits.get(name, 0))
             for name, packages in sorted(self._picked.items())

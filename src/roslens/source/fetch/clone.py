@@ -120,7 +120,7 @@ def refuse_strange(git: GitRunner, place: Path, url: str) -> None:
 
 
 def own_attributes(place: Path) -> None:
-    """Have a clone that roslens made say of attributes what a new one says.
+    """Give a clone that roslens made the attributes of a new one.
 
     Raises:
         OSError: they cannot be written.
@@ -132,7 +132,7 @@ def own_attributes(place: Path) -> None:
 
 
 def head_of(git: GitRunner, place: Path) -> str:
-    """Return the commit that a clone is at; asking git, where its file does not say it, takes longest of all.
+    """Return the commit that a clone is at; asking git, if its file does not contain it, takes longest of all.
 
     Raises:
         GitError: git cannot tell.

@@ -20,7 +20,7 @@ _SECTIONS = ("doc", "release", "source")
 
 
 class Distribution(msgspec.Struct, frozen=True):
-    """What documents say of repositories.
+    """The entries of documents on repositories.
 
     Attributes:
         name: of the distribution; empty where a file names none.
@@ -123,7 +123,7 @@ def distribution_of(data: Mapping[str, Any], place: str, name: str = "") -> Dist
 
 
 def _wanted(name: str, data: Mapping[str, Any]) -> list[Wanted]:
-    """Return a repository as its source says it is, else its doc; where only releases are known, a tag a package.
+    """Return a repository by its source entry, else by its doc entry; where only releases are known, a tag a package.
 
     A section that is wrong does not lose what another one says.
     """

@@ -16,7 +16,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace
 
 
 class FetchedSet(msgspec.Struct, frozen=True):
-    """What the lock of a workspace says.
+    """The content of the lock of a workspace.
 
     Attributes:
         taken: repositories by their folder below the root.
@@ -58,7 +58,7 @@ class FetchedSet(msgspec.Struct, frozen=True):
 
 
 def only_fetched(workspace: Workspace, past_of: str | None = None) -> tuple[FetchedSet, Workspace]:
-    """Return what the lock of a workspace says, and the workspace with only what it wants.
+    """Return the lock of a workspace, and the workspace with only the locked repositories.
 
     Args:
         workspace: with all its packages.
@@ -72,7 +72,7 @@ def only_fetched(workspace: Workspace, past_of: str | None = None) -> tuple[Fetc
 
 
 def read_fetched_set(root: str) -> FetchedSet:
-    """Return what the lock in the root of a workspace says; nothing where it has none."""
+    """Return the lock in the root of a workspace; nothing without one."""
     try:
         taken = read_lock(Path(root))
     except UsageError as error:

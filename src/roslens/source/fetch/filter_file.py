@@ -25,7 +25,7 @@ class Filter(msgspec.Struct, frozen=True):
 
 
 def filter_of(data: Mapping[str, Any], place: str) -> Filter:
-    """Return what a filter file says.
+    """Return the content of a filter file.
 
     Args:
         data: values of the document.

@@ -27,7 +27,7 @@ class GitRunner:
     """Runs git from any thread; :meth:`end_all` ends what runs."""
 
     def __init__(self, retry: Retry, *, time_limit_s: float = TIME_LIMIT_S) -> None:
-        """Try again as ``retry`` says, and end what takes longer than ``time_limit_s``."""
+        """Try again by ``retry``, and end what takes longer than ``time_limit_s``."""
         self._retry = retry
         self._time_limit_s = time_limit_s
         self._runner = ToolRunner()
@@ -35,7 +35,7 @@ class GitRunner:
         self._environment = fetching_environment(os.environ)
 
     def ask(self, folder: str, command: str, *arguments: str) -> str | None:
-        """Return what git prints; None where it says that it is not so (exit code 1, or 5 of ``git config``).
+        """Return what git prints; None if its answer is negative (exit code 1, or 5 of ``git config``).
 
         Raises:
             GitError: it failed otherwise.

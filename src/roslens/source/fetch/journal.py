@@ -70,7 +70,7 @@ class Journal:
 
 
 def read_lock(into: Path) -> list[Taken]:
-    """Return what the lock of a folder says; nothing where it has none.
+    """Return the lock of a folder; nothing without one.
 
     Raises:
         UsageError: it cannot be read.

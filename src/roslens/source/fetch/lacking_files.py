@@ -61,7 +61,7 @@ def _refuse_sources(paths: set[str]) -> None:
 
 
 def _leave_out(git: GitRunner, folder: str, paths: dict[str, None]) -> None:
-    """Have git take the files for ones that nobody wants on the disk."""
+    """Have git treat the files as excluded from the checkout."""
     patterns = ("!/" + re.sub(r"([\\*?[])", r"\\\1", path) for path in paths)
     (Path(folder) / ".git" / "info" / "sparse-checkout").write_text("\n".join(("/*", *patterns, "")))
     git.do(folder, "config", "core.sparseCheckout", "true")

@@ -93,7 +93,7 @@ def _entry(taken: Taken) -> dict[str, object]:
 
 
 def taken_of(data: Mapping[str, Any]) -> list[Taken]:
-    """Return what a lock says was fetched; entries that are not roslens' own are left out."""
+    """Return the fetched repositories of a lock; entries that are not roslens' own are left out."""
     entries = data.get("repositories")
     found = []
     for name, entry in entries.items() if isinstance(entries, Mapping) else ():

@@ -1,4 +1,4 @@
-"""What a configuration says of fetching."""
+"""The configuration of fetching."""
 
 from __future__ import annotations
 

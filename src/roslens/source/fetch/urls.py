@@ -13,7 +13,7 @@ _CONTROL = re.compile(r"[\x00-\x20\x7f]")
 
 
 class UrlError(ValueError):
-    """A URL is none that is fetched from; the text says why and what would do."""
+    """A URL that cannot be fetched from; the text states why and what was expected."""
 
 
 def rewritten(url: str, rewrites: Mapping[str, str]) -> str:

@@ -1,4 +1,4 @@
-"""A repository that somebody wants to have here, before anything of it is."""
+"""A requested repository, before anything of it is fetched."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ _MARK = b"\xef\xbb\xbf"
 
 
 class EditError(ValueError):
-    """Edits that cannot be made; the text says why."""
+    """Edits that cannot be made; the text states the reason."""
 
 
 def edited(content: bytes, edits: Iterable[Edit]) -> bytes:

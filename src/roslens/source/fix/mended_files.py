@@ -124,7 +124,7 @@ class _Mender:
         return Mended(changed, tuple(self._fixed), tuple(self._left.values()), tuple(self._failures.values()))
 
     def _may(self, finding: Finding) -> bool:
-        """Return whether all files of the edits of a finding can be edited; if not, say why."""
+        """Return whether all files of the edits of a finding can be edited; if not, report why."""
         for edit in finding.edits:
             why = self._why_not(edit.path, edit.made_for)
             if why:

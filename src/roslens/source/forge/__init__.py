@@ -1,1 +1,1 @@
-"""What a forge knows of a repository: issues and requests, asked for only where the user says so."""
+"""Data of a forge on a repository: issues and requests, requested only if the user enables it."""

@@ -1,4 +1,4 @@
-"""Answers of forges that were kept, with the tags by which a forge tells that they still hold."""
+"""Answers of forges that were kept, with the tags by which a forge confirms that they are still valid."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 TRIES = 3
 LONGEST_WAIT_S = 60.0
-"""Where a forge asks for more patience, it is a failure that says until when."""
+"""If a forge requires a longer wait, it is a failure that states until when."""
 LARGEST_ANSWER = 20_000_000
 _LIMIT_S = 20.0
 _FAULTS = frozenset({500, 502, 503, 504})

@@ -1,10 +1,10 @@
-"""Why a forge did not tell what it was asked."""
+"""Failures of requests to a forge."""
 
 from __future__ import annotations
 
 
 class ForgeError(Exception):
-    """A forge that did not answer, or not as its interface says.
+    """A forge that did not answer, or not by its interface.
 
     Attributes:
         what: was found, in one line.

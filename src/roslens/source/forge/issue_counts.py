@@ -73,7 +73,7 @@ def _gitea(client: ForgeClient, name: str) -> IssueCounts:
 
 
 def _listed(client: ForgeClient, path: str, header: str, size: str) -> int:
-    """Return how long a list is: as a header says, else by its pages."""
+    """Return the length of a list: from a header, else from its pages."""
     number = 0
     for page in range(1, MOST_PAGES + 1):
         reported = client.get(f"{path}&{size}={_PAGE}&page={page}")

@@ -23,7 +23,7 @@ _COMMANDS = frozenset({"arg", "find", "env", "optenv", "anon", "dirname"})
 
 
 class SubstitutionError(ValueError):
-    """A substitution that roslaunch refuses; the text says why."""
+    """A substitution that roslaunch rejects; the text states the reason."""
 
 
 class Scope(msgspec.Struct, frozen=True):
@@ -62,7 +62,7 @@ def substitute(text: str, scope: Scope) -> Text:
 
 
 def truth(text: Text) -> bool | None:
-    """Return what a condition says; None where it is unknown.
+    """Return the value of a condition; None if it is unknown.
 
     Raises:
         SubstitutionError: it is neither true nor false.

@@ -188,7 +188,7 @@ def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting])
 
 
 def _open(conditions: Conditions, own: str, settings: Mapping[str, Setting]) -> Conditions | None:
-    """Return the conditions that nobody can decide; None where one does not hold."""
+    """Return the undecidable conditions; None if one does not hold."""
     left = []
     for one in conditions:
         match = _DEFAULT.fullmatch(str(one))

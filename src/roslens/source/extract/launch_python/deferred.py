@@ -71,7 +71,7 @@ def resolve(value: Value, scope: Scope, depth: int = 0) -> Text:
 
 
 def truth(text: Text) -> bool | None:
-    """Return what a condition says; None where it is unknown.
+    """Return the value of a condition; None if it is unknown.
 
     Raises:
         ValueError: it is neither true nor false.

@@ -274,7 +274,7 @@ def set_outside(settings: Iterable[Setting]) -> Iterator[ConfiguredParameter]:
 
 
 def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredParameter:
-    """Return a parameter with what a further place of the code says of it."""
+    """Return a parameter merged with its properties from a further place of the code."""
     default = known.default if known.default is not None or fact.default is None else fact.default.usual
     value = default if known.value is None and known.set_by is None else known.value
     # The type of what is written says nothing of what is read.

@@ -152,7 +152,7 @@ def written(node: Node) -> str:
 
 
 def type_of(node: Node, of_text: Callable[[str], str] | None = None) -> str:
-    """Return the type that YAML gives a value; ``of_text`` tells that of plain ones."""
+    """Return the type that YAML gives a value; ``of_text`` returns that of plain ones."""
     match node:
         case Items():
             kinds = {type_of(one, of_text) for one in node.nodes}

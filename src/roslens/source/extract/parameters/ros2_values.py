@@ -14,7 +14,7 @@ from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, read_t
 from roslens.model.errors import DocumentError
 
 LIST = "list"
-"""The type of a list of which the items do not say what it is."""
+"""The type of a list whose items do not determine it."""
 _TRUTHS = frozenset(
     word
     for pair in (("y", "n"), ("yes", "no"), ("true", "false"), ("on", "off"))
@@ -51,7 +51,7 @@ def _whole(text: str) -> int:
 
 
 def _has_room(text: str) -> bool:
-    """Whether a number is one that a double can be; the C library says where it is too great."""
+    """Whether a number fits a double, by the limits of the C library."""
     try:
         number = float(text) if "x" not in text.lower() else float.fromhex(text)
     except (OverflowError, ValueError):
@@ -113,7 +113,7 @@ def _first_in_yaml(text: str) -> str:
 
 
 def type_in_file(node: Node) -> str:
-    """Return the type that rcl gives a value in a file; ``list`` of a list of which nobody can tell."""
+    """Return the type that rcl gives a value in a file; ``list`` for a list of unknown type."""
     return _type(node, type_in_rcl)
 
 

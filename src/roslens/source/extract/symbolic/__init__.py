@@ -1,4 +1,4 @@
-"""Texts with holes and conditions: what is known of a value that source does not say.
+"""Texts with holes and conditions: partial knowledge of values that source does not determine.
 
 Texts come in and go out. Begin with ``text.py``.
 """

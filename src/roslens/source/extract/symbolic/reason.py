@@ -47,7 +47,7 @@ class OfNode(_Reason, frozen=True, tag="of node"):
 
 
 class OfParameter(_Reason, frozen=True, tag="of parameter"):
-    """The value of a parameter of a node, as :class:`OfNode` says which."""
+    """The value of a parameter of a node, identified as in :class:`OfNode`."""
 
     name: str
     node: int = FIRST
@@ -151,7 +151,7 @@ Reason = (
     str | OfNode | OfParameter | OfHandle | OfController | EachOf | ItemOf | PartOf | OfEnvironment | RandomEnd | NotSet
     | OfMany
 )  # fmt: skip
-"""Why something is not known; nothing depends on what mere words say."""
+"""Why something is unknown; nothing depends on the content of plain text."""
 
 
 def is_of_many(reason: Reason) -> bool:

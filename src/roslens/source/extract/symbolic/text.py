@@ -184,7 +184,7 @@ class NoException(Formula, frozen=True, tag="no exception"):
 
 
 class IsTrue(Formula, frozen=True, tag="true"):
-    """A text says something true, as parameters do."""
+    """A text has a true value, by the rules of parameters."""
 
     text: Text
 
@@ -297,7 +297,7 @@ def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:
 
 
 def said(*parts: str | Text, most: int = 1000) -> Reason:
-    """Return words of texts as a reason; of what is one of many strings it says so.
+    """Return texts as a reason; one of many strings is described as such.
 
     Args:
         parts: that are written one after the other.

@@ -1,4 +1,4 @@
-"""How what an expression names is declared, where its value does not say what it is."""
+"""The declared type of what an expression names, where its value does not determine it."""
 
 from __future__ import annotations
 

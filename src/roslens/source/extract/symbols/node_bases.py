@@ -22,7 +22,7 @@ _ROS1 = re.compile(r"(ros/.*\.h$|roscpp|rospy|nodelet/|tf/|[a-z]\w*/[A-Z]\w*\.h$
 
 
 def generation_of(index: SymbolTable, path: str) -> str:
-    """Return the generation of ROS that a file belongs to, as its headers or modules say, else most of its package.
+    """Return the generation of ROS that a file belongs to, by its headers or modules, else by most of its package.
 
     An index that is of one version says so for all its files.
     """

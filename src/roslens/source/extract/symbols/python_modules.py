@@ -13,7 +13,7 @@ _DEEPEST = 4
 
 
 class PythonModules:
-    """The modules of a workspace; a module is known by each end of its path, as nobody knows where packages are put."""
+    """The modules of a workspace; a module has each suffix of its path, as the location of packages is unknown."""
 
     def __init__(self, programs: Mapping[str, Program], outer: Collection[str], linkage: Linkage) -> None:
         """Begin without modules; names in ``outer`` are those of the vocabulary and mean no module of the workspace."""

@@ -54,7 +54,7 @@ def changed_by(
 
 
 def is_open(ctx: Context) -> Condition | None:
-    """Return the innermost condition of the function that nobody can decide; None where there is none."""
+    """Return the innermost undecidable condition of the function; None without one."""
     frame = ctx.state.frame
     return ctx.state.conditions[-1] if len(ctx.state.conditions) > frame.depth + frame.passed else None
 

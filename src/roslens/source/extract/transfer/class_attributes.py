@@ -40,7 +40,7 @@ def class_of_scope(ctx: Context) -> Value:
 
 
 def read_first(ctx: Context, name: str, value: Value) -> Value:
-    """Return what an attribute is to whoever reads it first: what the class says, if nothing sets it by its class."""
+    """Return the value of an attribute at its first read: that in the class, if nothing sets it by its class."""
     class_name, _, last = name.rpartition(".")
     if (class_name.rpartition(".")[2], last) not in _all_set(ctx):
         return value
@@ -56,7 +56,7 @@ def read_first(ctx: Context, name: str, value: Value) -> Value:
 
 
 def of_object(ctx: Context, defined: Defined, name: str, value: Value) -> Value:
-    """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
+    """Return the class attributes of a new object: those in the class, or set for all meanwhile."""
     if (defined.what.name, name) not in _all_set(ctx):
         return value
     return ctx.expressions.member_of(Class(defined), name)

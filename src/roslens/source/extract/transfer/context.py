@@ -157,7 +157,7 @@ class Context(Protocol):
         """Return what a call of a function of the workspace returns."""
 
     def assign(self, target: Expression, value: Value) -> None:
-        """Put a value where an expression says."""
+        """Assign a value to the target of an expression."""
 
     def block(self, body: tuple[Statement, ...]) -> None:
         """Follow statements in order."""

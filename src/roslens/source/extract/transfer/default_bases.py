@@ -1,4 +1,4 @@
-"""Which bases a constructor of C++ constructs without saying so: by their constructors that take no arguments."""
+"""Which bases a constructor of C++ constructs implicitly: by their default constructors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Calls of objects that are one or another by conditions: each does what its own class says, under its condition."""
+"""Calls of objects of one class or another by condition: each uses the method of its own class, under its condition."""
 
 from __future__ import annotations
 

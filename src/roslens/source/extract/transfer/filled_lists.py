@@ -36,7 +36,7 @@ def count_of_filled(ctx: Context, end: Expression) -> int:
 
 
 def _filled_here(function: Function, name: Name) -> bool:
-    """Whether a function declares a list without items, and gives it to nobody."""
+    """Whether a function declares a list without items, and does not pass it on."""
     declared = False
     waiting: list[object] = [function.body]
     while waiting:

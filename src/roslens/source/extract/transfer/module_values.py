@@ -54,7 +54,7 @@ def _is_set_to(statement: Statement, value: Expression) -> bool:
 
 
 def module_value(ctx: Context, path: str, name: str, first: Expression) -> tuple[Value] | None:
-    """Return what a variable of a module is after all that changes it; None where one statement says it all.
+    """Return what a variable of a module is after all that changes it; None if a single statement sets it.
 
     Args:
         ctx: the evaluation.

@@ -22,7 +22,7 @@ def overload(
     index: SymbolTable, found: list[DefinedFunction], count: int, arguments: Sequence[Value] = (),
     running: tuple[str, int] = ("", 0), at: tuple[str, str] = ("", ""),
 ) -> DefinedFunction | None:  # fmt: skip
-    """Return the function that takes so many arguments, else the one with the most to say.
+    """Return the function that takes so many arguments, else the one with the largest body.
 
     Of functions outside of classes that are those which the file that calls knows; of several files that are linked
     with it none.

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def chosen_value(chosen: Chosen, node: NodeBuilder, name: str, default: Text | None) -> Value:
-    """Return the value of a parameter that decides: a list of texts, or a text; None where nothing tells it.
+    """Return the value of a parameter that decides: a list of texts, or a text; None if it is unknown.
 
     What a default says keeps its doubt: it is a hole with that default.
     """

@@ -107,7 +107,7 @@ def way_of(ctx: Context, operand: Expression, condition: Condition, decides: Val
 def after_others(
     ctx: Context, operand: Expression, others: SequenceOf[tuple[Value, Expression]], operator: str
 ) -> Value:
-    """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
+    """Return the value of an operand of ``and`` or ``or`` that comes after others whose truth is unknown.
 
     Where one of these does something itself, that it went well is no condition worth reporting.
     """

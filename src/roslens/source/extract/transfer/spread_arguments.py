@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 _MOST_LEFT = 8
-"""So many arguments stand for those of a list that nobody knows."""
+"""How many arguments represent those of an unknown list."""
 
 
 def spread(ctx: Context, call: Call) -> tuple[list[Value], Names]:

@@ -54,7 +54,7 @@ def returned(ctx: Context, statement: Return) -> None:
 
 
 def no_place(ctx: Context) -> None:
-    """Forget where a value stands: the next call says it, if any does."""
+    """Forget the storage of a value: the next call sets it, if any does."""
     ctx.state.gave = None
 
 

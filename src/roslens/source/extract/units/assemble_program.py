@@ -1,4 +1,4 @@
-"""Programs that make nodes of classes: what their main function tells and what the classes do, as one.
+"""Programs that make nodes of classes: the facts of their main function and of the classes, merged.
 
 A main function gives names and arguments; what a node does after it was made (its life cycle, its callbacks) is in
 its class.
@@ -53,7 +53,7 @@ def _written(function: Function) -> Iterator[str]:
 
 
 def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
-    """Return what the main function of a program and the class of the node it makes tell together.
+    """Return the merged facts of the main function of a program and of the class of the node that it creates.
 
     Args:
         main: facts of the main function; None where it tells nothing.
@@ -83,7 +83,7 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
 
 
 def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tuple[EndpointFact, ...]:
-    """Return endpoints of both; of one that both tell what main tells, if it knows what decides its name."""
+    """Return the endpoints of both; of one in both, that of main, unless its name is unknown there."""
     better = {_place(one.evidence) for one in second if not _vague(one)}
     kept = [one for one in first if not _vague(one) or _place(one.evidence) not in better]
     reported = {_place(one.evidence) for one in kept}

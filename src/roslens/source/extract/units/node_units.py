@@ -226,7 +226,7 @@ def facts_of_module(
 
 
 def _run_lifecycle(ctx: Interpreter) -> None:
-    """Run what managed nodes do until they are active: nobody in their own program asks for it."""
+    """Run the transitions of managed nodes until they are active, which their own program does not request."""
     for one in [made for made in ctx.emitter.made if made.node is not None and made.node.kind == "lifecycle"]:
         outer, ctx.emitter.node = ctx.emitter.node, one.node or ctx.emitter.node
         try:
@@ -282,7 +282,7 @@ def _run_made(ctx: Interpreter, first: Obj | None = None) -> None:
 
 
 def _run_plugged(ctx: Interpreter) -> None:
-    """Run what plug-ins do that nobody was seen to call; they may load others."""
+    """Run plug-ins that no evaluated code called; they may load others."""
     done = 0
     while done < len(ctx.emitter.plugged):
         thing, node = ctx.emitter.plugged[done]

@@ -89,7 +89,7 @@ def unreached(index: SymbolTable, reached: Reached) -> Iterator[Defined]:
 
 
 def _makes(index: SymbolTable, defined: Defined, reached: Reached, known: dict[int, bool]) -> bool:
-    """Whether a method that was not evaluated makes an endpoint; ``known`` tells it by identity."""
+    """Whether a method that was not evaluated makes an endpoint; ``known`` caches it by identity."""
     for one in index.chain(defined):
         for method in index.methods_of(one):
             what = method.what

@@ -1,4 +1,4 @@
-"""What source tells of the nodes of a workspace, from its packages to the facts of all units, through the cache.
+"""The facts about the nodes of a workspace from source, from its packages to the facts of all units, through the cache.
 
 find packages -> take inventory -> (nothing changed? what is kept is the answer) -> programs of changed files -> index
 -> evaluate units; beside them what builds make, and interfaces. Each part is kept under the hash of all it depends on.
@@ -28,7 +28,7 @@ from roslens.store.cache import Cache
 
 
 class Extraction(msgspec.Struct, frozen=True):
-    """What the source of a workspace tells of nodes.
+    """The facts about nodes in the source of a workspace.
 
     Attributes:
         root: absolute folder that paths start from.
@@ -65,7 +65,7 @@ def extract(
     jobs: int = 0,
     progress: Progress | None = None,
 ) -> Extraction:
-    """Return what the source below ``paths`` tells of nodes.
+    """Return the facts about nodes in the source below ``paths``.
 
     Args:
         paths: folders to look into.
@@ -99,7 +99,7 @@ def extract_found(
     jobs: int = 0,
     progress: Progress | None = None,
 ) -> Extraction:
-    """Return what the source of packages tells of nodes; see :func:`extract`.
+    """Return the facts about nodes in the source of packages; see :func:`extract`.
 
     Code of tests makes no nodes of the workspace, and names in it would stand beside those of the code that they test.
     """

@@ -320,5 +320,5 @@ class WorkspaceFacts:
 
 
 def _words_of(chosen: Chosen | None) -> tuple[str, ...]:
-    """Return what tells results apart that depend on which plug-ins are loaded."""
+    """Return the key of results that depend on which plug-ins are loaded."""
     return () if chosen is None else ("plug-ins", *(str(word) for one in chosen.values for word in one))

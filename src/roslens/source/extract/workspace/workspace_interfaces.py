@@ -31,7 +31,7 @@ class KnownInterface(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 def ros_generation(package: Package) -> int:
-    """Return for which ROS a package is built, 1 or 2: its build type says so, else what it depends on."""
+    """Return for which ROS a package is built, 1 or 2: by its build type, else by its dependencies."""
     if package.build_type.startswith("ament"):
         return 2
     if package.build_type == "catkin":

@@ -27,7 +27,7 @@ _BATCH_BYTES = 400_000
 
 
 class LowerTask(msgspec.Struct, frozen=True):
-    """What a worker needs: files below a root, and what to blank in them. ``number`` tells tasks apart."""
+    """What a worker needs: files below a root, and what to blank in them. ``number`` identifies the task."""
 
     number: int
     root: str

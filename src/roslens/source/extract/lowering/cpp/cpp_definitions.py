@@ -369,7 +369,7 @@ class Definitions:
         self.add([child for child in node.named_children if child.type == "function_definition"], out)
 
     def _silent(self, node: Node, out: Statements) -> None:
-        """Leave out what says nothing about the graph."""
+        """Skip nodes that do not affect the graph."""
 
 
 def _table(kinds: dict[str, str]) -> dict[str, Callable[[Definitions, Node, Statements], None]]:

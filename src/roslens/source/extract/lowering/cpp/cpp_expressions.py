@@ -196,7 +196,7 @@ class Expressions:
         return Operation("?:", tuple([self.lower(part) for part in parts if part is not None]))
 
     def _inner(self, node: Node) -> Expression:
-        """Return what the last part says: a cast is its value, ``&x`` and ``*x`` are ``x``."""
+        """Return the meaning of the last part: a cast is its value, ``&x`` and ``*x`` are ``x``."""
         children = [child for child in node.named_children if child.type != "comment"]
         return self.lower(children[-1]) if children else opaque(self._lowered.text(node))
 

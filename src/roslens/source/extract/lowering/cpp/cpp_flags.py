@@ -1,4 +1,4 @@
-"""Flags and counters of a C++ file that functions set of which not all is lowered: nobody knows what they hold.
+"""Flags and counters of a C++ file that functions set of which not all is lowered: their values are unknown.
 
 ``static int map_loaded = 0;`` decides what a callback does, and another function sets it while it only computes: taken
 for a constant it would hide all that stands behind ``if (map_loaded == 1)``.

@@ -16,7 +16,7 @@ _MOST_DIGITS = 400
 
 @lru_cache(maxsize=4096)
 def text_value(written: str) -> str:
-    """Return what a text or a character says, raw or with escapes; as written where it never ends."""
+    """Return the value of a string or character literal, raw or with escapes; as written if it is unterminated."""
     mark = written[-1:]
     start = written.find(mark)
     if mark not in ("'", '"') or start == len(written) - 1:

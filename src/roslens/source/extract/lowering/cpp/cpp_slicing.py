@@ -1,4 +1,4 @@
-"""Which functions and statements of C++ may say something about the graph, judged by text before any node is read.
+"""Which functions and statements of C++ may affect the graph, judged by text before any node is read.
 
 Most functions compute. What names an interface of ROS, makes an object or is short is lowered whole, and so is what
 makes texts or options of nodes of what it is given, and what may keep a handle that it is given: names are made there.
@@ -220,7 +220,7 @@ def _whole(source: bytes, start: int, end: int) -> bool:
 
 
 def is_logging(source: bytes, start: int, end: int) -> bool:
-    """Return whether a statement only tells people something; an interface made in its arguments makes it more."""
+    """Return whether a statement only writes output; it counts if an interface is created in its arguments."""
     return _LOGGING.match(source, start, end) is not None and not _ENDPOINT.search(source, start, end)
 
 

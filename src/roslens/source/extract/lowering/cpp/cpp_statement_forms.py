@@ -1,4 +1,4 @@
-"""What single statements of C++ are: conditions that say nothing, ends of cases, pointers that take an object."""
+"""What single statements of C++ are: conditions without effect, ends of cases, pointers that take an object."""
 
 from __future__ import annotations
 

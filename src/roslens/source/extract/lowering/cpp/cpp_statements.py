@@ -59,7 +59,7 @@ class StatementLowering:
         self.in_part = False
 
     def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
-        """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
+        """Return the lowered body of a function, or of a ``test``, as far as it may matter."""
         head = node.parent.start_byte if node.parent is not None else -1
         relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
         self.in_part = in_part = relevance.level is not Level.WHOLE
@@ -87,7 +87,7 @@ class StatementLowering:
         return tuple(out)
 
     def add(self, nodes: Iterable[Node], out: Statements) -> None:
-        """Add what ``nodes`` say to ``out``."""
+        """Add the lowering of ``nodes`` to ``out``."""
         for node in nodes:
             kind = node.type
             handler = _HANDLERS.get(kind)
@@ -97,7 +97,7 @@ class StatementLowering:
                 self._evaluate(node, node, out)
 
     def _nested(self, node: Node, out: Statements) -> None:
-        """Add what a block inside a block says, or the rest of what does not parse."""
+        """Add the lowering of a nested block, or of the rest of what does not parse."""
         if not self._lowered.too_deep(node):
             self._lowered.depth += 1
             self.add(node.named_children, out)
@@ -167,7 +167,7 @@ class StatementLowering:
             self.declare(node, out)
 
     def declare(self, node: Node, out: Statements, prefix: str | None = None) -> None:
-        """Add what a declaration of variables says; ``prefix`` is the scope with its dot, None of local ones."""
+        """Add the lowering of a declaration of variables; ``prefix`` is the scope with its dot, None of local ones."""
         self._variables.declare(node, out, self.on_definition, prefix)
 
     def _return(self, node: Node, out: Statements) -> None:

@@ -1,4 +1,4 @@
-"""What types, names and declarators of C++ say, taken from their text: there are far fewer of them than places."""
+"""Types, names and declarators of C++, interpreted from their text: there are far fewer of them than places."""
 
 from __future__ import annotations
 

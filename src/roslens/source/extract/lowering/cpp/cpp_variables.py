@@ -33,7 +33,7 @@ class Variables:
         self._lower = expressions.lower
 
     def declare(self, node: Node, out: Statements, on_definition: OnDefinition, prefix: str | None = None) -> None:
-        """Add what a declaration of variables says; ``prefix`` is the scope with its dot, None of local ones."""
+        """Add the lowering of a declaration of variables; ``prefix`` is the scope with its dot, None of local ones."""
         type_ = node.child_by_field_name("type")
         declarators = node.children_by_field_name("declarator")
         body = type_.child_by_field_name("body") if type_ is not None else None

@@ -1,4 +1,4 @@
-"""A Python file as a program that says more than those that are kept.
+"""A Python file as a program with more information than stored ones.
 
 It knows where each of its expressions stands, and what is spread out in a list: ``[*first, last]`` has the operation
 ``*`` of ``first``.

@@ -126,7 +126,7 @@ class Expressions(Made):
         self._lower = {kind: getattr(self, f"_{method}") for kind, method in _KINDS.items()}
 
     def expression(self, node: Node) -> Expression:
-        """Return what ``node`` says; what is not understood is :class:`Opaque`."""
+        """Return the lowering of ``node``; what is not understood is :class:`Opaque`."""
         if self._depth >= DEEPEST:
             return self._too_deep(node)
         self._depth += 1

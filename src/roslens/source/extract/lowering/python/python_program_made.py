@@ -1,4 +1,4 @@
-"""What no expression of a program says, lowered as statements before the one it is in.
+"""Constructs without an expression in the IR, lowered as statements before the one they are in.
 
 Comprehensions are loops, assignments within expressions are assignments, functions without name are functions of the
 program; see :mod:`~roslens.source.extract.lowering.python.python_program_expressions`.

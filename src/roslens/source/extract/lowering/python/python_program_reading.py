@@ -47,7 +47,7 @@ class Reading:
         self._starts = [0, *accumulate(len(line) + 1 for line in source.split(b"\n"))]
 
     def expression(self, node: Node) -> Expression:
-        """Return what a node says; nothing but its text is known here."""
+        """Return the lowering of a node; nothing but its text is known here."""
         return self._text_only(node)
 
     def parameters(self, node: Node | None) -> tuple[Parameter, ...]:  # noqa: ARG002 - none is known here

@@ -126,7 +126,7 @@ class Statements(Control):
         self.statements(node)
 
     def _on_nothing(self, node: Node) -> None:
-        """Leave out what says nothing."""
+        """Skip statements without effect."""
 
     def _on_leave(self, node: Node) -> None:
         self.pending.append(Leave(node.type == "continue_statement", self.line(node)))

@@ -1,4 +1,4 @@
-"""The words of a command line as a program gets them, where a launch file says them."""
+"""The words of a command line as a program gets them, if a launch file contains them."""
 
 from __future__ import annotations
 

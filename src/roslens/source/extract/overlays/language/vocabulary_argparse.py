@@ -163,7 +163,7 @@ def _unknown_all(options: Sequence[Option], given: Names) -> Names:
 
 
 def _unknown(one: Option) -> Value:
-    """Return what stands for an argument of which nobody knows whether it is given; its default is usual."""
+    """Return the value of an argument that may be given; its default is usual."""
     reason = f"argument {one.shown}"
     match one:
         case Option(kind="text", action="store", nargs=str(), default=Text(usual=usual)):

@@ -33,7 +33,7 @@ def duration(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @outer("rclpy.duration.Duration", "rclpy.Duration", quiet=True)
 def of_rclpy(_ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A stretch of time of rclpy, of what its keywords say together."""
+    """A duration of rclpy: the sum of its keywords."""
     seconds, rest = called.keywords.get("seconds", 0), called.keywords.get("nanoseconds", 0)
     if called.arguments or not is_number(seconds) or not is_number(rest):
         return _of_text(first_of_kind((seconds, rest), Text))

@@ -37,7 +37,7 @@ def numbered(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 
 def perhaps_numbered(items: list[Value]) -> list[Value]:
-    """Return items of which some may be missing with numbers that nobody knows."""
+    """Return items with unknown indices, as some of them may be missing."""
     return [in_place_of(one, [Unknown("a number"), unguarded(one)]) for one in items]
 
 
@@ -92,7 +92,7 @@ def counted(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @outer(VECTOR, "vector", quiet=True)
 def vector(_ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A list of C++; of one that is declared without items nobody knows what it is filled with."""
+    """A list of C++; one that is declared without items has unknown content."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)
     match first:

@@ -50,7 +50,7 @@ def member_set(ctx: Context, _thing: Value, called: CallSite) -> None:
 
 
 def _forget_members(ctx: Context, thing: Obj, name: Value) -> None:
-    """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
+    """Let members be unknown of which an unknown one is set: those whose names fit what is known of it."""
     text = text_of(name)
     pattern = "*" if text is None else text.pattern
     for member, value in [item for item in thing.fields.items() if fnmatchcase(item[0], pattern)]:

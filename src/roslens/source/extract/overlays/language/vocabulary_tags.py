@@ -17,7 +17,7 @@ _BUILT_IN = frozenset({"bool", "char", "double", "float", "int", "long", "short"
 
 @outer("std.true_type", "std.false_type", quiet=True)
 def tag(_ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A tag says what it is called."""
+    """The name of a tag."""
     return called.name == "std.true_type"
 
 

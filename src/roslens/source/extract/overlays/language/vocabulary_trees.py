@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @method("BT.DecoratorNode", "getInput")
 @method("BT.TreeNode", "getInput", anywhere=True)
 def port(ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A port of a node of a behaviour tree is read: what the tree says."""
+    """A port of a node of a behaviour tree is read: its value in the tree."""
     name = as_text(called.argument(0))
     value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(ctx, name)),))
     if len(called.written) > 1:
@@ -60,7 +60,7 @@ def declared_port(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
 def tree(ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
+    """Nodes of a behaviour tree are created: which ones is in a file that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"
     note = (called.evidence, f"a behaviour tree is created from {name}: the endpoints of its nodes are unknown")

@@ -1,4 +1,4 @@
-"""What the value of a parameter is taken for: ``get_parameter("x").as_double()`` says that it is a double."""
+"""Types of parameters from conversions of their values: ``get_parameter("x").as_double()`` implies a double."""
 
 from __future__ import annotations
 

@@ -131,7 +131,7 @@ def _beyond(overrides: Overrides | None, conditions: list[Condition]) -> Overrid
 
 
 def origin(ctx: Context, called: CallSite, name: Value) -> tuple[Evidence, tuple[Evidence, ...]]:
-    """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
+    """Return where an endpoint comes from: the call with its name, and the helpers that only pass it on."""
     evidence = called.evidence
     through: list[Evidence] = []
     expression = next(
@@ -259,7 +259,7 @@ def _in_scope(ctx: Context, written: str, kind: str) -> str:
 
 
 def type_of_callback(callback: Value, place: int = 0) -> str:
-    """Return the type that a callback takes, as its declaration says."""
+    """Return the declared parameter type of a callback."""
     match callback:
         case Callable():
             bound = len(callback.arguments) - len(all_of_kind(callback.arguments, Unknown))
@@ -269,7 +269,7 @@ def type_of_callback(callback: Value, place: int = 0) -> str:
 
 
 class Described(Foreign, frozen=True):
-    """What the declaration of a parameter says of it.
+    """The properties in the declaration of a parameter.
 
     See :class:`~roslens.source.extract.facts.node_facts.ParameterFact`.
     """

@@ -1,4 +1,4 @@
-"""What descriptors of parameters say: range, description, whether they are read only or of any type."""
+"""Descriptors of parameters: range, description, whether they are read only or of any type."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def is_descriptor(value: Value) -> TypeGuard[Obj]:
 
 
 def described_by(values: Iterable[Value], kind: str = "") -> Described:
-    """Return what the descriptor among some values says of a parameter of a type; empty is not known."""
+    """Return the properties of a parameter of a type from the descriptor among some values; empty ones are unknown."""
     found = next((one.fields for one in values if is_descriptor(one)), None)
     if found is None:
         return Described()

@@ -1,4 +1,4 @@
-"""The vocabulary of interactive markers: what a server of them tells and hears (interactive_markers)."""
+"""The vocabulary of interactive markers: what a server of them publishes and subscribes to (interactive_markers)."""
 
 from __future__ import annotations
 

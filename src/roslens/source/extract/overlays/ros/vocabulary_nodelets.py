@@ -24,7 +24,7 @@ _STRINGS = ("std::string", "std::string")
 
 @outer("ros.M_string", "nodelet.M_string", quiet=True)
 def remappings(_ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A map of remappings, empty as long as nobody puts names in it."""
+    """A map of remappings, empty until names are added."""
     given = called.argument(0)
     return Unknown("remappings passed by the caller") if given is not None else Remappings()
 

@@ -105,7 +105,7 @@ def declares(_ctx: Context, thing: Obj, called: CallSite) -> Value:
 
 @method(OPTIONS, *_SAME)
 def same(_ctx: Context, thing: Value, called: CallSite) -> Value:
-    """What says nothing of names."""
+    """Options that do not affect names."""
     return thing if called.arguments else Unknown(f"{called.name} of the options")
 
 
@@ -138,7 +138,7 @@ def _inherited(stated: Inherits | None, words: list[Value]) -> Inherits:
 
 
 def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSite) -> None:
-    """Let hold for a node what its options say."""
+    """Apply the options of a node."""
     building.options = given
     words = given.fields.get("-arguments", [])
     match words:
@@ -162,7 +162,7 @@ def take_options(ctx: Context, building: NodeBuilder, given: Obj, called: CallSi
 
 
 def doubt_options(building: NodeBuilder, called: CallSite) -> None:
-    """Note where one of the arguments may be options, or a namespace, that nobody knows."""
+    """Note if one of the arguments may be unknown options, or an unknown namespace."""
     unknown_ones = all_of_kind(called.arguments[1:3], Unknown)
     if unknown_ones:
         _doubt(building, called, f"its options are {as_text(unknown_ones[-1])}")

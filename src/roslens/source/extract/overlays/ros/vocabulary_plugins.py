@@ -67,7 +67,7 @@ def plain_name(_ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 
 def _class(ctx: Context, name: str) -> Defined | None:
-    """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
+    """Return the class that a name of a plug-in means: by the descriptions, else the class of that name."""
     whole = type_name(ctx.given.plugin_names.get(name, name).replace("/", "::"))[0]
     return ctx.index.class_of(whole, ctx.state.frame.path, "")
 

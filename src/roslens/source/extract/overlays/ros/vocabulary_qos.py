@@ -62,7 +62,7 @@ def _from_words(ctx: Context, called: CallSite) -> QosValue:
 
 
 def _given(ctx: Context, first: Value, called: CallSite) -> QosValue:
-    """Return what the first argument says, which is a depth, a history, or another quality of service."""
+    """Return the profile from the first argument, which is a depth, a history, or another quality of service."""
     match first:
         case Obj() if first.type == INITIALISATION:
             profile = DEFAULT_QUALITY

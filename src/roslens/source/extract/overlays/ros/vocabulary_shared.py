@@ -35,7 +35,7 @@ def handle_of(ctx: Context, called: CallSite) -> Value:
 
 
 def follow_visitors(ctx: Context, called: CallSite, first: int) -> None:
-    """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
+    """Follow what a publisher of ROS 1 calls when a subscriber connects or disconnects: arguments from ``first`` on."""
     for one in called.arguments[first:]:
         ctx.callbacks.give(one, Written("a subscriber connects"))
 

@@ -1,1 +1,1 @@
-"""What roslens says of a robot that runs, in rqt."""
+"""View of a running robot by roslens, in rqt."""

@@ -28,7 +28,7 @@ _VALUES = ("Signal", "Value", "Last 2 min")
 
 
 class Board(QWidget):
-    """Shows what a monitor says; ``chosen`` tells the entity that somebody wants to know more of."""
+    """Shows the reports of a monitor; ``chosen`` returns the entity selected for details."""
 
     chosen = Signal(str)
     asked = Signal(str)
@@ -84,7 +84,7 @@ class Board(QWidget):
         layout.addWidget(whole, 1)
 
     def show_look(self, snapshot, detail, problem):
-        """Show what a monitor said, or why it says nothing; what was shown stays."""
+        """Show a report of a monitor, or why there is none; previous content stays."""
         if snapshot is not None:
             self._snapshot = snapshot
             self._past.take(snapshot)

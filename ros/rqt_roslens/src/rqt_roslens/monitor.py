@@ -17,14 +17,14 @@ _PAGES = ("", "live/")
 
 
 class MonitorError(Exception):
-    """Nobody answers, or not what is understood; the text says what to do."""
+    """There is no answer, or one that is not understood; the text states what to do."""
 
 
 def fetch(address, what):
-    """Return a document of a monitor as a value; None where it has nothing to say.
+    """Return a document of a monitor as a value; None if it has no content.
 
     Raises:
-        MonitorError: nobody answers, a token is missing, or what answers is no monitor.
+        MonitorError: there is no answer, a token is missing, or the server is not a monitor.
     """
     base, token = _parts(address)
     tried = "nothing"
@@ -82,11 +82,11 @@ class Past:
 
 
 class Watcher:
-    """Asks a monitor each second in a thread of its own, and hands on what it says."""
+    """Polls a monitor each second in a thread of its own, and passes its reports on."""
 
-    def __init__(self, told, fetch=fetch):
-        """Hand snapshot, detail and problem to ``told``, which is called from the thread."""
-        self._told = told
+    def __init__(self, receive, fetch=fetch):
+        """Pass snapshot, detail and problem to ``receive``, which is called from the thread."""
+        self._receive = receive
         self._fetch = fetch
         self._address = ""
         self._entity = ""
@@ -118,7 +118,7 @@ class Watcher:
         while not self._ended:
             begun = time.monotonic()
             if self._address:
-                self._told(*self._look(self._address, self._entity))
+                self._receive(*self._look(self._address, self._entity))
             self._asked.wait(max(0.0, PACE_S - (time.monotonic() - begun)))
             self._asked.clear()
 

@@ -41,7 +41,7 @@ class RoslensPlugin(Plugin):
         self._watcher.close()
 
     def save_settings(self, plugin_settings, instance_settings):
-        """Keep the address without its token, which is nobody's but this session's."""
+        """Keep the address without its token, which belongs to this session only."""
         instance_settings.set_value("address", self.board.address.text().partition("?")[0])
 
     def restore_settings(self, plugin_settings, instance_settings):

@@ -53,7 +53,7 @@ def head(snapshot, problem):
 
 
 def detail_rows(detail):
-    """Return what each constraint says of an entity: state, signal, value, expected, since, and why in lines."""
+    """Return the verdicts of all constraints on an entity: state, signal, value, expected, since, and why in lines."""
     return [
         (
             one["state"],

@@ -76,7 +76,7 @@ class Guard:
     ) -> None:  # fmt: skip
         """``names`` are further host names to answer to, in lower case; ``advice`` describes how to add one.
 
-        Without ``access`` everybody may view, and nobody act.
+        Without ``access`` anyone may view, and no one may act.
         """
         self._app = app
         self._advice = advice

@@ -19,7 +19,7 @@ class Reviewed(msgspec.Struct, frozen=True):
         reason: why it stays.
         rule: that found it.
         path: of its file.
-        message: what it says.
+        message: its text.
     """
 
     fingerprint: str

@@ -73,7 +73,7 @@ def create_app(
         sight: is given what readers of it see.
         further: pages beside these.
         stopped: whether streams of snapshots should end.
-        access: who may view and who may act; by default everybody may view and nobody act.
+        access: who may view and who may act; by default anyone may view and no one may act.
     """
     further = further or Further()
     of_live = ((_LIVE, "Live"),) if snapshot is not None else ()
@@ -229,7 +229,7 @@ def serve(
         state: returns what `snapshot` returns before it is JSON.
         sight: is given what readers of it see.
         further: pages beside these.
-        access: who may view and who may act; by default everybody may view and nobody act.
+        access: who may view and who may act; by default anyone may view and no one may act.
         tls: certificate and key to encrypt with.
 
     Raises:

@@ -64,7 +64,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
         range: the values that are fine, as the reference writes them.
         severity: of its being bad.
         evidence: what shows it, in words: window, messages, observer.
-        text: what the reference tells the operator.
+        text: message for the operator.
         group: under which operators see it.
         where: ``file:line`` of the constraint.
         cause: text form of the id of the entity whose fault explains this one; empty for a first cause. Of what is

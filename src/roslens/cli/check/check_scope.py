@@ -77,7 +77,7 @@ def scope_of(
 ) -> Scope:
     """Return what is shown and judged of a run; a baseline that cannot be read becomes a failure of it.
 
-    ``fresh`` says that the run was made just now.
+    ``fresh`` is whether the run was made just now.
     """
     from roslens.store.narrowed import NarrowedView
 

@@ -94,7 +94,7 @@ def monitor_side(address: str) -> Side:
     """Ask a monitor that serves its page for the graph that it sees.
 
     Raises:
-        UsageError: nobody answers there, or not a monitor of this version.
+        UsageError: there is no answer, or not from a monitor of this version.
     """
     content = fetched(address, GRAPH)
     try:

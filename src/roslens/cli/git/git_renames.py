@@ -10,7 +10,7 @@ from roslens.cli.git.git_repository import Repository
 def renamed_files(repository: Repository, before: str, after: str) -> dict[str, str]:
     """Return the later path of each file by its earlier one, both below the folder that is looked at.
 
-    A file that came to that folder from elsewhere, or left it, is none of them. Where git cannot tell, there are none.
+    A file that came to that folder from elsewhere, or left it, is none of them. None if git cannot detect them.
 
     Args:
         repository: that has both.

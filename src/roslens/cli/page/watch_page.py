@@ -66,9 +66,9 @@ class PageSource:
             clock: writes times.
             live: whether more will come.
             recorded: whether it is a recording, which names no hosts; by default what is not live is one.
-            steady: tells how long ago something was.
-            spent: tells how much of a processor was used, in seconds; by default what ``steady`` tells.
-            handled: keeps what somebody notes of alerts; by default as long as the page lasts.
+            steady: a monotonic clock.
+            spent: returns the processor time used, in seconds; by default that of ``steady``.
+            handled: stores notes on alerts; by default as long as the page lasts.
         """
         self._title = title
         self._clock = clock

@@ -92,7 +92,7 @@ def _past_of(place: str, repository: Repository, read: ReadLog) -> RepositoryPas
 def behind_heads(root: Path, settings: WorkspaceSettings) -> Callable[[tuple[tuple[str, str], ...]], bool] | None:
     """Return whether commits, by place of their repository, are what the heads of today came from.
 
-    They are not after a forced push, and where the workspace holds other repositories now. None where git cannot tell.
+    They are not after a forced push, and where the workspace holds other repositories now. None if unknown.
     """
     try:
         places = places_of(root, settings)

@@ -39,7 +39,7 @@ class KeptPast(msgspec.Struct, frozen=True):
         """Open their runs to be read.
 
         Raises:
-            UsageError: somebody else may have made them.
+            UsageError: they may be of someone else.
             StoreError: they cannot be read.
         """
         from roslens.store.runs import Store
@@ -67,7 +67,7 @@ def open_past(root: Path) -> Store:
     """Open the store that runs of past revisions of a workspace are added to; made where there is none.
 
     Raises:
-        RoslensError: it cannot be opened, or somebody else may have made what is there.
+        RoslensError: it cannot be opened, or existing files may be of someone else.
     """
     from roslens.store.runs import Store
 

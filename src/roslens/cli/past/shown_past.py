@@ -22,7 +22,7 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
     Where those are of a folder above or below that of the run, it is said on standard error that they are not shown.
 
     Raises:
-        RoslensError: they cannot be read, or somebody else may have made them.
+        RoslensError: they cannot be read, or they may be of someone else.
     """
     from roslens.cli.past.past_repositories import behind_heads
     from roslens.cli.past.past_store import kept_past

@@ -77,7 +77,7 @@ def files_with_reactions(options: argparse.Namespace) -> ReferenceFiles:
     """Return the references of the options.
 
     Raises:
-        UsageError: none of them says what is to be done.
+        UsageError: none of them has reactions.
         DocumentError: one is wrong.
     """
     from roslens.cli.watch.watch_reload import ReferenceFiles

@@ -22,14 +22,14 @@ class Feed(Protocol):
         """Return the newest snapshot; None before the first.
 
         Raises:
-            UsageError: nobody answers.
+            UsageError: there is no answer.
         """
 
     def detail(self, entity: str) -> Detail | None:
         """Return all that is known of an entity; None of one that is not there any more.
 
         Raises:
-            UsageError: nobody answers.
+            UsageError: there is no answer.
         """
 
 

@@ -22,7 +22,7 @@ class FullCollection:
         """Begin.
 
         Args:
-            steady: tells how long ago something was, in seconds.
+            steady: a monotonic clock, in seconds.
             collect: goes through everything.
         """
         self._steady = steady

@@ -25,7 +25,7 @@ def fetched(address: str, what: str, environment: Mapping[str, str] = os.environ
     A token that is part of the address, as the monitor printed it, or that of ``$ROSLENS_TOKEN``, is sent in a header.
 
     Raises:
-        UsageError: nobody answers, a token is missing, or what answers is no live page.
+        UsageError: there is no answer, a token is missing, or the server has no live page.
     """
     base, token = _parts(address, environment)
     tried = "nothing"

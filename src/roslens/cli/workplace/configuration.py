@@ -89,7 +89,7 @@ def find_configuration(start: Path, given: str | None) -> Configuration:
 
     Raises:
         UsageError: the file given does not exist.
-        DocumentError: the file does not say what it may.
+        DocumentError: the file is not valid.
     """
     if given is not None:
         path = Path(given)

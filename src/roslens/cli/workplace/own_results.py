@@ -27,7 +27,7 @@ def refuse_foreign(folder: Path, environment: Mapping[str, str]) -> None:
     """Refuse what is kept in ``folder`` unless this user made it; a folder that is not there is fine.
 
     Raises:
-        UsageError: somebody else may have made it.
+        UsageError: it may be of someone else.
     """
     try:
         found = folder.lstat()

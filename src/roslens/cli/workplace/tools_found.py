@@ -25,7 +25,7 @@ def found_tools(root: str, *, ask: bool) -> Iterator[FoundTool]:
 
     Args:
         root: of the workspace, in which no program is looked for.
-        ask: whether each is started to tell its version.
+        ask: whether each is started to report its version.
     """
     from roslens.source.tools.running.programs import check_age, find_program, version_of
     from roslens.source.tools.running.run_tool import ToolError, ToolRunner

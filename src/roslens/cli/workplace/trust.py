@@ -82,7 +82,7 @@ def read_trusted(environment: Mapping[str, str]) -> Trusted:
     """Return what the user trusts.
 
     Raises:
-        UsageError: the file that says it is damaged.
+        UsageError: the file with it is damaged.
     """
     path = user_folder(environment) / _FILE
     try:
@@ -138,9 +138,9 @@ def admitted(
 
     Args:
         configuration: as it was read.
-        given: whether the command line says that it is trusted.
+        given: whether the command line declares it trusted.
         environment: of this process, for where the user's own files are.
-        ask: asks the user; None where nobody can be asked.
+        ask: asks the user; None if there is no one to ask.
 
     Raises:
         UsageError: what the user trusts cannot be read.

@@ -37,7 +37,7 @@ def find_folder(start: str) -> Path:
     """Return the ``.roslens`` folder of the workspace that ``start`` is in.
 
     Raises:
-        UsageError: nothing was checked there yet, or somebody else may have made it.
+        UsageError: nothing was checked there yet, or it may be of someone else.
     """
     if (folder := some_folder(start)) is not None:
         refuse_foreign(folder, os.environ)
@@ -61,7 +61,7 @@ def own_folder(root: Path) -> Path:
     """Return the ``.roslens`` folder of a workspace, made and marked as this user's where there is none.
 
     Raises:
-        UsageError: one is there that somebody else may have made.
+        UsageError: the existing one may be of someone else.
     """
     folder = root / FOLDER
     refuse_foreign(folder, os.environ)

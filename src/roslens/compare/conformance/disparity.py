@@ -134,7 +134,7 @@ class Conformance(msgspec.Struct, frozen=True):
         titles: of the sides.
         kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
         disparities: sorted, the gravest first.
-        agreed: how many nodes, endpoints, parameters and topics at least two sides say alike.
+        agreed: how many nodes, endpoints, parameters and topics at least two sides have in common.
         notes: what readers have to know of the comparison.
     """
 

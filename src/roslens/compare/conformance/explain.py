@@ -29,7 +29,7 @@ def not_in_source(one: Claim, source: Side, same_node: Sequence[Claim]) -> Why:
     Args:
         one: what is there.
         source: the side of source.
-        same_node: what source says of its node.
+        same_node: the claim of source on its node.
     """
     if one.kind == NODE and (words := tool(one.node)):
         return Why(Reason.TOOL, BOTH, f"It is {words}, no part of the robot.", _NOTE)
@@ -119,8 +119,8 @@ def not_running(one: Claim, node: Claim | None) -> Why:
     """Return why a claim of source is not observed in the running system.
 
     Args:
-        one: what source says.
-        node: what the system says of its node; None of a node that is not there.
+        one: the claim of source.
+        node: the claim of the system on its node; None if the node does not exist.
     """
     if one.conditions:
         text = f"Only a start decides its condition, which was not met: {'; '.join(one.conditions)}"
@@ -168,7 +168,7 @@ def other_value(aspect: str, source: Claim | None, other: Claim | None) -> Why:
 
     Args:
         aspect: of which.
-        source: what source says; None where no source is compared.
+        source: the side of source; None if no source is compared.
         other: what runs or was recorded; None where nothing is.
     """
     place = source.place if source is not None else ""

@@ -71,7 +71,7 @@ class _Join:
 
     Attributes:
         names: differences of names.
-        agreed: how many of each kind at least two sides say alike.
+        agreed: how many of each kind at least two sides have in common.
     """
 
     def __init__(self, sides: Sequence[Side]) -> None:

@@ -12,7 +12,7 @@ def policies(qos: Qos, *, certain: bool = True) -> dict[str, str]:
 
     Args:
         qos: of an endpoint.
-        certain: whether a policy that it does not say is as every profile of ROS 2 has it.
+        certain: whether a policy that it does not state is as in every profile of ROS 2.
     """
     liveliness = qos.liveliness or ("automatic" if certain else "")
     found = {"reliability": qos.reliability, "durability": qos.durability, "liveliness": liveliness}

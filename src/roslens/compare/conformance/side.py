@@ -20,7 +20,7 @@ class SideKind(str, Enum):
     - source: launch files and code, read
     - running: a system that was observed, or a graph that was written of one
     - recording: a bag
-    - reference: what somebody expects
+    - reference: what is expected
     """
 
     SOURCE = "source"
@@ -51,12 +51,12 @@ class Side(msgspec.Struct, frozen=True):
     Attributes:
         kind: where it comes from.
         title: how it is called.
-        claims: what it says, each key once.
+        claims: its claims, each key once.
         knows: the kinds of claims that it can make at all.
         whole: whether what it does not say of these kinds is not there; of a recording it may not have been recorded.
         generation: ``ros1`` or ``ros2``; empty where unknown.
-        silent: nodes that do not tell their parameters.
-        open: why source may start more than it says, in words; empty where it says all.
+        silent: nodes that do not report their parameters.
+        open: why source may start more than it contains, in words; empty if it is complete.
         unread: nodes of which code was not understood, each with the first reason.
         beside: what else the workspace has.
         graph: the same as a graph, for what a reference asks.

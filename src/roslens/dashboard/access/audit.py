@@ -18,7 +18,7 @@ class Entry(msgspec.Struct, frozen=True, omit_defaults=True):
     Attributes:
         time: seconds since the epoch.
         peer: address that it came from.
-        name: of who sent it; empty of who did not say.
+        name: of the sender; empty if unknown.
         role: of them.
         method: of HTTP.
         path: without what was asked, which may hold a token.

@@ -29,7 +29,7 @@ class Access:
         """Take the rules.
 
         Args:
-            holders: each token with who holds it; without one that may operate, nobody may act.
+            holders: each token with who holds it; without an operator among them, no one may act.
             view_needs_token: whether who only looks needs one too.
             audit: called with each sign-in, each acting request and each refusal.
             wall: seconds since the epoch.

@@ -38,7 +38,7 @@ class JournalRow(msgspec.Struct, frozen=True):
         mark: ``ok``, ``warning`` or empty: whether it is good, bad or neither.
         decision: id of the decision, empty of none.
         entity: text form of the id of what the decision is about, empty of none.
-        text: what it says.
+        text: its content.
         hash: of the entry.
     """
 

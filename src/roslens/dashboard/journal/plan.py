@@ -20,7 +20,7 @@ class Countermeasure(msgspec.Struct, frozen=True, omit_defaults=True):
         when: what has to be the case.
         limits: what else has to be, or must not be, and how often it is done at most.
         steps: what is done, the next where the one before did not help.
-        mode: what decisions lead to, where the reaction says so itself.
+        mode: what decisions lead to, if the reaction sets it.
         text: what the operator reads.
         where: ``file:line:column``.
         decided: how many decisions of it the journal has.

@@ -25,7 +25,7 @@ class Question(msgspec.Struct, frozen=True):
         what: would be done, in words.
         about: text form of the id of the entity.
         because: statements that are true, in words.
-        text: what the reaction says to the operator.
+        text: message of the reaction for the operator.
         until: seconds since the epoch until which an answer counts.
     """
 

@@ -45,7 +45,7 @@ def journal_routes(
         title: what is watched.
         reactions: returns those of the reference that holds; None where none was given.
         questions: that can be answered; None shows the journal alone.
-        wall: says seconds since the epoch.
+        wall: returns seconds since the epoch.
     """
     return _Pages(view, title, reactions, questions, wall).routes()
 

@@ -67,7 +67,7 @@ class Facts(msgspec.Struct, frozen=True):
         advice: how to make it answer to another name.
         pace_s: least time between two pieces of a stream.
         pages: returns address and word of the pages of a run that are served beside it; none by default.
-        access: who may view and who may act; by default everybody may view and nobody act.
+        access: who may view and who may act; by default anyone may view and no one may act.
         further: pages beside this one.
     """
 

@@ -29,7 +29,7 @@ class Judgement(msgspec.Struct, frozen=True, omit_defaults=True):
         cause: text form of the id of what explains it.
         leads_to: what follows from it.
         why: the way to the cause, in words.
-        text: what the reference tells the operator.
+        text: message for the operator.
         where: ``file:line`` of the constraint.
     """
 
@@ -57,7 +57,7 @@ class Detail(msgspec.Struct, frozen=True, omit_defaults=True):
         kind: of it.
         when: the instant, as people read it.
         observed: how its values are observed, in words; empty where there are none.
-        judgements: by what constraints say of it, the worst first.
+        judgements: its verdicts by constraint, the worst first.
         values: all its signals.
         below: what is wrong below it, in words.
     """

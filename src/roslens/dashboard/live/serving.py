@@ -43,7 +43,7 @@ class LivePage:
             sight: is given what readers see.
             host: name or address to listen on.
             port: to listen on; 0 takes a free one.
-            access: who may view and who may act; by default everybody may view and nobody act.
+            access: who may view and who may act; by default anyone may view and no one may act.
             tls: certificate and key to encrypt with.
             further: pages beside this one.
 

@@ -86,7 +86,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
         where: ``file:line`` of what is expected.
         evidence: what shows it.
         follows: what this one explains.
-        handled: ``acknowledged`` or ``muted``, where somebody noted that.
+        handled: ``acknowledged`` or ``muted``, if that was noted.
         by: who did.
         until: when muting ends, as people read it.
     """
@@ -160,7 +160,7 @@ class Link(msgspec.Struct, frozen=True, omit_defaults=True):
 class Picture(msgspec.Struct, frozen=True, omit_defaults=True):
     """The graph with the places of its parts; ``version`` changes when a place or a line does.
 
-    ``left_out`` says what is not in it; ``as_lines`` that topics are lines between nodes.
+    ``left_out`` describes what is not in it; ``as_lines`` is whether topics are lines between nodes.
     """
 
     version: int = 0
@@ -202,7 +202,7 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
         columns: key and heading of the values in the tree, in order.
         rows: the tree.
         alerts: what is wrong, first causes only; what follows from them is in them. Of very many the first ones.
-        muted: first causes of which somebody wants to hear nothing for a while; they are no less wrong.
+        muted: first causes that are muted for a while; their states are unchanged.
         wrong: how many first causes there are, muted ones apart.
         follow: how many alerts follow from those.
         picture: the graph.

@@ -33,7 +33,7 @@ class Part(msgspec.Struct, frozen=True):
         height: of its box.
         lane: the namespace in whose box it stands; with ``@host`` before it where hosts are distinguished.
         node: whether it is a node; everything else joins nodes.
-        quiet: whether it says nothing of where nodes stand, as ``/rosout`` does.
+        quiet: whether it does not affect the placement of nodes, such as ``/rosout``.
     """
 
     key: str

@@ -23,7 +23,7 @@ def part_of(key: str, name: str, lane: str, program: str = "", *, host: str = ""
         name: as it is shown.
         lane: the namespace in whose box it stands.
         program: of a node of whose own name nothing is known, what it runs.
-        quiet: whether it says nothing of where nodes stand.
+        quiet: whether it does not affect the placement of nodes.
         host: in whose box that namespace stands; empty where hosts are not distinguished.
     """
     width = len(label_of(name, lane, program)) * CHARACTER

@@ -22,7 +22,7 @@ class Clash(msgspec.Struct, frozen=True):
     Attributes:
         loser: a pattern, and the later one of two.
         winner: the other.
-        key: the signal of which both say something.
+        key: the signal that both are about.
         percentile: of the loser, ``GREATEST`` or 0.
     """
 

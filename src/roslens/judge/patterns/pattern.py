@@ -55,7 +55,7 @@ class Pattern:
         """Read a pattern.
 
         Raises:
-            ValueError: the text is none; the message says why.
+            ValueError: the text is none; the message states why.
         """
         return _parse(text)
 

@@ -22,7 +22,7 @@ def automaton_of(expression: str) -> Automaton:
     """Return what accepts the names that ``expression`` matches as a whole.
 
     Raises:
-        ValueError: it is not a regular expression, or not one that an automaton can hold; the message says why.
+        ValueError: it is not a regular expression, or not one that an automaton can hold; the message states why.
     """
     if not expression:
         raise ValueError("the regular expression is empty")

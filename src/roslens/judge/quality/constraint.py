@@ -16,7 +16,7 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
     """One constraint of a model: the ``quantity`` of an entity of this ``kind`` is in ``range``.
 
     Attributes:
-        id: tells it from others of its model; part of the ids of its rules.
+        id: identifies it within its model; part of the ids of its rules.
         kind: of the entities it is about.
         quantity: key of the quantity, or of a fold of it (``loc.max``).
         range: the values that are fine, bounds included.
@@ -27,7 +27,7 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
         rationale: why the range is what it is.
         source: where the range is from.
         subject: title of the quantity.
-        meaning: what the quantity tells.
+        meaning: of the quantity.
         unit: of the quantity.
         decimals: how many digits of a value a reader needs.
     """

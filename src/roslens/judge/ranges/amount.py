@@ -104,7 +104,7 @@ def parse_limits(text: str, unit: str) -> Limits:
         unit: of the signal, a key of ``UNITS``.
 
     Raises:
-        ValueError: the text is no range of such amounts; the message says why and what would be.
+        ValueError: the text is no range of such amounts; the message states why and what is expected.
     """
     stripped = text.strip()
     if len(stripped) > _LONGEST:

@@ -18,8 +18,8 @@ class Timing(msgspec.Struct, frozen=True, omit_defaults=True):
     """How long something must last before it counts, in seconds.
 
     Attributes:
-        lasting: a value must be bad this long before the verdict says so (``for``).
-        recovering: it must be fine this long before the verdict says ok again; 0 is as long as ``lasting``.
+        lasting: a value must be bad this long before the verdict is (``for``).
+        recovering: it must be fine this long before the verdict is ok again; 0 is as long as ``lasting``.
         margin: hysteresis as a share of the bound: a bad value counts as fine only when it is inside by that much.
         grace: after an entity appears, and after a clock jumps, nothing is bad for this long.
         window: over which values are taken; 0 lets roslens size it by the expected period.
@@ -40,7 +40,7 @@ class Details(msgspec.Struct, frozen=True, omit_defaults=True):
         where: ``file:line`` of the constraint.
         severity: of its being broken.
         group: under which operators see it.
-        text: what to tell the operator.
+        text: message for the operator.
         timing: how long things must last.
     """
 

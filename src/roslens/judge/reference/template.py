@@ -30,7 +30,7 @@ def fields_of(text: str) -> tuple[str, ...]:
     """Return the fields that a text names.
 
     Raises:
-        ValueError: a field is none, or a brace stands alone; the message says what is expected.
+        ValueError: a field is none, or a brace stands alone; the message states what is expected.
     """
     found = []
     for part in _PART.finditer(text):

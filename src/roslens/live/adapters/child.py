@@ -55,7 +55,7 @@ def find_ros2_python(option: str, environment: Mapping[str, str]) -> str:
         environment: of this process.
 
     Raises:
-        UsageError: there is none; the text says what was tried and why it does not do.
+        UsageError: there is none; the text states what was tried and why it does not do.
     """
     named = option or environment.get(VARIABLE, "")
     tried = []

@@ -34,7 +34,7 @@ def parse_window(text: str) -> Window:
     """Read a window.
 
     Raises:
-        ValueError: it is none; the message says what would be.
+        ValueError: it is none; the message states what would be.
     """
     found = _FORM.match(text.strip().lower())
     if found is None:

@@ -68,7 +68,7 @@ class Reaction(msgspec.Struct, frozen=True, omit_defaults=True):
         at_most: decisions about all entities together in ``per_s`` seconds; 0 for any number.
         per_s: seconds that ``at_most`` is about.
         mode: what decisions lead to where it is not what the command line says; it can only be the more careful one.
-        text: what to tell the operator.
+        text: message for the operator.
         place: ``file:line:column``.
     """
 
@@ -146,7 +146,7 @@ class Decision(msgspec.Struct, frozen=True, omit_defaults=True):
         first_cause: text form of the id of the entity that is to blame; empty where nothing that is bad is.
         since: seconds on the monitor's clock at which the condition became true.
         mode: of the reaction.
-        text: what to tell the operator, templates filled.
+        text: message for the operator, templates filled.
         place: ``file:line:column`` of the action.
     """
 

@@ -18,7 +18,7 @@ class ConformanceDocument(msgspec.Struct, frozen=True, rename={"notes": "told"})
         schema: and its version.
         titles: of the sides.
         kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
-        agreed: how many nodes, endpoints, parameters and topics at least two sides say alike.
+        agreed: how many nodes, endpoints, parameters and topics at least two sides have in common.
         disparities: the gravest first; ``told`` is what each side says, in the order of the sides.
         notes: what readers have to know of the comparison; its key is ``told``.
     """

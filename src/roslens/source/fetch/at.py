@@ -80,7 +80,7 @@ def revision_at(git: GitRunner, folder: str, tip: str, at: At, count: int) -> st
         count: the number of commits where that is what is wanted, else 0.
 
     Raises:
-        GitError: there is none; the text says what comes nearest.
+        GitError: there is none; the text states what comes nearest.
     """
     if at.commit:
         found = git.ask(folder, "rev-parse", "--verify", "--quiet", f"{at.commit}^{{commit}}")

@@ -159,7 +159,7 @@ class Tool(ABC):
         """Return what all calls share; see :meth:`part_of` for what of it results depend on.
 
         Raises:
-            ToolError: it cannot look at this workspace; the text says why, and what would help.
+            ToolError: it cannot look at this workspace; the text states why, and what would help.
         """
 
     def covers(self, file: SourceFile, beside: Any) -> bool:  # noqa: ARG002 - most tools need nothing

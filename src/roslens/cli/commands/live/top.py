@@ -42,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
     """Show it until it is ended.
 
     Raises:
-        UsageError: there is no terminal, nobody answers, or Textual is not installed.
+        UsageError: there is no terminal, no answer, or Textual is not installed.
         DocumentError: a reference is wrong.
     """
     if options.address and (option := "--reference" if options.reference else given(options)):

@@ -16,6 +16,7 @@ from roslens.source.rules.by_package.nested_package import as_notes_in_nested_pa
 from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.by_package.unbuilt_source import as_notes_of_unbuilt_sources
+from roslens.source.rules.by_package.uncalled_function import as_notes_where_uncalled
 from roslens.source.rules.by_package.unused_script import as_notes_of_unused_scripts
 from roslens.source.rules.by_package.used_once import as_notes_where_used_once
 from roslens.source.rules.edits.placed_edits import with_placed_edits
@@ -66,7 +67,7 @@ def rule_findings(
     placed = as_notes_in_nested_package(as_notes_of_caught_types(placed, view), view)
     placed = as_notes_where_left_behind(as_notes_of_unused_scripts(placed, view))
     placed = as_notes_of_unbuilt_sources(as_notes_where_used_once(placed, view), view)
-    placed = as_notes_where_launch_names(placed, view)
+    placed = as_notes_where_uncalled(as_notes_where_launch_names(placed, view), view)
     return place_hits(placed, callbacks, selection, rules, entities)
 
 

@@ -73,7 +73,8 @@ RULE = FileRule(
     id="cpp.missing_return",
     title="No `return` in a function that has a value",
     finds="A function with a result whose body has statements, but no `return`, no `throw` and nothing that "
-    "ends the process. Return something.",
+    "ends the process. Return something. In a function that nothing in the package calls, and no other package can, "
+    "it is a note.",
     why="The value is whatever lies in a register: compilers may even remove the end of the function, and the "
     "node runs into the next one.",
     profiles=(

@@ -24,7 +24,7 @@ SIDES = {"bash": "_roslens_sides", "zsh": "_roslens_sides"}
 PREAMBLE = {
     "bash": """\
 _roslens_asked() {
-  # Options of the line that say which workspace and which launch file are meant.
+  # Options of the line that select the workspace and the launch file.
   local place
   asked=(--path .)
   for ((place = 2; place < COMP_CWORD; place++)); do

@@ -16,6 +16,6 @@ def main() -> int:
     try:
         code = run()
     except SystemExit as end:
-        # The parser of the command line ends so, also after help that nobody may have read.
+        # The parser of the command line ends so, also after help that may not have been read.
         code = end.code if isinstance(end.code, int) else 0 if end.code is None else 1
     return close_output(code)

@@ -69,7 +69,7 @@ def run_difference(before: RunSide, after: RunSide, renamed: Mapping[str, str] |
     gated = [[one for one in side.findings if one.gated] for side in (before, after)]
     both = sorted(old.keys() & new.keys())
     moved = tuple(MovedPackage(one, old[one].path, new[one].path) for one in both if old[one].path != new[one].path)
-    # What git found of single files says more than that their package moved.
+    # What git found of single files is more specific than the move of their package.
     renamed = {**_with_packages(moved, gated[0], old), **(renamed or {})}
     values = [
         ValueChange(package, key, old[package].values.get(key), new[package].values.get(key))

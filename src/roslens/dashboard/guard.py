@@ -225,7 +225,7 @@ def _peer(scope: Scope) -> str:
 
 
 def _cookie(scope: Scope) -> str:
-    # Cookies do not tell ports apart: two servers of a machine would otherwise sign each other's readers out.
+    # Cookies do not distinguish ports: two servers of a machine would otherwise sign each other's readers out.
     return f"roslens_{scope['server'][1]}" if scope.get("server") else "roslens"
 
 
@@ -246,7 +246,7 @@ def _same_origin(scope: Scope, *, needed: bool) -> bool:
     origin = given.get("origin")
     if origin is None:
         return not needed
-    # A form of a page that sends no referrer: browsers hide its origin, and say of what site it is all the same.
+    # A form of a page that sends no referrer: browsers hide its origin, but still send its site.
     if origin == "null" and site is not None:
         return True
     return origin.lower() == f"{scope['scheme']}://{given.get('host', '')}".lower()

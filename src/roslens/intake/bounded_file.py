@@ -66,7 +66,7 @@ def _named(descriptor: int, path: str | Path) -> Callable[[int], bytes]:
         try:
             return os.read(descriptor, most)
         except OSError as error:
-            # What has nothing to say yet, as `/proc/kmsg`, would be waited for.
+            # A file without data yet, such as `/proc/kmsg`, would block.
             raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(path)) from None
 
     return read

@@ -125,7 +125,7 @@ def analyse(
     _check_settings(settings, plugins)
     shaping = shaping_key(settings, base, plugins)
     if is_wide([member for member in plugins.members if not member.builtin]):
-        # What such a plug-in says of one package may come from a file of any other.
+        # Results of such a plug-in for one package may depend on a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
     tools = tool_stage(
         settings,

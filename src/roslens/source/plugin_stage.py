@@ -53,7 +53,7 @@ def discover_plugins(
         found = msgspec.structs.replace(found, failures=(*withheld, *found.failures))
     if all(member.builtin for member in found.members):
         return found
-    # What roslens measures itself is only worth importing where a plug-in of somebody else may need it.
+    # What roslens measures itself is only worth importing if a third-party plug-in may need it.
     from roslens.plugins.order import order
     from roslens.source.metrics.table import QUANTITIES
 

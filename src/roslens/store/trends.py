@@ -83,7 +83,7 @@ class Trends:
             )
             for one in self._revisions
         ]  # fmt: skip
-        # A tree that is a revision which is there already says nothing more.
+        # A tree equal to an existing revision adds nothing.
         if self._now is not None and not any(_is_of(self._now.header, one) for one in self._revisions):
             header = self._now.header
             found.append(TrendPoint(self._now.id, header.commit, _seconds(header.started), "now", now=True))

@@ -124,7 +124,7 @@ def settings_of(
         names = [name for given in options.model for name in given.split(",") if name]
         settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
     settings = with_process(options, with_tools(options, settings))
-    # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
+    # Conditions of manifests (REP-149) use the user's environment, unless the configuration overrides it.
     seen = {**environment_of(environment), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)
     return msgspec.structs.replace(settings, workspace=workspace)

@@ -68,7 +68,7 @@ def refuse_without_fetch(options: argparse.Namespace) -> None:
     Raises:
         UsageError: one is given.
     """
-    # Without a forge to ask, nobody else would go out.
+    # Without a forge to query, nothing else uses the network.
     for name in (*_OWN, *(() if getattr(options, "forge", False) else ("offline",))):
         if getattr(options, name, None):
             raise UsageError(f"--{name} is an option of fetching", expected="--fetch beside it")

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.store.runs import Store
 
     if options.all:
-        # Also what somebody else made, which no other command touches; of a link only the link.
+        # Also what was made by others, which no other command touches; of a link only the link.
         folder = some_folder(options.path) or Path(options.path).resolve() / FOLDER
         if folder.is_symlink() or folder.is_file():
             folder.unlink()

@@ -117,7 +117,7 @@ def run(options: argparse.Namespace) -> int:
         with _beside(options, site.name, questions) as (page, further):
             if page:
                 page.draw_on(source_grounds(site))
-            # A page that waited for minutes would tell nothing, and keep all others waiting.
+            # A page that waited for minutes would show nothing, and block all others.
             view.wait_at_most(PATIENCE_S)
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=options.bag or ())
             site.against = against(site, sides) if sides else None

@@ -188,7 +188,7 @@ def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
     if len(lacking) == len(sides):
         raise lacking[-1]
     before, after = (commits[name] for name in options.diff)
-    # Of files that are in no commit git could only tell by running filters that the repository names.
+    # For files that are in no commit, git would have to run filters that the repository names.
     renamed = renamed_files(repository, before, after) if before and after else {}
     return sides[0], msgspec.structs.replace(sides[1], renamed=renamed)
 

@@ -33,7 +33,7 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, co
         try:
             models.append(load_model(name, quantities))
         except DocumentError:
-            # A model that needs a plug-in which did not run has nothing to say about this run.
+            # A model that needs a plug-in which did not run does not apply to this run.
             continue
     return Site(
         view,

@@ -27,7 +27,7 @@ def topics_seen(seen: Seen, shown: Snapshot | None) -> frozenset[str]:
 
 def _of_link(picture: Picture, place: int) -> Iterator[str]:
     link = picture.links[place]
-    # A line of several topics has no rate; how old the oldest of them is it tells in turn.
+    # A line of several topics has no rate; it shows the age of the oldest of them.
     for entity in (
         *(link.by if len(link.by) == 1 else ()),
         picture.items[link.start].entity,
@@ -40,6 +40,6 @@ def _topic_of(entity: str) -> Iterator[str]:
     if entity.startswith(_TOPIC):
         yield entity.removeprefix(_TOPIC)
     elif entity.startswith(_CONNECTION):
-        # What a page tells as chosen comes from its address, which anybody may have written.
+        # What a page reports as chosen comes from its address, which is untrusted.
         with suppress(ValueError):
             yield ends_of(entity)[0]

@@ -22,7 +22,7 @@ def causes_of(standing: Sequence[Verdict], shown: Callable[[str], str]) -> Cause
         if before is None or _WORSE.index(one.state) < _WORSE.index(before):
             states[entity] = one.state
     ways = (tuple(_way(one, shown)) for one in explained)
-    # The list of alerts has these as first causes: both tell the same.
+    # The list of alerts has these as first causes: both show the same.
     alerts = {shown(str(one.entity)) for one in standing if one.state.bad and not one.cause}
     return cause_picture(ways, {entity: state.value for entity, state in states.items()}, alerts)
 

@@ -99,7 +99,7 @@ def _watched(
     for text in teller.said if on_screen else ():
         # The screen that showed it is gone.
         print(f"roslens: {text}", file=sys.stderr)
-    # As it was when it was last looked at: to end the observers takes a while, in which nothing is heard of anybody.
+    # As of the last look: ending the observers takes a while, in which all of them are silent.
     missed = about_nothing(session, files.reference, last, kinds_of(session))
     if options.graph_out is not None:
         write_graph(session.graph(), options.graph_out)

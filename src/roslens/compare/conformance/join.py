@@ -165,7 +165,7 @@ class _Join:
         absent = [place for place in asked_of if place not in there]
         others = [place for place in absent if self._matters(key, place)]
         if key[0] == TOPIC and not set(nameless) & {*others, *(there if others else ())}:
-            # Between sides that name nodes the endpoints tell it.
+            # Between sides that name nodes, the endpoints show it.
             others = []
         if others:
             why = self._why(key, there, others)

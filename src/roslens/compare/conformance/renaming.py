@@ -58,7 +58,7 @@ def same_nodes(first: Sequence[Claim], second: Sequence[Claim]) -> dict[str, str
     for name, parts in lost.items():
         for part in parts:
             having.setdefault(part, []).append(name)
-    # What many nodes have says of none which one it is: pairs are those that share something else.
+    # What many nodes have identifies none of them: pairs are those that share something else.
     telling = {part: names for part, names in having.items() if len(names) <= _MOST_ALIKE}
     pairs = {(one, other) for other, parts in new.items() for part in parts for one in telling.get(part, ())}
     likeness = {(one, other): share for one, other in pairs if (share := _likeness(lost[one], new[other])) >= ALIKE}

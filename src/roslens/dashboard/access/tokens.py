@@ -54,7 +54,7 @@ class Tokens:
 
 
 def _place(given: str, known: Iterable[bytes]) -> int | None:
-    # All of them are looked at, and each in constant time: how long it takes tells nothing.
+    # All of them are compared, each in constant time: the duration reveals nothing.
     text = given.encode("utf-8", "surrogateescape")
     found = [hmac.compare_digest(text, one) for one in known]
     return found.index(True) if True in found else None

@@ -146,7 +146,7 @@ def _title(box: Box) -> str:
 
 
 def _wire(line: Line, path: str, system: System) -> str:
-    # A line between nodes tells by which topics and services; one to a topic needs no more words.
+    # A line between nodes lists its topics and services; one to a topic needs no more words.
     by = "\n".join(system.elements[number].name for number in line.by)
     title = f"<title>{_text(by)}</title>" if by else ""
     return f'<path class={quoteattr(f"wire {style_of(line)}".strip())} d="{path}">{title}</path>'

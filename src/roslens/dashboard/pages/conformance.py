@@ -98,7 +98,7 @@ def _table(
     limit: int | None,
 ) -> Table:  # fmt: skip
     sides = tuple(
-        # Of two recordings the heading says which.
+        # Of two recordings, the heading names which.
         Column(f"side{place}", side if found.kinds.count(kind) > 1 else KIND_WORDS[kind], "code", hint=side)
         for place, (side, kind) in enumerate(zip(found.titles, found.kinds, strict=True))
     )

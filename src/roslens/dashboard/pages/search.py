@@ -97,7 +97,7 @@ _FIRST = ("package", "file")
 def _rank(needle: str, name: str) -> tuple[int, int]:
     """Order: the whole name, then its beginning, then the beginning of its last part, then anywhere; short first."""
     folded = name.casefold()
-    # Nobody types the slash that every name of ROS begins with.
+    # Users omit the slash that every name of ROS begins with.
     if folded in (needle, f"/{needle}"):
         return (0, 0)
     if folded.startswith(needle):

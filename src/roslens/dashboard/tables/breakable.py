@@ -27,5 +27,5 @@ def with_breaks(text: str) -> str:
         ends = ("::", "_", ".", "(", "-&gt;")
     for end in ends:
         text = text.replace(end, f"{end}<wbr>")
-    # What begins with a slash is the name of a node or topic; the slash alone on a line says nothing.
+    # What begins with a slash is the name of a node or topic; the slash alone on a line is useless.
     return f" {text}".replace(" /<wbr>", " /")[1:]

@@ -88,7 +88,7 @@ class Pattern:
         tails = self.tail.endswith(other.tail) or other.tail.endswith(self.tail)
         if not heads or not tails:
             return False
-        # Cheaper than the search below, and says no for most pairs of patterns that people write.
+        # Cheaper than the search below, and excludes most pairs of patterns in practice.
         if self.leaf is not None and other.leaf is not None and not self.leaf.intersects(other.leaf):
             return False
         if self.automaton is None or other.automaton is None:

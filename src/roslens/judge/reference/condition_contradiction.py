@@ -45,7 +45,7 @@ def statements(condition: Condition) -> Iterator[Stated]:
 def _asked(condition: Condition, *, wanted: bool) -> Iterator[tuple[Stated, bool]]:
     """Yield statements about one entity that have to be true, or false, for the condition to be ``wanted``."""
     if not wanted and (condition.time.for_s or condition.time.of is not None):
-        # That it has not been so for long does not say that it is not so now.
+        # That it has not been so for long does not exclude that it is so now.
         return
     if isinstance(condition, Stated):
         if Pattern.parse(condition.selector.name).literal is not None and condition.unknown is None:

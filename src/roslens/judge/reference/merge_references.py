@@ -50,7 +50,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
             elif (identity := one.constraint.details.id) not in kept:
                 kept[identity] = one
             elif one.constraint != kept[identity].constraint:
-                # A document in two namespaces says the same of hosts twice; anything else is an accident.
+                # A document in two namespaces repeats its constraints on hosts; anything else is an accident.
                 raise DocumentError(
                     f"a second constraint with id {identity!r}",
                     where=one.place,

@@ -29,7 +29,7 @@ def _read(nvml: Any, gpus: list[Any]) -> dict[str, float]:
     }
     for gpu in gpus:
         for key, ask in questions.items():
-            # Not every GPU tells everything, and what it raises then is the driver's affair.
+            # Not every GPU provides all values, and the exception depends on the driver.
             with contextlib.suppress(Exception):
                 value = ask(gpu)
                 found[key] = max(value, found.get(key, value))

@@ -76,6 +76,6 @@ class Steps:
             spans[place] += span
             gaps[place] = max(gaps[place], gap)
         last = self._filled[1] if self._filled else first
-        # Nobody knows where in its step the last message came; whole steps without any are surely silent.
+        # It is unknown where in its step the last message came; whole steps without any are surely silent.
         gaps[-1] = max(gaps[-1], (end - 1 - last) * step_s)
         return Track(intervals, spans, gaps, self.time_between / self.periods if self.periods else 0.0)

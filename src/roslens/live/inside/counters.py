@@ -92,7 +92,7 @@ class CounterReader:
         """Return what was counted since the last read; ``now`` is seconds since the epoch."""
         fresh = self._open_new()
         found: list[Counted] = []
-        # Only agents ask for calls: what nobody asked for must not pile up.
+        # Only agents request calls: unrequested ones must not pile up.
         self._called = []
         # Whether a process lives need not be known at once: what it counted is read first.
         thorough = not 0 <= now - self._looked < _LOOK_S
@@ -254,7 +254,7 @@ class CounterReader:
         try:
             file.path.unlink()
         except OSError:
-            # Somebody else's, or gone already: in neither case to be looked at again.
+            # Of another user, or gone already: not to be read again in either case.
             self._refused.add(name)
 
 

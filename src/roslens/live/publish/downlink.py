@@ -80,7 +80,7 @@ class Downlink:
                 if self._stream is stream:
                     self._stream = None
         finally:
-            # What is left in its buffer can reach nobody.
+            # What is left in its buffer cannot be delivered.
             with suppress(OSError, ValueError):
                 stream.close()
 

@@ -77,7 +77,7 @@ class Existence:
             return None
         topic = self._world.topics[tally.topic]
         if not topic.seen:
-            # Grace counts from when a topic is there, not from when somebody began to wait for it.
+            # Grace counts from when a topic is there, not from when a subscriber began to wait for it.
             topic.appeared = now
         topic.add(connection)
         topic.planless = topic.planless or len(topic.connections) == 1

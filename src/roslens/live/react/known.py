@@ -172,7 +172,7 @@ class Known:
             mine = self._verdicts[entity] = {}
             self.generation += 1
         if verdict.state is State.UNKNOWN and entity.kind in _FLEETING:
-            # Of what comes and goes nothing is kept that says nothing.
+            # For what comes and goes, nothing without information is kept.
             mine.pop(verdict.expectation, None)
             if not any(one.verdict.state.bad for one in mine.values()):
                 self._bad.discard(entity)

@@ -101,7 +101,7 @@ def replay(
     waiting = next(fields, None)
     length = step_s or usual_step(reference)
     for step, tallies in recording.tallies(length, stamps=wanted_stamps(reference, recording.topics)):
-        # Nobody knows what came after the last message: the last step ends with it.
+        # What came after the last message is unknown: the last step ends with it.
         end = min(step, recording.end)
         tallies = (
             [msgspec.structs.replace(tally, end=min(tally.end, end)) for tally in tallies] if end < step else tallies

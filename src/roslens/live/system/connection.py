@@ -275,7 +275,7 @@ def _due(window: Window, now: float) -> float:
             return NEVER
         behind = window.observer_status.behind(now)
         over += behind
-        # As long as its observer does not say that it has looked, time alone changes nothing.
+        # As long as its observer does not report that it has looked, time alone changes nothing.
         if behind > _LATE_S:
             step = max(step, min(_SHARE_OF_LATE * behind, _LONGEST_STEP_S))
     return now + step if now <= over + step else NEVER

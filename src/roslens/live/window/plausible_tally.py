@@ -19,7 +19,7 @@ def plausible_tally(tally: Tally) -> Tally | None:
     and age may be negative, because clocks differ between hosts.
     """
     period, latency, age, processing = tally.period, tally.latency, tally.age, tally.processing
-    # One sum tells whether all are finite, at a tenth of the price of asking each.
+    # One sum shows whether all are finite, at a tenth of the cost of testing each.
     total = (
         tally.start
         + tally.end

@@ -83,7 +83,7 @@ def largest_gap(window: Window) -> float | None:
     quiet = window.quiet
     if quiet <= gap:
         return gap
-    # Counts alone say nothing of gaps, unless the silence is longer than the window.
+    # Counts alone give no gaps, unless the silence is longer than the window.
     if quiet < window.length and ((gap < 0 and window.count > 1) or not window.last):
         return None
     return quiet

@@ -130,7 +130,7 @@ class Window:
                 return False
             tally = fresh
         elif hole > self.spacing:
-            # A pause of the observer says little of how often it usually reports.
+            # A pause of the observer is no measure of how often it usually reports.
             self.spacing = max(min(tally.end - until, 2 * self.spacing), 0.9 * self.spacing)
         if hole <= self.spacing:
             self.spacing = max(tally.end - until, 0.9 * self.spacing)

@@ -48,7 +48,7 @@ def _nodes(graph: Graph) -> Iterator[_Message]:
     ends: dict[str, list[Endpoint]] = {node.name: [] for node in graph.nodes}
     for end in graph.endpoints:
         ends.setdefault(end.node, []).append(end)
-    # Of what is sent in a recording nobody may know by whom.
+    # The publisher of a message in a recording may be unknown.
     for name in sorted(ends):
         mine = sorted(ends[name], key=lambda end: (end.name, end.type, end.gid))
         parameters = sorted(graph.parameters.get(name, {}).items())

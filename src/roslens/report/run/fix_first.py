@@ -81,7 +81,7 @@ def urgency(one: RuleCount, rule: RuleInfo | None, commits: int = 0) -> float:
     precision = LIMIT if METRICS in one.tags else UNMEASURED
     if rule is not None and rule.precision:
         precision = rule.precision
-    # What is too little cannot be less than nothing: how many times says little.
+    # What is too little cannot be less than nothing: the ratio is not informative.
     excess = 1.0 if one.rule.endswith(".min") else min(max(one.excess, 1.0), FURTHEST)
     reach = _REACH.get(one.rule.partition(".")[0], 1.0)
     churn = 1 + log2(1 + min(commits, BUSIEST)) / 8

@@ -105,10 +105,10 @@ class Listing(msgspec.Struct, frozen=True):
 
 def listing(groups: Sequence[RuleGroup]) -> Listing:
     """Return which of the groups are listed."""
-    # Notes say where to look, not what to mend: they are listed where there is nothing else.
+    # Notes show where to look, not what to correct: they are listed where there is nothing else.
     grave = [group for group in groups if group.severity is not Severity.NOTE]
     notes = [group for group in groups if group.severity is Severity.NOTE] if grave else []
-    # Limits that are little exceeded say where to look as well, where there are mistakes to mend.
+    # Slightly exceeded limits only show where to look as well, if there are mistakes to correct.
     meant = grave or groups
     worth = [group for group in meant if is_listed(group.counted())]
     limits = [group for group in meant if group not in worth] if worth else []

@@ -62,7 +62,7 @@ class _Choice:
 
     def pick_package(self, package: str) -> None:
         """Pick a package of its repository."""
-        # A repository of one package often has its name, and no release that would say so.
+        # A repository of one package often has its name, and no release that would show it.
         home = self._homes.get(package) or (package if package in self._by_name else "")
         if home:
             self.pick(home, (package,))

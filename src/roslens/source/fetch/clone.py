@@ -94,7 +94,7 @@ def update(git: GitRunner, request: Request, place: Path) -> Taken:
     if commit == before:
         return described(git, request, place, How.KEPT)
     taken = _set_to(git, request, place, commit, How.UPDATED)
-    # Only a history that is there can tell.
+    # Only an available history can decide that.
     if not request.depth and git.ask(folder, "merge-base", "--is-ancestor", before, commit) is None:
         forced = f"its history was rewritten: {before[:12]}, which was here, is not behind {commit[:12]}"
         return msgspec.structs.replace(taken, notes=(forced, *taken.notes))

@@ -191,7 +191,7 @@ def _is_limit(headers: Mapping[str, str]) -> bool:
 def _refused(url: str, status: int, body: bytes, advice: str, *, has_token: bool) -> ForgeError:
     if status == 401:
         return ForgeError(f"{url} answers 401: the token is not accepted", "Give another one")
-    # The search of GitHub says so of a repository that it does not know, or does not show.
+    # The search of GitHub responds so for a repository that does not exist or is private.
     if status == 404 or (status == 422 and b"cannot be searched" in body):
         lacks = "" if has_token else ", or it is private and needs a token"
         reported = f"{url} answers {status}: there is no such repository{lacks}"

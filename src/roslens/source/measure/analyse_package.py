@@ -159,7 +159,7 @@ def _of_other_files(task: PackageTask, findings: Iterable[Finding]) -> Iterator[
         if file.language.parsed_as or file.size > _LARGEST_BYTES:
             continue
         if file.language in _COMMENTED or file.path in found:
-            # A file that is gone meanwhile has none; who reads it for its own sake says so.
+            # A file that is gone meanwhile has none; its own reader reports that.
             with suppress(OSError):
                 text = task.texts.get(file.path)
                 content = read_bounded(Path(task.root, file.path), _LARGEST_BYTES) if text is None else text

@@ -170,7 +170,7 @@ class _Reader:
     def _build_type(self, exports: tuple[Export, ...], dependencies: tuple[Dependency, ...]) -> str:
         active = [export for export in exports if export.tag == "build_type" and export.active]
         if not active:
-            # The default is older than ROS 2: many manifests of ROS 2 lack one, and what they depend on tells so.
+            # The default is older than ROS 2: many manifests lack one, and their dependencies show ROS 2.
             named = {one.name for one in dependencies if one.active}
             return next((kind for name, kind in _BUILD_TYPES_OF.items() if name in named), DEFAULT_BUILD_TYPE)
         first = active[0]

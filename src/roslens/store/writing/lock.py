@@ -58,7 +58,7 @@ def writer_now(connection: sqlite3.Connection) -> str:
     try:
         connection.execute("BEGIN IMMEDIATE")
     except sqlite3.OperationalError as error:
-        # A store that cannot be written is written by nobody that is known.
+        # A store that cannot be written has no known writer.
         return _writer(connection) if "locked" in str(error) else ""
     finally:
         release(connection)

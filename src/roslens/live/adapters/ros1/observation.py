@@ -225,7 +225,7 @@ class Observation:
         graph = build_graph(self._follower.state, self._follower.types, living)
         before = self._graph
         if self._parameters:
-            # What is known of parameters since is no reason to tell the whole at once.
+            # New knowledge of parameters is no reason to report the whole at once.
             graph = msgspec.structs.replace(graph, parameters=before.parameters if before else {})
         if before == graph and not self._parameters_due(now):
             return [], None

@@ -75,7 +75,7 @@ class SubscribedTopics:
     def _with_received(self, frame: Frame) -> Frame:
         taken = self._listening.take()
         events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
-        # Of what waited while we were stopped nobody knows when it came, nor what is missing.
+        # For what was queued while we were stopped, neither the time of arrival nor the losses are known.
         tallies = taken.tallies if taken.attentive else []
         return msgspec.structs.replace(
             frame,

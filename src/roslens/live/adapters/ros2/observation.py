@@ -112,7 +112,7 @@ class Observation:
         graph = self._graphs.update()
         if self._reports is not None:
             self._reports.choose(graph)
-            # What is known of parameters since is no reason to tell the whole at once.
+            # New knowledge of parameters is no reason to report the whole at once.
             graph = msgspec.structs.replace(graph, parameters=self._graph.parameters if self._graph else {})
         if graph == self._graph:
             return None

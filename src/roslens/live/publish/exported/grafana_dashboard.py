@@ -196,7 +196,7 @@ def matchers_of(constraint: Expectation) -> list[str] | None:
             return None
         found.append(matcher)
     if kind is EntityKind.TOPIC:
-        # A topic and its connections have metrics of one name; those of a topic name nobody.
+        # A topic and its connections have metrics of one name; those of a topic name no node.
         found = [one for one in found if one.startswith("topic")] + ['publisher=""']
     if kind is EntityKind.CONNECTION and not selector.publisher:
         found.append('publisher!=""')

@@ -128,7 +128,7 @@ class _Reading:
 
     def _read_setup(self) -> list[tuple[str, str]]:
         setup = read_setup(self._folder, self._files, self._listing)
-        # What catkin_python_setup() installs goes to bin, and ament_python_install_package() says it itself.
+        # What catkin_python_setup() installs goes to bin, and ament_python_install_package() has its own destination.
         script_folder = self._collected.script_folder or (
             "bin" if self._collected.python_setup else setup.script_folder
         )

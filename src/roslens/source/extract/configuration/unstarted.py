@@ -61,7 +61,7 @@ def unstarted(
         for one in facts
         if one.endpoints
     ]
-    # A program tells more than a class that it makes, and a class more than a function.
+    # A program has more information than a class that it creates, and a class more than a function.
     found.sort(key=lambda one: (_ORDER[one.kind], one.facts.kind in _ALONE, one.facts.path, one.facts.line))
     covered = set(shown)
     kept = []

@@ -45,7 +45,7 @@ def supposed_name(name: Text) -> Text:
 def supposed_place(place: Place) -> Place:
     """Return where a node is with defaults of the environment."""
     namespace, of_namespace = supposed(place.namespace)
-    # A node without a name is none: what the default of its name says is not what it is.
+    # A node without a name is none: the default of its name is not its name.
     nameless = bool(place.node.parts) and not place.node.tail and not place.node.holes[-1].default
     node, of_node = (place.node, ()) if nameless else supposed(place.node)
     words = tuple(dict.fromkeys((*of_namespace, *of_node)))

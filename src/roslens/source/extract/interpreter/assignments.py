@@ -128,7 +128,7 @@ def _assign_item(ctx: Context, target: Item, value: Value) -> None:
     match of:
         case Remappings():
             if len(ctx.state.conditions) > ctx.state.frame.depth + ctx.state.frame.passed:
-                # It may hold, or not: nobody knows what the name becomes.
+                # It may hold, or not: the value of the name is unknown.
                 value = unknown(said(as_text(value), f" if {ctx.state.conditions[-1]}"))
             of[hashable(key)] = value
         case dict() if (condition := is_open(ctx)) and hashable(key) not in of:

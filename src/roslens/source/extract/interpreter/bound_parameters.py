@@ -50,7 +50,7 @@ def _by_default(ctx: Context, what: Function, place: int, default: Expression | 
     """Return what a parameter is that is not given."""
     parameter = what.parameters[place]
     if not ctx.stack.keys and parameter.type.rstrip("& ").endswith("NodeOptions"):
-        # Whoever loads a component gives it options, whatever holds where nobody does.
+        # The loader of a component gives it options, whatever the defaults are.
         return options_from_outside()
     outer, ctx.state.frame = ctx.state.frame, frame
     value = _not_given(ctx, what, parameter) if default is None else ctx.value(default)

@@ -46,7 +46,7 @@ class LaunchExpressions(Expressions):
         """Return a member of a value by name."""
         if not isinstance(of, Class):
             return super().member_of(of, name)
-        # A class from outside may say what a member means: ``Enum``.
+        # An external class may define what a member means: ``Enum``.
         for one in self.ctx.index.chain(of.defined) if not self.ctx.index.outer_bases(of.defined) else ():
             found = super().member_of(Class(one), name)
             if not isinstance(found, Unknown):

@@ -51,7 +51,7 @@ class Values:
         self.used: set[Rule] = set()
         node = place.node.pattern
         meant: dict[str, bool] = {"": True}
-        # A file says many things of one node after the other: most files hold those of all nodes that run.
+        # A file has many values of one node after the other: most files hold those of all nodes that run.
         for pattern, group in groupby(settings, attrgetter("node")):
             if pattern not in meant:
                 meant[pattern] = node_pattern_matches(pattern, node)
@@ -277,7 +277,7 @@ def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredPar
     """Return a parameter merged with its properties from a further place of the code."""
     default = known.default if known.default is not None or fact.default is None else fact.default.usual
     value = default if known.value is None and known.set_by is None else known.value
-    # The type of what is written says nothing of what is read.
+    # The type of the written value does not determine that of the read one.
     kind = fact.type if fact.type and fact.access != "written" and known.type in ("", LIST) else known.type
     others = known.other_types
     if (

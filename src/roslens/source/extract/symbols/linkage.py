@@ -90,7 +90,7 @@ class Linkage:
             return Near.LINKED
         package, owner = self.package(path), self.package(other)
         if package == owner:
-            # Nobody knows where sources belong that no build names.
+            # It is unknown where sources belong that no build names.
             return None if parts and home else Near.DEPENDED_ON
         library = other in self._libraries or not home
         sees = any(self.package(one) == owner for each in units for one in self.seen(each))

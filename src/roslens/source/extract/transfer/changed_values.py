@@ -88,7 +88,7 @@ def _text(ctx: Context, written: Expression, of: Text, name: str, arguments: lis
             return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
     if listed and not _is_sign(arguments):
-        # A parameter may be a list, of which nobody knows the items.
+        # A parameter may be a list with unknown items.
         found = _doubtful(of, name)
     elif name == "swap" and arguments:
         found = as_text(arguments[0])

@@ -91,7 +91,7 @@ def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tupl
 
 
 def _vague(fact: EndpointFact) -> bool:
-    # One of many texts is a choice too, of which more is known than of what nobody has looked at.
+    # One of many texts is a choice too, of which more is known than of what was not evaluated.
     unknown = (hole for hole in fact.name.holes if not hole.choice and not is_of_many(hole.reason))
     return any(hole.default is None and not hole.parameter for hole in unknown)
 

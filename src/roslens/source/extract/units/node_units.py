@@ -122,7 +122,7 @@ def facts_of_plugin(
         ctx.objects.construct_as(thing, defined, [], {})
         run_methods(ctx, thing)
         for found in index.methods(defined, defined.what.name):
-            # Constructors that nobody calls are an offer too.
+            # Constructors that are never called are an offer too.
             if (found.path, found.what.line) not in ctx.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
                 ctx.objects.prepare(other)

@@ -46,7 +46,7 @@ def versions_of(package: Package, cmake: bytes = b"", files: Iterable[str] = ())
 def _single(package: Package, code: bytes) -> str:
     if package.build_type != "catkin" or any(one.name == "catkin" for one in package.dependencies):
         return "ros1" if package.build_type == "catkin" else "ros2"
-    # A manifest that says nothing means catkin by REP-149, which is not so where its build asks for ament.
+    # A manifest without a build type means catkin by REP-149, which is not so where its build asks for ament.
     return "ros2" if not _FOUND_CATKIN.search(code) and _ROS2_ALONE.search(code) else "ros1"
 
 

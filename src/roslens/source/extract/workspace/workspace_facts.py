@@ -299,7 +299,7 @@ class WorkspaceFacts:
         main = facts_of_main(index, path, words=words, chosen=chosen, plugin_names=names)
         made = list(classes_made(index, path, [one for one, _, _ in node_classes(index)]))
         if len(made) != 1:
-            # Which of several nodes is of which class nobody can tell from here; the main function tells of all.
+            # Which of several nodes is of which class is unknown here; the main function has all of them.
             return tuple(main) or tuple(one for name in made for one in self.of_class(name, (), chosen))
         found = self.of_class(made[0], (), chosen)
         if not found or (len(main) > 1 and main[0].name != found[0].name):

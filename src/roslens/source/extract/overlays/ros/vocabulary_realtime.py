@@ -30,7 +30,7 @@ def realtime_publisher(ctx: Context, _thing: Value, called: CallSite) -> Value:
         return given
     found = Obj(_NAME, None, {_TYPE: called.templates[0] if called.templates else Unknown("its type")})
     if len(called.arguments) < 2:
-        # That of ROS 2 is of a publisher that is not known here; somebody else makes it.
+        # That of ROS 2 is of a publisher that is unknown here, as it is created elsewhere.
         return found
     return _made(ctx, found, called)
 

@@ -45,8 +45,8 @@ def differences(before: Configuration, after: Configuration) -> tuple[Difference
             one, two = text(first), text(second)
             if one != two:
                 found.append(Difference(name, "node", place, "changed", one, two))
-        found += _told(name, _facts(first), _facts(second))
-    found += _told("", _outside(before), _outside(after))
+        found += _differences_of_node(name, _facts(first), _facts(second))
+    found += _differences_of_node("", _outside(before), _outside(after))
     return tuple(found)
 
 
@@ -116,7 +116,7 @@ def _outside(configuration: Configuration) -> _Facts:
     return {("parameter", one.name): frozenset([f'"{one.value}"']) for one in configuration.parameters}
 
 
-def _told(node: str, before: _Facts, after: _Facts) -> Iterator[Difference]:
+def _differences_of_node(node: str, before: _Facts, after: _Facts) -> Iterator[Difference]:
     """Yield what is different; of what is there several times what is the same is left out."""
     for key in sorted(before.keys() | after.keys()):
         one, two = before.get(key, frozenset()), after.get(key, frozenset())

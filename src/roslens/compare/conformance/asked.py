@@ -172,7 +172,7 @@ def _states(reference: Reference, other: Side, row: _Row) -> Iterator[Disparity]
     """Yield parameters whose value, and nodes whose lifecycle state, is not the one expected."""
     for check in reference.states:
         index = PatternIndex([(check.selector, 0)])
-        for kind, name, is_ in _told_values(other):
+        for kind, name, is_ in _stated_values(other):
             if (kind is EntityKind.NODE) != (check.of is StateOf.LIFECYCLE):
                 continue
             if not is_ or not index.find(kind, name) or _fits(check, is_):
@@ -182,7 +182,7 @@ def _states(reference: Reference, other: Side, row: _Row) -> Iterator[Disparity]
             yield row.of(kind.value, name, check.written, is_, check.details, text, Reason.CONTRADICTION, aspect)
 
 
-def _told_values(side: Side) -> Iterator[tuple[EntityKind, str, str]]:
+def _stated_values(side: Side) -> Iterator[tuple[EntityKind, str, str]]:
     for one in side.claims:
         if one.kind == PARAMETER and one.resolved and not one.conditions:
             yield EntityKind.PARAMETER, f"{one.node}/{one.name}" if one.node else one.name, one.values.get("value", "")

@@ -84,7 +84,7 @@ class Why(msgspec.Struct, frozen=True):
     place: str = ""
 
 
-class Disparity(msgspec.Struct, frozen=True, rename={"values": "told"}):
+class Disparity(msgspec.Struct, frozen=True):
     """One difference.
 
     Attributes:

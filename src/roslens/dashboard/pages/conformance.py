@@ -67,7 +67,7 @@ def build(site: Site, request: Request) -> View:
             "configuration": name,
             "sides": [{"title": title, "kind": kind} for title, kind in zip(found.titles, found.kinds, strict=True)],
             "agreed": found.agreed,
-            "told": list(found.notes),
+            "notes": list(found.notes),
         },
         tables=(
             msgspec.structs.replace(

@@ -11,7 +11,7 @@ from roslens.compare.conformance.disparity import Conformance, Disparity
 SCHEMA = "roslens-conformance/1"
 
 
-class ConformanceDocument(msgspec.Struct, frozen=True, rename={"notes": "told"}):
+class ConformanceDocument(msgspec.Struct, frozen=True):
     """What ``roslens compare A B --format json`` writes of sides; within version 1 keys are only added.
 
     Attributes:
@@ -19,8 +19,8 @@ class ConformanceDocument(msgspec.Struct, frozen=True, rename={"notes": "told"})
         titles: of the sides.
         kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
         agreed: how many nodes, endpoints, parameters and topics at least two sides have in common.
-        disparities: the gravest first; ``told`` is what each side says, in the order of the sides.
-        notes: what readers have to know of the comparison; its key is ``told``.
+        disparities: the gravest first; ``values`` is what each side reports, in the order of the sides.
+        notes: what readers have to know of the comparison.
     """
 
     schema: str

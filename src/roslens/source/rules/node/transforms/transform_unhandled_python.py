@@ -45,7 +45,7 @@ RULE = FileRule(
     finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before; of "
     "several in a function the first one. "
     "Catch `TransformException` and go on without. Handlers of services and actions of rospy are left out: the caller "
-    "is told.",
+    "gets it.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "
     'rclpy ends. rospy logs "bad callback" for a subscription and goes on without what the rest of the callback does; '
     "a timer of rospy ends.",

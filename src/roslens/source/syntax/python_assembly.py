@@ -173,7 +173,11 @@ class Assembly:
     def _identifiers(self, scope: Scope) -> tuple[str, ...]:
         """Return the names that a method reaches through its object or class."""
         start, end = scope.span
-        reached = _reached_through(scope.receivers)
+        # Most methods name their class nowhere, so that few expressions serve all.
+        named = tuple(one for one in scope.receivers if self._source.find(one.removesuffix(b"."), start, end) >= 0)
+        if not named:
+            return ()
+        reached = _reached_through(named)
         found = set(reached.findall(self._text.code, *scope.body))
         spans = self._interpolations
         for inner_start, inner_end in spans[bisect_left(spans, (start, 0)) : bisect_left(spans, (end, 0))]:

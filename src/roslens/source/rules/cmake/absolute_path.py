@@ -54,6 +54,8 @@ def _is_asked(one: Written, view: PackageView) -> bool:
     """Return whether CMake asks first if the path is there: around the command, or of the variable that it sets."""
     if any("EXISTS" in condition for condition in one.conditions):
         return True
+    if "EXISTS" not in view.cmake.text:
+        return False
     name = one.command.arguments[0].literal if one.name == "set" and one.command.arguments else None
     return bool(name) and re.search(rf"EXISTS\s+\"?\$\{{{re.escape(name or '')}[}}/]", view.cmake.text) is not None
 

@@ -46,7 +46,7 @@ def _of_xml(file: LaunchXml) -> Iterator[Hit]:
         name = element.attributes.get("name", "")
         if element.tag != "arg" or around == "include" or not name or name in used:
             continue
-        if not re.search(rf"\b{re.escape(name)}\b", evaluated):
+        if name not in evaluated or not re.search(rf"\b{re.escape(name)}\b", evaluated):
             yield file.hit("launch.unused_argument", element, _message(name), name)
 
 

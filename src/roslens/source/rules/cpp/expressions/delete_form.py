@@ -25,7 +25,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     name = view.text(operand)
     word = re.split(r"->|\.|::", name)[-1].encode()
     places = list(word_places(word, view)) if b"new" in view.words else []
-    function = function_around(node)
+    function = function_around(node) if places else None
     if operand.type == "identifier" and function is not None and _is_declared_in(function, word, view):
         places = [at for at in places if function.start_byte <= at < function.end_byte]
     gets = [match for at in places if (match := _NEW.match(view.code, at + len(word)))]

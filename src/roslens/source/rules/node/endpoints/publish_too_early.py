@@ -57,7 +57,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 def _published_once(name: str, code: bytes) -> re.Match[bytes] | None:
     """Return where a publisher publishes, None where it does not or does again: later, or by a timer."""
-    if b"publish" not in code:
+    if b"publish" not in code or name.encode() not in code:
         return None
     published = re.compile(rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(\.|->)\s*(publish)\b")
     match = published.search(code)

@@ -13,7 +13,9 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_NAME = rb"[\w.]*(?:passw(?:or)?d|passphrase|secret_?key|api_?key|access_?key|auth_?token|secret)"
+_WORDS = rb"(?:passw(?:or)?d|passphrase|secret_?key|api_?key|access_?key|auth_?token|secret)"
+_NAMED = re.compile(rb"(?i)" + _WORDS)
+_NAME = rb"[\w.]*" + _WORDS
 _VALUE = rb"""["']([^"'\s$<{%*]{6,80})["']"""
 _ASSIGNED = re.compile(rb"""(?i)(?<![\w.])(""" + _NAME + rb""")["']?\]?\s*(?::\s*\w+\s*)?(?:=|:|\()\s*""" + _VALUE)
 _SET = re.compile(rb"""(?i)\(\s*["'](""" + _NAME + rb""")["']\s*,\s*""" + _VALUE)
@@ -49,6 +51,9 @@ def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
         line, column = view.place(match.start())
         message = f"`{match[1][:8].decode()}…`, the beginning of a key, in the source; {_EXPECTED}"
         yield _without_text(view.hit_at(rule, line, message, column=column), "key")
+    if not _NAMED.search(view.content):
+        # It takes a fraction of the time that the patterns below take.
+        return
     for match in (*_ASSIGNED.finditer(view.content), *_SET.finditer(view.content)):
         if _NO_SECRET.search(match[2]) or view.code[match.start(1)] in b" \t\n":
             continue

@@ -89,8 +89,8 @@ RULE = FileRule(
     id="node.spin_in_callback",
     title="Spinning in a callback",
     finds="`rclcpp::spin_until_future_complete`, `rclcpp::spin_some`, `rclcpp::spin`, `ros::spinOnce` or `ros::spin` "
-    "in a "
-    "callback. Give the request a callback of its own instead, or return.",
+    "in a callback. Give the request a callback of its own instead, or return. In ROS 1 a callback that begins with "
+    "`ros::spinOnce` is a note: nothing of it can change under it yet.",
     why="In ROS 2 the node already belongs to the executor that runs the callback, and adding it to another throws "
     "«Node has already been added to an executor»: the process ends. In ROS 1 callbacks run inside each other, in an "
     "order nobody meant.",

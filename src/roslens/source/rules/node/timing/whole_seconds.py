@@ -47,7 +47,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.whole_seconds",
     title="Difference of whole seconds",
-    finds="`a.sec - b.sec` without a look at the nanoseconds. Subtract the times: `(a - b).toSec()`, `.seconds()`.",
+    finds="`a.sec - b.sec` without a look at the nanoseconds. Subtract the times: `(a - b).toSec()`, `.seconds()`. "
+    "Differences that are summed, each from where the last ended, are left out.",
     why="Times that are a millisecond apart may differ by one second, and times that are almost one apart by none: a "
     "timeout or "
     "a velocity made of it jumps.",

@@ -20,6 +20,7 @@ UNFIT: dict[str, tuple[frozenset[str], str]] = {
         (frozenset({"_in_a_branch"}), "what stands in a condition may run once: it is let be on purpose"),
     ),
     "python.work_on_import": (frozenset({"_if", "_def"}), "inside of a function or a condition it is no mistake"),
+    "node.spin_missing_python": (frozenset({"_def"}), "inside of a function that nothing calls, nothing runs"),
     "cpp.misleading_indentation": (frozenset({"_line_by_line"}), "the layout is the mistake"),
 }
 """Surroundings and layouts by the names of their functions in which the example of a rule is no mistake, and why."""

@@ -14,6 +14,7 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_READY = "future_status::ready"
 _REQUESTS = ("async_send_request", "async_send_goal", "async_get_result", "async_cancel_goal")
 
 
@@ -59,7 +60,7 @@ def _asks_whether_it_is_there(name: str, call: Node, body: Node, view: FileView)
     """Return whether a call does not wait, or stands behind such a call for the same future."""
     around = above(call, "if_statement", "function_definition", "lambda_expression")
     condition = around.child_by_field_name("condition") if around is not None else None
-    if condition is not None and condition.end_byte <= call.start_byte and "ready" in view.text(condition):
+    if condition is not None and condition.end_byte <= call.start_byte and _READY in view.text(condition):
         return True
     if callee_name(call, view) == "wait_for":
         return any(AT_ONCE.search(view.text(one)) for one in arguments(call))

@@ -183,6 +183,18 @@ def test_a_process_that_nobody_recorded_is_left_alone(scene):
     other.wait()
 
 
+def test_a_process_of_two_nodes_is_started_again_once(scene):
+    node = scene.node()
+    node.kill()
+    node.wait()
+    for at, (name, other) in enumerate((("/driver", "/driver2"), ("/driver2", "/driver"))):
+        scene.hand.begin(HostRequest(f"r/{at}.1", "restart", name, node.pid, (other,), {"whole_process": True}))
+    found = [scene.reported.get(timeout=WAIT_S) for _ in range(2)]
+    assert len(scene.hand._started) == 1
+    (refused,) = [one for one in found if one.refused]
+    assert "`restart` of /driver, which was begun before on process" in refused.text
+
+
 def test_what_cannot_be_announced_is_not_done(scene):
     node = scene.node()
     scene.hand._announce = lambda _: 1 / 0

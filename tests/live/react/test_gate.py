@@ -5,6 +5,7 @@ import pytest
 
 from roslens.live.react.gate import Answer, Gate, Limits, recalled, target_of
 from roslens.live.react.maintenance import parse_window
+from roslens.live.react.node_places import Home
 from roslens.model.acting.reaction import ActionCall, Decision, Mode
 from roslens.model.entity import EntityId, EntityKind
 
@@ -77,6 +78,23 @@ def test_what_another_reaction_does_to_a_process_has_its_effect_first():
     assert judge(gate, other, 140.0).answer is Answer.ALLOW
     elsewhere = msgspec.structs.replace(decision("start", "/other"), reaction="gone")
     assert judge(gate, elsewhere, 132.0).answer is Answer.ALLOW
+
+
+def test_nodes_of_one_process_are_restarted_once_whoever_asks_for_it():
+    homes = {"/left": Home("robot", 7, ("/right",)), "/right": Home("robot", 7, ("/left",)), "/arm": Home("robot", 8)}
+    gate = Gate(Limits(Mode.ACT, cool_down_s=10.0, most_restarts=2), homes.get)
+    left, right = decision(node="/left"), msgspec.structs.replace(decision(node="/right"), id="r/2.0")
+    gate.done(left, 100.0)
+    for other in (right, msgspec.structs.replace(right, reaction="r2")):
+        found = judge(gate, other, 101.0)
+        assert (found.answer, "whose process robot/7 holds node:/right too" in found.text) == (Answer.WAIT, True)
+    gate.ended(left, 103.0)
+    assert judge(gate, right, 104.0).answer is Answer.WAIT
+    assert judge(gate, decision(node="/arm"), 104.0).answer is Answer.ALLOW
+    homes["/left"] = homes["/right"] = Home("robot", 9)
+    assert judge(gate, right, 114.0).answer is Answer.ALLOW
+    gate.done(right, 114.0)
+    assert judge(gate, right, 130.0).answer is Answer.GIVE_UP, "that of /left was one of its own, too"
 
 
 def test_there_is_a_limit_for_all_and_notices_do_not_use_it_up():

@@ -188,9 +188,9 @@ class Reacting:
         self._questions = questions
         self._folder: Path = journal.path.parent
         self._journal = _Telling(journal, options.json)
-        self._gate = Gate(limits)
-        recalled(self._gate, _done_before(journal.path, limits.restarts_per_s), time.monotonic())
         self._places: NodePlaces = NodePlaces()
+        self._gate = Gate(limits, self._places.of)
+        recalled(self._gate, _done_before(journal.path, limits.restarts_per_s), time.monotonic())
         self._log: deque[str] = deque(maxlen=_LOG_LINES)
         self._failed = False
         self._places_due = 0.0

@@ -72,7 +72,7 @@ class HostHand:
         self._held = held
         self._steady = steady
         self._lock = threading.Lock()
-        self._busy: set[tuple[str, int]] = set()
+        self._busy: dict[tuple[str, int], str] = {}
         self._started: list[subprocess.Popen[bytes]] = []
 
     def refusal(self, request: HostRequest) -> str:
@@ -89,14 +89,16 @@ class HostHand:
         """Start to carry out a request, or report why not; returns at once."""
         self._reap()
         why = self.refusal(request)
-        key = ("", 0) if request.kind == "command" else (request.node, request.pid)
+        # One action at a time on each process, however many nodes it holds: two would each start it again.
+        key = ("", request.pid) if request.kind == "command" or request.pid else (request.node, 0)
         with self._lock:
             if not why and key in self._busy:
-                why = "the action before is still under way"
+                what = f"process {request.pid}" if request.pid else "it"
+                why = f"{self._busy[key]}, which was begun before on {what}, is still under way"
             if not why and len(self._busy) >= _AT_ONCE:
                 why = f"{_AT_ONCE} actions are under way already"
             if not why:
-                self._busy.add(key)
+                self._busy[key] = f"`{request.kind}` of {request.node}" if request.node else f"`{request.kind}`"
         if why:
             self._reported(Done(request.id, False, True, why))
             return
@@ -231,7 +233,7 @@ class HostHand:
             text = f"{type(error).__name__}: {error}"
         finally:
             with self._lock:
-                self._busy.discard(key)
+                self._busy.pop(key, None)
         self._reported(Done(request.id, done, refused, text, self._steady() - began))
 
     def _reap(self) -> None:

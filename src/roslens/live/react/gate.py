@@ -9,14 +9,16 @@ emergency stop from being done.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import Enum
 
 import msgspec
 
 from roslens.live.react.maintenance import Window, window_now
+from roslens.live.react.node_places import Home
 from roslens.model.acting.action_kind import action_kind
 from roslens.model.acting.reaction import Decision, Mode
+from roslens.model.entity import EntityKind
 
 _CAREFUL = (Mode.DRY_RUN, Mode.ASK, Mode.ACT)
 """From the most careful mode on."""
@@ -71,10 +73,11 @@ class Limits(msgspec.Struct, frozen=True):
 
 
 class _Process(msgspec.Struct, frozen=True):
-    """Who ends or begins a process, and when that was done; None while it is under way."""
+    """Who ends or begins a process for which node, and when that was done; None while it is under way."""
 
     decision: str
     reaction: str
+    target: str
     kind: str
     ended: float | None = None
 
@@ -83,11 +86,17 @@ class Gate:
     """Decides whether each decision is carried out, and remembers those that were.
 
     Times are seconds on a clock that never jumps, but for ``wall_s``, which is that of the host.
+
+    Args:
+        limits: how careful it is.
+        home: the process of a node, or its last one, and the nodes that share it; None where that is unknown. Nodes of
+            one process are ended and begun as one, once, whichever of them is asked for.
     """
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, home: Callable[[str], Home | None] = lambda _: None) -> None:
         """Begin with nothing done."""
         self._limits = limits
+        self._home = home
         self._last: dict[tuple[str, str], float] = {}
         self._done: dict[bool, deque[float]] = {True: deque(), False: deque()}
         self._restarts: dict[str, deque[float]] = {}
@@ -139,16 +148,17 @@ class Gate:
         if kind in _PROCESS:
             if len(self._processes) >= _MOST_KEYS:
                 self._processes.pop(next(iter(self._processes)))
-            self._processes[target] = _Process(decision.id, decision.reaction, kind)
+            self._processes[self._process_of(decision)] = _Process(decision.id, decision.reaction, target, kind)
         if kind in _RESTARTS:
-            self._restarts.setdefault(target, deque(maxlen=self._limits.most_restarts + 1)).append(now_s)
+            for one in self._ended_with(decision, target):
+                self._restarts.setdefault(one, deque(maxlen=self._limits.most_restarts + 1)).append(now_s)
 
     def ended(self, decision: Decision, now_s: float) -> None:
         """Remember that an action is no more under way."""
-        target = target_of(decision)
-        held = self._processes.get(target)
-        if held is not None and held.decision == decision.id:
-            self._processes[target] = msgspec.structs.replace(held, ended=now_s)
+        for process, held in self._processes.items():
+            if held.decision == decision.id:
+                self._processes[process] = msgspec.structs.replace(held, ended=now_s)
+                return
 
     def release(self) -> tuple[str, ...]:
         """Forget what was given up and how often it was restarted; return what was."""
@@ -158,20 +168,42 @@ class Gate:
         return freed
 
     def _done_by_another(self, decision: Decision, target: str, now_s: float) -> GateAnswer | None:
-        """Return ``WAIT`` if another reaction has just ended or started the same process."""
-        if decision.action.kind not in _PROCESS or target not in self._processes:
+        """Return ``WAIT`` if another chain of actions has just ended or started the same process."""
+        if decision.action.kind not in _PROCESS:
             return None
-        held = self._processes[target]
-        if held.reaction == decision.reaction:
+        process = self._process_of(decision)
+        held = self._processes.get(process)
+        if held is None or (held.reaction, held.target) == (decision.reaction, target):
             return None
+        shared = "" if held.target == target else f", whose process {process} holds {target} too,"
         if held.ended is None:
-            return GateAnswer(Answer.WAIT, f"`{held.kind}` of {target} is under way for {held.reaction}", _LOOK_AGAIN_S)
+            text = f"`{held.kind}` of {held.target}{shared} is under way for {held.reaction}"
+            return GateAnswer(Answer.WAIT, text, _LOOK_AGAIN_S)
         left = self._limits.cool_down_s - (now_s - held.ended)
         if left <= 0:
             return None
         ago = f"{now_s - held.ended:.1f} s ago"
-        text = f"`{held.kind}` of {target} was done for {held.reaction} {ago}, which has to have its effect first"
+        text = (
+            f"`{held.kind}` of {held.target}{shared} was done for {held.reaction} {ago}, which has to have its effect "
+            f"first"
+        )
         return GateAnswer(Answer.WAIT, text, left)
+
+    def _home_of(self, decision: Decision) -> Home | None:
+        target = decision.action.target
+        found = self._home(target.name) if target is not None and target.kind is EntityKind.NODE else None
+        return found if found is not None and found.pid else None
+
+    def _process_of(self, decision: Decision) -> str:
+        """Return the process that is ended or begun, as ``host/pid``; of an unknown one the target."""
+        home = self._home_of(decision)
+        return f"{home.host}/{home.pid}" if home is not None else target_of(decision)
+
+    def _ended_with(self, decision: Decision, target: str) -> tuple[str, ...]:
+        """Return everything that is restarted where the target is."""
+        home = self._home_of(decision)
+        beside = home.beside if home is not None else ()
+        return (target, *(f"{EntityKind.NODE.value}:{node}" for node in beside))
 
     def _too_many_restarts(self, target: str, now_s: float) -> str:
         found = self._restarts.get(target)

@@ -124,10 +124,6 @@ def test_what_is_new_is_to_be_mended_first(walking, capsys):
     assert [one for one in things if "new: " in one and "talk/talk/fresh.py" not in one] == []
 
 
-def test_a_baseline_that_is_not_there_ends_with_3_whatever_is_found(walking, capsys):
-    check(walking, capsys, "--baseline", "no-such-branch", code=3)
-
-
 @pytest.mark.parametrize(
     ("name", "said"),
     [
@@ -135,6 +131,25 @@ def test_a_baseline_that_is_not_there_ends_with_3_whatever_is_found(walking, cap
         ("mian", "Did you mean main?"),
         ("77", "no such run is kept"),
         ("gone.json", "no such file"),
+        ("auto", "the repository has no remote"),
+    ],
+)
+def test_a_baseline_that_is_not_there_is_refused_before_anything_is_analysed(walking, capsys, name, said):
+    assert main(["check", str(walking), "-q", "--baseline", name]) == 2
+    assert said in capsys.readouterr().err
+    assert not (walking / ".roslens/cache.sqlite").exists()
+
+
+def test_auto_is_the_target_of_the_pull_request(walking, capsys, monkeypatch):
+    git(walking, "branch", "humble")
+    add_finding(walking)
+    monkeypatch.setenv("GITHUB_BASE_REF", "humble")
+    assert calls(check(walking, capsys, "--baseline", "auto", "--new-only", code=1)) == ["run(step)"]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
         ("{other}", "is of another workspace"),
         ("{garbage}", "cannot be read"),
         ("{none}", "is not a report of roslens"),
@@ -169,7 +184,7 @@ def test_only_what_changed(walking, capsys):
     report = check(walking, capsys, "--changed", code=1)
     assert (calls(report), [one["name"] for one in report["packages"]]) == (["fresh(step)"], ["talk"])
     assert calls(check(walking, capsys, "--changed", "HEAD~1", code=1)) == ["pace(step)", "fresh(step)"]
-    # Nothing of it is kept, and a whole run has everything again.
+    # It is no whole run: one is made by the next check, and has everything again.
     assert not (walking / ".roslens/store.sqlite").exists()
     assert len(calls(check(walking, capsys, code=1))) == 3
 
@@ -185,6 +200,44 @@ def test_only_what_changed(walking, capsys):
 def test_options_that_mean_nothing(walking, capsys, words, said):
     assert main(["check", str(walking), "-q", *words]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_clean_tree_says_that_nothing_differs(walking, capsys):
+    text = check(walking, capsys, "--changed", code=0, form="text")
+    assert "No file of a package differs from HEAD." in text
+    assert "No packages were found" not in text
+
+
+def test_the_run_of_changed_files_is_shown_again(walking, capsys, tmp_path):
+    (walking / "talk/talk/fresh.py").write_text(CALLS.format("fresh"))
+    check(walking, capsys, "--changed", code=1)
+    words = ["--no-graph", "-q", "--jobs", "1"]
+    assert main(["report", str(walking), "--changed", "-o", str(tmp_path / "out"), *words]) == 0
+    page = (tmp_path / "out/findings.html").read_text("utf-8")
+    assert "fresh.py" in page
+    assert "walking.py" not in page
+    assert main(["report", str(walking), "-o", str(tmp_path / "whole"), *words]) == 2
+    assert "no finished run" in capsys.readouterr().err
+
+
+def test_no_run_of_changed_files_is_told(walking, capsys):
+    check(walking, capsys, code=1)
+    assert main(["report", str(walking), "--changed", "-q"]) == 2
+    assert "Run `roslens check --changed" in capsys.readouterr().err
+
+
+def test_a_tag_that_no_rule_has_is_refused(walking, capsys):
+    assert main(["check", str(walking), "-q", "--tag", "metrics and complexty"]) == 2
+    assert "no rule has the tag 'complexty'" in capsys.readouterr().err
+    # Tags of rules that are off here are known, and nothing has them.
+    assert check(walking, capsys, "--tag", "node or misra-cpp-2023", code=0)["findings"] == []
+
+
+def test_a_model_by_its_path_from_the_current_folder(walking, capsys, tmp_path, monkeypatch):
+    (tmp_path / "own.yaml").write_text("kind: quality model\nname: own\nextends: [ros]\nwithout: [calls]\n")
+    monkeypatch.chdir(tmp_path)
+    report = check(walking, capsys, "--model", "./own.yaml", code=1)
+    assert {one["rule"].partition(".")[0] for one in report["findings"]} == {"own"}
 
 
 def test_changed_outside_of_a_repository_is_told(talking, capsys):

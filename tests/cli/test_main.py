@@ -5,7 +5,8 @@ import sys
 
 import pytest
 
-from roslens.cli.main import main
+from roslens.cli.main import main, parser
+from roslens.cli.terminal.command_parser import take_late_words
 
 
 @pytest.mark.parametrize(
@@ -41,3 +42,42 @@ def test_nothing_near_is_not_guessed(words, capsys):
 def test_what_a_command_of_the_user_gets_is_not_ours():
     words = [sys.executable, "-m", "roslens.cli.main", "run", "--", "echo", "--lanch"]
     assert subprocess.run(words, capture_output=True, text=True, check=True).stdout == "--lanch\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["trend", "loc", "--format", "csv", "WS"], {"quantity": "loc", "path": "WS", "format": "csv"}),
+        (["trend", "loc", "WS", "--format", "csv"], {"quantity": "loc", "path": "WS", "format": "csv"}),
+        (["check", "--format", "json", "A", "B"], {"paths": ["A", "B"]}),
+        (["explain", "--config", "x.toml", "loc", "WS"], {"id": "loc", "path": "WS"}),
+    ],
+)
+def test_words_after_options_are_taken(words, expected):
+    top = parser(words[0])
+    options, unknown = top.parse_known_args(words)
+    assert take_late_words(unknown, top, options) == []
+    assert {key: getattr(options, key) for key in expected} == expected
+
+
+@pytest.mark.parametrize("words", [["trend", "loc", "A", "--format", "csv", "B"], ["trend", "loc", "--x", "A"]])
+def test_words_that_nothing_takes_are_refused(words, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(words)
+    assert "unrecognized arguments" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("verb", ["percentile", "report", "trend"])
+def test_a_folder_that_does_not_exist_is_refused(verb, tmp_path, capsys, monkeypatch):
+    (tmp_path / "robot").mkdir()
+    monkeypatch.chdir(tmp_path)
+    words = [verb, "loc", "robbot"] if verb == "trend" else [verb, "robbot"]
+    assert main(words) == 2
+    error = capsys.readouterr().err
+    assert "there is no folder 'robbot'" in error
+    assert "Did you mean 'robot'?" in error
+
+
+def test_the_module_is_the_command():
+    words = [sys.executable, "-m", "roslens", "--version"]
+    assert subprocess.run(words, capture_output=True, text=True, check=True).stdout.startswith("roslens ")

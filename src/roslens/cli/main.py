@@ -33,7 +33,7 @@ from roslens.cli.commands import (
 )
 from roslens.cli.commands.live import agent, env, journal, react, run, top, watch
 from roslens.cli.terminal.boundary import guarded
-from roslens.cli.terminal.command_parser import CommandParser, refuse
+from roslens.cli.terminal.command_parser import CommandParser, refuse, take_late_words
 
 COMMANDS = {
     "check": check,
@@ -121,7 +121,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     top = parser(_verb(given))
     options, unknown = top.parse_known_args(given)
-    if unknown:
+    if unknown := take_late_words(unknown, top, options):
         refuse(unknown, top, options)
     if options.verb is None:
         top.error("the following arguments are required: COMMAND")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 def add_kept_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what a command that shows a run keeps below the workspace: with both options, nothing."""
     parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing of it")
+    parser.add_argument("--changed", action="store_true", help="show the last run of `roslens check --changed`")
     parser.add_argument(
         "--no-store", action="store_true", help="analyse the workspace now instead of using a stored run"
     )
@@ -121,10 +123,20 @@ def settings_of(
 
     settings = configuration.source
     if options.model:
-        names = [name for given in options.model for name in given.split(",") if name]
+        base = Path(configuration.base or ".")
+        names = [_from_base(name, base) for given in options.model for name in given.split(",") if name]
         settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
     settings = with_process(options, with_tools(options, settings))
     # Conditions of manifests (REP-149) use the user's environment, unless the configuration overrides it.
     seen = {**environment_of(environment), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)
     return msgspec.structs.replace(settings, workspace=workspace)
+
+
+def _from_base(name: str, base: Path) -> str:
+    """Return a model of the command line as the configuration would name it, by a path from the folder of that."""
+    from roslens.judge.quality.quality_model import builtin_models
+
+    if name in builtin_models() or not Path(name).is_file():
+        return name
+    return os.path.relpath(name, base)

@@ -46,8 +46,9 @@ def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--baseline",
         metavar="REV|FILE|RUN",
-        help="compare with a revision of git (where this work tree left it), a JSON or SARIF report, or a kept run by "
-        "number or `last`; only new findings fail the check then, and new findings come first. "
+        help="compare with a revision of git (where this work tree left it), a JSON or SARIF report, a kept run by "
+        "number or `last`, or `auto`: the target of the pull request in a CI, else the default branch of the remote; "
+        "only new findings fail the check then, and new findings come first. "
         "One that cannot be read ends with exit code 3",
     )
     parser.add_argument("--new-only", action="store_true", help="show only what the baseline does not have")
@@ -57,8 +58,46 @@ def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
         const="HEAD",
         metavar="REV",
         help="look only at files that differ from a revision (default: HEAD), and show only findings in these; what "
-        "needs the other files of a package is left out, and nothing of it is kept",
+        "needs the other files of a package is left out; `roslens report --changed` shows the run again",
     )
+
+
+def named_baseline(name: str | None, root: Path, store: Store, environment: Mapping[str, str]) -> str | None:
+    """Return the name of a baseline that exists: `auto` becomes the revision that it means.
+
+    Args:
+        name: as given; None where none is.
+        root: of the workspace.
+        store: with the kept runs.
+        environment: variables of the process.
+
+    Raises:
+        UsageError: there is no such report, run or revision.
+    """
+    if name is None or Path(name).is_file() or name == LAST:
+        return name
+    if name.isdigit():
+        _refuse_unknown_run(name, [one.id for one in store.runs()])
+        return name
+    if name.endswith((".json", ".sarif")):
+        raise UsageError(f'--baseline "{name}": no such file', expected="a report of `roslens check -o FILE`")
+    from roslens.cli.git.git_repository import repository_of
+    from roslens.cli.git.merge_target import AUTO, merge_target
+    from roslens.cli.git.revision import revision_of
+
+    if name == AUTO:
+        return merge_target(repository_of(str(root)), environment)
+    revision_of(root, name)
+    return name
+
+
+def _refuse_unknown_run(name: str, runs: Sequence[int]) -> None:
+    if int(name) not in runs:
+        raise UsageError(
+            f'--baseline "{name}": no such run is kept',
+            expected=f"one of {', '.join(map(str, sorted(runs)[-10:]))}" if runs else "a run made without --no-store",
+            advice="Run `roslens check` on the state to compare with first, or give a revision or a report",
+        )
 
 
 def read_baseline(
@@ -86,8 +125,6 @@ def read_baseline(
         return _of_run(name, store, current, fresh=fresh)
     from roslens.cli.git.revision import revision_of
 
-    if name.endswith((".json", ".sarif")):
-        raise UsageError(f'--baseline "{name}": no such file', expected="a report of `roslens check -o FILE`")
     return analyse(revision_of(root, name))
 
 
@@ -98,12 +135,7 @@ def _of_run(name: str, store: Store, current: RunView, *, fresh: bool) -> Baseli
         if fresh:
             return Baseline("nothing, as no earlier run is kept", ())
         number = current.id
-    if number is None or number not in runs:
-        raise UsageError(
-            f'--baseline "{name}": no such run is kept',
-            expected=f"one of {', '.join(map(str, sorted(runs)[-10:]))}" if runs else "a run made without --no-store",
-            advice="Run `roslens check` on the state to compare with first, or give a revision or a report",
-        )
+    _refuse_unknown_run(str(number), runs)
     view = store.view(number)
     files = {file.path: file.content_hash for _, file in view.files()}
     return Baseline(f"run {number}", tuple(view.findings()), files)
@@ -199,9 +231,7 @@ def _checked(baseline: Baseline, current: RunView) -> Baseline:
 
 def failed(error: RoslensError) -> Failure:
     """Return the failure that stands in the result where there is no baseline; every finding counts then."""
-    return Failure(
-        "baseline", error.what, error.expected, f"{error.advice or 'Mend it'}; all findings count until then"
-    )
+    return Failure("baseline", error.what, error.expected, f"{error.advice or 'Fix it'}; all findings count until then")
 
 
 def analysed_revision(

@@ -157,6 +157,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             new=new_first(view, wanted),
             tags=wanted.tags,
             changes=wanted.changes,
+            revision=getattr(options, "changed", None) or "",
             width=width_of(stream),
             color=wants_color(options, stream),
             unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",

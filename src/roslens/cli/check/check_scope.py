@@ -13,6 +13,7 @@ from roslens.model.errors import RoslensError, UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.check.baseline import Baseline
+    from roslens.cli.check.kept_changed_run import KeptChangedRun
     from roslens.cli.workplace.configuration import Configuration
     from roslens.model.failure import Failure
     from roslens.report.run.reported import Wanted
@@ -24,7 +25,7 @@ class Scope(msgspec.Struct, frozen=True):
     """A run as it is shown and as it is judged, and what both are compared with.
 
     ``whole`` is the run, ``shown`` has what reports show, ``judged`` what fails the check; ``baseline`` is None where
-    there is none.
+    there is none; ``changed`` says which files count where only changed ones do.
     """
 
     whole: RunView
@@ -32,6 +33,7 @@ class Scope(msgspec.Struct, frozen=True):
     judged: RunView
     wanted: Wanted
     baseline: Baseline | None = None
+    changed: KeptChangedRun | None = None
 
 
 def unchanged_files(options: argparse.Namespace, root: Path) -> Mapping[str, str] | None:
@@ -79,17 +81,18 @@ def scope_of(
 
     ``fresh`` is whether the run was made just now.
     """
-    from roslens.store.narrowed import NarrowedView
-
     if unchanged is not None:
-        changed = {file.path for _, file in view.files() if unchanged.get(file.path) != file.content_hash}
-        others = {file.path for _, file in view.files()} - changed
-        narrowed = NarrowedView(
-            view,
-            lambda finding: finding.path in changed,
-            keep_failure=lambda failure: failure.location is None or failure.location.path not in others,
+        from roslens.cli.check.kept_changed_run import KeptChangedRun, narrowed_to
+
+        differs = {file.path: unchanged.get(file.path) != file.content_hash for _, file in view.files()}
+        changed = KeptChangedRun(
+            view.id,
+            options.changed,
+            tuple(path for path, is_changed in differs.items() if is_changed),
+            tuple(path for path, is_changed in differs.items() if not is_changed),
         )
-        return Scope(narrowed, narrowed, narrowed, wanted)
+        narrowed = narrowed_to(view, changed.paths, changed.others)
+        return Scope(narrowed, narrowed, narrowed, wanted, changed=changed)
     if not options.baseline:
         return Scope(view, view, view, wanted)
     from roslens.cli.check.baseline import analysed_revision, failed, read_baseline

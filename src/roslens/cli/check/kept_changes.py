@@ -50,7 +50,7 @@ def shown_changes(options: argparse.Namespace, view: RunView) -> Mapping[str, in
     """Return what was kept of the run that pages show, as its last check has it; nothing of a run that is not kept."""
     from roslens.cli.workplace.workplace import some_folder
 
-    folder = None if options.no_store else some_folder(options.path)
+    folder = None if options.no_store or options.changed else some_folder(options.path)
     return ({} if folder is None else _read(folder, view.id)) or {}
 
 

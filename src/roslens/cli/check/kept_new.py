@@ -59,5 +59,5 @@ def shown_new(options: argparse.Namespace, view: RunView) -> tuple[RuleCount, ..
     """Return what is new in the run that pages show, as its last check reported; nothing of a run that is not kept."""
     from roslens.cli.workplace.workplace import some_folder
 
-    folder = None if options.no_store else some_folder(options.path)
+    folder = None if options.no_store or options.changed else some_folder(options.path)
     return () if folder is None else kept_new(folder, view.id)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.check.analysed import analysed
+from roslens.cli.check.kept_changed_run import changed_run
 from roslens.cli.workplace.trust_option import admitted_by
 from roslens.cli.workplace.workplace import STORE, open_store
 from roslens.model.errors import UsageError
@@ -25,6 +26,12 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
     Raises:
         RoslensError: there is no run, or the workspace cannot be analysed.
     """
+    if options.changed:
+        if options.no_store or options.number is not None:
+            raise UsageError("--changed with --run or --no-store", expected="one of them")
+        with changed_run(options.path) as narrowed:
+            yield narrowed
+        return
     if not options.no_store:
         with open_store(options.path) as store:
             yield store.view(options.number)

@@ -6,7 +6,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from roslens.cli.check.baseline import add_baseline_arguments
+from roslens.cli.check.baseline import add_baseline_arguments, named_baseline
 from roslens.cli.check.check_fix import fixed_scope, show_diff, take_back
 from roslens.cli.check.check_gate import gated
 from roslens.cli.check.check_outputs import add_output_arguments, below_repository, new_first, outputs, write_outputs
@@ -15,10 +15,13 @@ from roslens.cli.check.check_watch import add_watch_argument, refuse_others, wat
 from roslens.cli.check.fetch_first import fetch_first
 from roslens.cli.check.fetch_options import add_fetch_arguments, refuse_without_fetch
 from roslens.cli.check.fix_option import add_fix_arguments, refuse_contradictions
+from roslens.cli.check.kept_changed_run import STORE as CHANGED_STORE
+from roslens.cli.check.kept_changed_run import keep_changed_run
 from roslens.cli.check.kept_new import keep_new
 from roslens.cli.graph.graph_stage import add_graph_argument
 from roslens.cli.terminal.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.terminal.streams import add_stream_arguments, progress_for
+from roslens.cli.workplace.known_tags import refuse_unknown_tags
 from roslens.cli.workplace.process_option import add_process_arguments
 from roslens.cli.workplace.tools_option import add_tools_arguments, tell_not_run
 from roslens.cli.workplace.trust_option import add_trust_argument, admitted_by
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
     from roslens.report.run.reported import Wanted
     from roslens.source.answer import Answer
     from roslens.store.read import RunView
+    from roslens.store.runs import Store
 
 TEXT = "Measure and judge the packages below the given folders."
 EXAMPLES = """\
@@ -44,9 +48,10 @@ EXAMPLES = """\
   roslens check -o results.sarif -o summary.md               several files, each by its ending
   roslens check --format junit=build/roslens.xml             text on the screen, JUnit in the file
   roslens check --format github                              annotations in a workflow of GitHub
-  roslens check --tag 'complexity and not test' --fail-on warning
+  roslens check --tag 'complexity and not his' --fail-on warning
   roslens check --baseline origin/main --new-only            what this branch brings
   roslens check --baseline report.json                       all findings, new ones since a report marked
+  roslens check --baseline auto --new-only                   the same; in a CI, since the target of the pull request
   roslens check --changed                                    findings in files that differ from HEAD
   roslens check --fetch --distro jazzy --repository navigation2 --into nav2
   roslens check --diff                                       what can be mended safely, as a diff
@@ -113,7 +118,6 @@ def run(options: argparse.Namespace) -> int:
 
     from roslens.cli.check.analysed import analysed
     from roslens.cli.workplace.configuration import find_configuration
-    from roslens.cli.workplace.shared_store import store_for
     from roslens.model.tags import parse_tags
     from roslens.source.workspace.find import root_of
 
@@ -129,8 +133,9 @@ def run(options: argparse.Namespace) -> int:
     if options.undo_fix:
         return take_back(options, root)
     unchanged = unchanged_files(options, root)
-    folder = None if options.no_store or unchanged is not None else own_folder(root)
-    with store_for(None if folder is None else folder / STORE, configuration) as store:
+    folder = None if options.no_store else own_folder(root)
+    with _store(folder, configuration, changed=unchanged is not None) as store:
+        options.baseline = named_baseline(options.baseline, root, store, os.environ)
 
         def look() -> tuple[Answer, Scope]:
             answer = analysed(
@@ -157,6 +162,7 @@ def run(options: argparse.Namespace) -> int:
         wanted = _wanted(options, configuration, tags, root)
         options.each = (options.fix or options.diff) and bool(options.tools or configuration.source.tools.use)
         outcome, scope = look()
+        refuse_unknown_tags(tags, scope.whole, configuration)
         if options.diff:
             return show_diff(options, root, configuration, scope)
         if options.fix:
@@ -164,7 +170,7 @@ def run(options: argparse.Namespace) -> int:
         scope = _with_changes(gated(scope, configuration.gate), folder, options)
         write_outputs(chosen, options, scope.shown, scope.wanted)
         if folder is not None:
-            _keep_new(folder, scope)
+            _keep(folder, store, scope)
         if not options.quiet:
             _tell(scope, outcome, time.monotonic() - begun)
         code = _code(options, scope, missing)
@@ -199,8 +205,22 @@ def _wanted(options: argparse.Namespace, configuration: Configuration, tags: Tag
     )
 
 
-def _keep_new(folder: Path, scope: Scope) -> None:
-    """Keep which findings are new, for commands that show the run later."""
+def _store(folder: Path | None, configuration: Configuration, *, changed: bool) -> Store:
+    """Open what the run is kept in: that of changed files is no whole run, and is kept apart on this machine."""
+    if folder is not None and changed:
+        from roslens.store.runs import Store
+
+        return Store.open(folder / CHANGED_STORE)
+    from roslens.cli.workplace.shared_store import store_for
+
+    return store_for(None if folder is None else folder / STORE, configuration)
+
+
+def _keep(folder: Path, store: Store, scope: Scope) -> None:
+    """Keep which findings are new, or which files are meant, for commands that show the run later."""
+    if scope.changed is not None:
+        keep_changed_run(folder, store, scope.changed)
+        return
     new = None if scope.wanted.new is None else new_first(scope.shown, scope.wanted)
     keep_new(folder, scope.whole.id, scope.wanted.baseline, new)
 

@@ -46,7 +46,8 @@ def cache_of(view: RunView, options: argparse.Namespace) -> Path | None:
 
     if options.no_cache:
         return None
-    return (own_folder(Path(view.header.root)) if options.no_store else find_folder(options.path)) / CACHE
+    apart = options.no_store or options.changed
+    return (own_folder(Path(view.header.root)) if apart else find_folder(options.path)) / CACHE
 
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.past.past_repositories import behind_heads
 from roslens.cli.past.past_store import kept_past
 from roslens.cli.workplace.shared_store import shared_address
-from roslens.cli.workplace.workplace import FOLDER, STORE, open_store
+from roslens.cli.workplace.workplace import FOLDER, STORE, open_store, refuse_missing
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ def trends_of(start: str) -> Iterator[Trends]:
     from roslens.cli.workplace.configuration import find_configuration
     from roslens.store.trends import Trends
 
+    refuse_missing(start)
     kept = kept_past(start)
     if kept is None:
         raise UsageError(

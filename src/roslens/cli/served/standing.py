@@ -31,7 +31,7 @@ def kept_runs(options: argparse.Namespace, view: RunView) -> Iterator[Kept]:
     """Yield what is kept besides a run."""
     from roslens.cli.workplace.workplace import open_store
 
-    if options.no_store:
+    if options.no_store or options.changed:
         yield Kept()
         return
     with open_store(options.path) as store:

@@ -27,6 +27,37 @@ class CommandParser(argparse.ArgumentParser):
             raise
 
 
+def take_late_words(unknown: Sequence[str], top: argparse.ArgumentParser, options: argparse.Namespace) -> list[str]:
+    """Give words after options to the optional positionals that were left empty; return what nothing takes.
+
+    `trend loc --format csv PATH` means the same as `trend loc PATH --format csv`, but argparse fills all positionals
+    that may be empty at the first word.
+
+    Args:
+        unknown: arguments that no parser knows.
+        top: the parser of the whole command line.
+        options: what was understood of it; receives the words.
+    """
+    left = list(unknown)
+    if any(word.startswith("-") for word in left):
+        return left
+    for parser in _chosen(top, options):
+        for action in parser._actions:  # noqa: SLF001 - known no other way
+            is_empty = not action.option_strings and getattr(options, action.dest, None) == action.default
+            if left and is_empty and action.nargs == "?":
+                setattr(options, action.dest, _converted(parser, action, left.pop(0)))
+            elif left and is_empty and action.nargs == "*":
+                setattr(options, action.dest, [_converted(parser, action, word) for word in left])
+                left = []
+    return left
+
+
+def _converted(parser: argparse.ArgumentParser, action: argparse.Action, word: str) -> Any:
+    value = parser._get_value(action, word)  # noqa: SLF001 - known no other way
+    parser._check_value(action, value)  # noqa: SLF001 - known no other way
+    return value
+
+
 def refuse(unknown: Sequence[str], top: argparse.ArgumentParser, options: argparse.Namespace) -> NoReturn:
     """End with what was not understood, what comes near to it of all that could stand there, and where to look.
 

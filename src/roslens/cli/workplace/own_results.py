@@ -19,7 +19,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import UsageError
 
 MARK = "maker"
-_KEPT = ("store.sqlite", "cache.sqlite", "history.sqlite")
+_KEPT = ("store.sqlite", "changed.sqlite", "cache.sqlite", "history.sqlite")
 _GIT_LIMIT_S = 10.0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import difflib
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,8 +38,9 @@ def find_folder(start: str) -> Path:
     """Return the ``.roslens`` folder of the workspace that ``start`` is in.
 
     Raises:
-        UsageError: nothing was checked there yet, or it may be of someone else.
+        UsageError: there is no such folder, nothing was checked there yet, or it may be of someone else.
     """
+    refuse_missing(start)
     if (folder := some_folder(start)) is not None:
         refuse_foreign(folder, os.environ)
         return folder
@@ -47,6 +49,24 @@ def find_folder(start: str) -> Path:
         f"no finished run in {str(path)!r} or a folder above it",
         expected=f"a folder {FOLDER} that `roslens check` makes",
         advice=f"Run `roslens check {start}` first",
+    )
+
+
+def refuse_missing(start: str) -> None:
+    """Refuse a workspace that does not exist: the run of a folder above it is not what was asked for.
+
+    Raises:
+        UsageError: there is no such file or folder.
+    """
+    path = Path(start)
+    if path.exists():
+        return
+    beside = [one.name for one in path.parent.iterdir()] if path.parent.is_dir() else []
+    near = difflib.get_close_matches(path.name, beside, 1)
+    raise UsageError(
+        f"there is no folder {start!r}",
+        expected="the folder of a workspace that was checked",
+        advice=f"Did you mean {str(path.parent / near[0])!r}?" if near else "",
     )
 
 
@@ -75,11 +95,12 @@ def open_store(start: str) -> Store:
     """Open the store of the workspace that ``start`` is in.
 
     Raises:
-        UsageError: nothing was checked there yet.
+        UsageError: there is no such folder, or nothing was checked there yet.
         StoreError: the store cannot be read.
     """
     from roslens.store.runs import Store
 
+    refuse_missing(start)
     if address := shared_address(start):
         return Store.open_shared(address)
     return Store.open(find_folder(start) / STORE)

@@ -69,7 +69,7 @@ def _worst(findings: list[Reported]) -> Iterator[str]:
     yield "| --- | --- | --- |"
     for one in findings[:FINDINGS]:
         place = (f"{one.path}:{one.line}" if one.finding.line else one.path) or one.finding.entity
-        said = f"{_cell(one.finding.message)} ({_code(one.finding.rule)})"
+        said = f"{_prose(one.finding.message)} ({_code(one.finding.rule)})"
         yield f"| {one.finding.severity.value} | {_code(place)} | {said} |"
     if len(findings) > FINDINGS:
         yield ""
@@ -116,14 +116,20 @@ def _failures(view: RunView) -> Iterator[str]:
     yield f"**Not analysed, or only in part: {len(failures):,}**"
     yield ""
     for failure in failures[:FAILURES]:
-        yield f"- {_cell(str(failure))} ({_code(failure.tool)})"
+        yield f"- {_prose(str(failure))} ({_code(failure.tool)})"
     if len(failures) > FAILURES:
         yield f"- and {len(failures) - FAILURES:,} more"
 
 
+def _prose(text: str) -> str:
+    """Return a message with the code in it, between back-ticks, as code."""
+    # Pairs of back-ticks around something; one without its pair is a character like any other.
+    return re.sub(r"`([^`]+)`|([^`]+|`)", lambda match: _code(match[1]) if match[1] else _cell(match[2]), text)
+
+
 def _cell(text: str) -> str:
     # Names and messages come from the source that is analysed: none of them is markup, a link or a mention.
-    flat = " ".join(text.split())
+    flat = re.sub(r"\s+", " ", text)
     escaped = re.sub(r"([\\`*_\[\]<>|#~])", r"\\\1", flat)
     return escaped.replace("@", "@\N{ZERO WIDTH SPACE}").replace("&", "&amp;")
 

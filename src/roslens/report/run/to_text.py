@@ -42,6 +42,7 @@ def to_text(
     new: Sequence[RuleCount] = (),
     tags: TagFilter | None = None,
     changes: Mapping[str, int] | None = None,
+    revision: str = "",
     width: int = 100,
     color: bool = False,
     unicode: bool = True,
@@ -59,6 +60,7 @@ def to_text(
         new: what to mend first of what is new since a baseline; it goes before everything else.
         tags: which findings are meant; all for None.
         changes: in how many commits of the last year files of findings changed, as far as known.
+        revision: with which the files were compared, where only those that differ were looked at.
         width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
         color: whether the terminal shows colours.
         unicode: whether its encoding has more than ASCII; without, only ASCII is used.
@@ -74,7 +76,7 @@ def to_text(
     sections = [
         list(_head(terminal, header, packages)),
         list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted, changes), changes or {})),
-        list(_packages(terminal, counted)),
+        list(_packages(terminal, counted, revision)),
         [
             *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
             *_fixable(terminal, packages, wanted),
@@ -83,7 +85,7 @@ def to_text(
             *(line for text in since for line in _quiet(terminal, text)),
         ],
         list(_failures(terminal, failures)),
-        list(_next(terminal, groups, failures, packages)),
+        list(_next(terminal, groups, failures, packages, revision)),
     ]
     return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
 
@@ -117,9 +119,9 @@ def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSumma
     yield line
 
 
-def _packages(terminal: Terminal, counted: Sequence[PackageCounts]) -> Iterator[str]:
+def _packages(terminal: Terminal, counted: Sequence[PackageCounts], revision: str) -> Iterator[str]:
     if not counted:
-        yield "No packages were found."
+        yield f"No file of a package differs from {revision}." if revision else "No packages were found."
         return
     shown = counted[:PACKAGES]
     yield from package_table(terminal, shown, counted)
@@ -305,16 +307,24 @@ def _what(failure: Failure) -> str:
 
 
 def _next(
-    terminal: Terminal, groups: Sequence[RuleGroup], failures: Sequence[Failure], packages: Sequence[PackageSummary]
+    terminal: Terminal,
+    groups: Sequence[RuleGroup],
+    failures: Sequence[Failure],
+    packages: Sequence[PackageSummary],
+    revision: str,
 ) -> Iterator[str]:
     steps = []
-    if not packages:
+    if not packages and revision:
+        steps.append(("roslens check", "analyse the whole workspace"))
+        steps.append(("roslens check --changed REV", "compare with another revision, such as the branch to merge into"))
+    elif not packages:
         steps.append(("roslens check PATH", "name a folder with a package.xml somewhere below it"))
     if groups:
         steps.append((f"roslens explain {terminal.clean(groups[0].rule)}", "what the rule requires, and why"))
     if packages:
-        steps.append(("roslens serve", "package graph, findings and metrics in a browser"))
-        steps.append(("roslens report --single-file report.html", "the same in one file to pass on"))
+        which = " --changed" if revision else ""
+        steps.append((f"roslens serve{which}", "package graph, findings and metrics in a browser"))
+        steps.append((f"roslens report{which} --single-file report.html", "the same in one file to pass on"))
     if any(not failure.partial for failure in failures):
         steps.append(("roslens doctor", "see what may be missing on this machine"))
     width = max(len(command) for command, _why in steps)

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -326,3 +327,45 @@ def test_pages_fix_first_what_the_terminal_does(walking, capsys, tmp_path_factor
     assert reported
     assert not any(new for new, _ in reported)
     assert first_on_the_page(walking, tmp_path_factory.mktemp("alone") / "out") == reported
+
+
+def looked(root, capsys, *more, graph=True):
+    words = ["check", str(root), "--format", "json", "--jobs", "1", "-q", "--fail-on", "never", *more]
+    assert main(words if graph else [*words, "--no-graph"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    return [one for one in report["findings"] if one["rule"].startswith("graph.")], report
+
+
+@pytest.mark.parametrize("kept", ["last", "report.json", "report.sarif"])
+def test_findings_of_graphs_are_not_new_since_a_baseline_without_graphs(walking, capsys, kept):
+    name = kept if kept == "last" else str(walking / kept)
+    more = () if kept == "last" else ("--format", f"{Path(kept).suffix[1:]}={name}")
+    looked(walking, capsys, *more, graph=False)
+    found, _ = looked(walking, capsys, "--baseline", name)
+    assert {one["rule"]: one["new"] for one in found} == {"graph.qos": False}
+    assert main(["check", str(walking), "--jobs", "1", "-q", "--baseline", name, "--new-only"]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "which has no computation graphs: theirs are not compared" in out
+
+
+@pytest.mark.parametrize("kept", ["last", "report.json", "report.sarif"])
+def test_findings_of_graphs_are_compared_with_those_of_a_baseline_that_looked_at_graphs(walking, capsys, kept):
+    nodes = walking / "talk/talk/nodes.py"
+    wrong = nodes.read_text()
+    nodes.write_text(wrong.replace("qos_profile_sensor_data)", "10)"))
+    name = kept if kept == "last" else str(walking / kept)
+    more = () if kept == "last" else ("--format", f"{Path(kept).suffix[1:]}={name}")
+    assert looked(walking, capsys, *more)[0] == []
+    nodes.write_text(wrong)
+    found, _ = looked(walking, capsys, "--baseline", name)
+    assert {one["rule"]: one["new"] for one in found} == {"graph.qos": True}
+
+
+def test_findings_of_graphs_are_not_gone_where_no_graph_is_looked_at(walking, capsys):
+    assert len(looked(walking, capsys)[0]) == 1
+    assert main(["check", str(walking), "--jobs", "1", "-q", "--no-graph", "--baseline", "last"]) == 0
+    assert "New since run 1: nothing; gone: 0" in capsys.readouterr().out
+
+
+def test_a_revision_is_looked_at_with_its_graphs(walking, capsys):
+    assert {one["new"] for one in looked(walking, capsys, "--baseline", "HEAD")[0]} == {False}

@@ -16,7 +16,6 @@ def report(root, capsys, *more, code=0):
 
 
 def test_declared_configurations_are_looked_at(talking, capsys):
-    assert report(talking, capsys)[1] == []
     (talking / "roslens.toml").write_text(DECLARED)
     _, (one,) = report(talking, capsys, code=1)
     assert (one["rule"], one["path"], one["line"]) == ("graph.qos", "talk/talk/nodes.py", 16)
@@ -24,8 +23,88 @@ def test_declared_configurations_are_looked_at(talking, capsys):
     assert len(report(talking, capsys, "--fail-on", "never")[1]) == 1
 
 
-def test_without_any_every_first_launch_file_on_request(talking, capsys):
-    assert [one["rule"] for one in report(talking, capsys, "--graph", code=1)[1]] == ["graph.qos"]
+def test_without_any_the_largest_launch_files_are_looked_at_and_what_is_left_out_is_told(talking, capsys):
+    found, graph = report(talking, capsys, code=1)
+    assert [one["rule"] for one in graph] == ["graph.qos"]
+    assert found["run"]["graphs"] == {"looked_at": ["fleet.launch.xml"], "left_out": []}
+    many(talking)
+    found, graph = report(talking, capsys, "--graph", code=1)
+    assert len(found["run"]["graphs"]["looked_at"]) == 8
+    assert found["run"]["graphs"]["left_out"] == ["talk/launch/more0.launch.xml", "talk/launch/more1.launch.xml"]
+    assert main(["check", str(talking), "--jobs", "1", "-q", "--fail-on", "never"]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "Computation graph: 8 of 10 launch files, those that together start most nodes; --graph all" in out
+    found, graph = report(talking, capsys, "--graph", "all", code=1)
+    assert (len(found["run"]["graphs"]["looked_at"]), found["run"]["graphs"]["left_out"]) == (10, [])
+    found, graph = report(talking, capsys, "--no-graph")
+    assert (graph, found["run"].get("graphs")) == ([], None)
+
+
+def many(talking):
+    """Write nine launch files more, of one to nine nodes."""
+    for number in range(9):
+        nodes = "".join(f'<node pkg="a{place}" exec="b"/>' for place in range(number + 1))
+        (talking / f"talk/launch/more{number}.launch.xml").write_text(f"<launch>{nodes}</launch>")
+
+
+def test_a_declared_configuration_and_every_launch_file(talking, capsys):
+    (talking / "roslens.toml").write_text(DECLARED)
+    assert report(talking, capsys, code=1)[0]["run"]["graphs"]["looked_at"] == ["robot"]
+    assert report(talking, capsys, "--graph", "all", code=1)[0]["run"]["graphs"]["looked_at"] == [
+        "robot",
+        "fleet.launch.xml",
+    ]
+
+
+def test_a_word_behind_the_option_is_a_path(talking, capsys, monkeypatch):
+    for words in (
+        ["--graph", str(talking)],
+        [str(talking), "--graph"],
+        [str(talking), "--graph", str(talking / "talk")],
+    ):
+        assert main(["check", *words, "--jobs", "1", "-q", "--no-store", "--fail-on", "never"]) == 0
+        assert "graph.qos" in capsys.readouterr().out
+    monkeypatch.chdir(talking / "talk")
+    assert main(["check", ".", "--graph", "launch", "--jobs", "1", "-q", "--no-store", "--fail-on", "never"]) == 0
+    assert "graph.qos" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '<launch><executable cmd="ros2 bag record -a"/></launch>',
+        '<launch><include file="$(find-pkg-share elsewhere)/launch/robot.launch.py"/></launch>',
+        "<launch/>",
+    ],
+)
+def test_a_launch_file_that_records_or_includes_what_is_not_here_is_no_failure(talking, capsys, content):
+    for path in talking.glob("talk/**/*.launch.*"):
+        path.unlink()
+    (talking / "talk/launch").mkdir(exist_ok=True)
+    (talking / "talk/launch/record.launch.xml").write_text(content)
+    assert report(talking, capsys)[0]["failures"] == []
+
+
+@pytest.mark.parametrize("command", ["ros2 bag record -a", "rviz2"])
+def test_a_declared_one_that_starts_programs_alone_is_no_failure(talking, capsys, command):
+    (talking / "roslens.toml").write_text(DECLARED)
+    (talking / "talk/launch/robot.launch.xml").write_text(f'<launch><executable cmd="{command}"/></launch>')
+    assert report(talking, capsys)[0]["failures"] == []
+
+
+def test_a_declared_one_that_starts_nothing_is_a_failure(talking, capsys):
+    (talking / "roslens.toml").write_text(DECLARED)
+    (talking / "talk/launch/robot.launch.xml").write_text("<launch/>")
+    (failure,) = report(talking, capsys, code=3)[0]["failures"]
+    assert 'configuration "robot" starts no node' in failure["what"]
+
+
+def test_an_argument_that_is_meant_to_be_given_is_no_error(talking, capsys):
+    (talking / "talk/launch/drive.launch").write_text(
+        '<launch><arg name="robot"/><node pkg="talk" type="talker" name="$(arg robot)"/></launch>'
+    )
+    _, graph = report(talking, capsys, "--fail-on", "never")
+    assert [one["rule"] for one in graph if one["path"].endswith("drive.launch")] == []
 
 
 def test_the_answer_is_kept_until_a_file_changes(talking, capsys):

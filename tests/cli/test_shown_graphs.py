@@ -87,7 +87,7 @@ def test_of_many_that_were_kept_the_largest_are_shown(talking, tmp_path, capsys)
     for number in range(9):
         nodes = "".join(f'<node pkg="a{place}" exec="b"/>' for place in range(number + 1))
         (talking / f"talk/launch/more{number}.launch.xml").write_text(f"<launch>{nodes}</launch>")
-    main(["check", str(talking), "-q", "--jobs", "1", "--graph", "--fail-on", "never"])
+    main(["check", str(talking), "-q", "--jobs", "1", "--graph", "all", "--fail-on", "never"])
     assert main(["report", str(talking), "-o", str(tmp_path / "out")]) == 0
     assert "8 of 10 launch files" in capsys.readouterr().err
     assert not (tmp_path / "out/computation/more0.launch.xml.json").exists()

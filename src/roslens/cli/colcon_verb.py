@@ -10,6 +10,7 @@ from colcon_core.plugin_system import satisfies_version
 from colcon_core.verb import VerbExtensionPoint
 
 from roslens.cli.commands import check
+from roslens.cli.graph.graph_stage import settle_graph_argument
 from roslens.cli.terminal.boundary import guarded
 
 
@@ -28,5 +29,6 @@ class RoslensVerb(VerbExtensionPoint):  # type: ignore[misc]
     def main(self, *, context: Any) -> int:
         """Check the folders given, or those that colcon looks into: ``src`` where there is one."""
         options = context.args
+        settle_graph_argument(options)
         options.paths = options.paths or ["src" if Path("src").is_dir() else "."]
         return guarded(lambda: check.run(options), ["check", *options.paths])

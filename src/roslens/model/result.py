@@ -7,6 +7,7 @@ import msgspec
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graphs.graph_scope import GraphScope
 from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
 from roslens.model.repository import FoundRepository
@@ -103,7 +104,7 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     analysers): two runs of the same key have the same result. ``commit`` is the commit of the
     workspace's repository, with ``+`` where its tree differs. ``tools`` maps names to versions;
     ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included. ``repositories``
-    are those that the packages are in, by path.
+    are those that the packages are in, by path. ``graphs`` is which computation graphs it looked at; None for none.
     """
 
     key: str
@@ -116,6 +117,7 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     configuration: dict[str, object] = {}
     models: tuple[str, ...] = ()
     repositories: tuple[FoundRepository, ...] = ()
+    graphs: GraphScope | None = None
 
     @property
     def commits(self) -> tuple[tuple[str, str], ...]:

@@ -282,6 +282,7 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             beside = sight.outcome.findings
             rest.append(msgspec.structs.replace(sight.outcome, findings=()))
             configurations = sight.configurations
+            header = msgspec.structs.replace(header, graphs=sight.graphs)
         reported = Reported((), not_judged(models))
         if run.past is not None:
             paths = {package.id: package.path for package in packages.values()}

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.model.graphs.graph_scope import GraphScope
 from roslens.source.fetch.fetched_set import FetchedSet
 from roslens.source.inventory import Inventory
 from roslens.source.keys import key_of
@@ -39,10 +40,11 @@ class Clock(msgspec.Struct, frozen=True):
 
 
 class Sight(msgspec.Struct, frozen=True):
-    """What a further look found, and the computation graphs that it looked at; the run keeps both."""
+    """What a further look found, the computation graphs that it looked at, and which these are; the run keeps all."""
 
     outcome: Outcome
     configurations: tuple[JudgedConfiguration, ...] = ()
+    graphs: GraphScope | None = None
 
 
 class Beyond(msgspec.Struct, frozen=True):

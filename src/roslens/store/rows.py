@@ -11,6 +11,7 @@ from roslens.model.edit import Edit
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
+from roslens.model.graphs.graph_scope import GraphScope
 from roslens.model.repository import FoundRepository
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import Disposition, SetAside
@@ -29,7 +30,7 @@ TAGS = FINDING.split(", ").index("tag_set") + 1
 """Place of the set of tags in a row of ``position, FINDING``."""
 SET_ASIDE = "path, state, reason, said_by, package, finding"
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
-RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models, repositories'
+RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models, repositories, graphs'
 
 _encode = msgspec.json.Encoder().encode
 _decode = msgspec.json.decode
@@ -38,6 +39,7 @@ _decode_package = msgspec.json.Decoder(Package).decode
 _decode_finding = msgspec.json.Decoder(Finding).decode
 _decode_location = msgspec.json.Decoder(Location).decode
 _decode_repositories = msgspec.json.Decoder(tuple[FoundRepository, ...]).decode
+_decode_graphs = msgspec.json.Decoder(GraphScope | None).decode
 _decode_edits = msgspec.json.Decoder(tuple[Edit, ...]).decode
 _decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
 
@@ -212,12 +214,13 @@ def run_row(header: RunHeader) -> Row:
         to_json(header.configuration),
         to_json(header.models),
         to_json(header.repositories),
+        to_json(header.graphs),
     )
 
 
 def to_header(row: Row) -> RunHeader:
     """Read ``RUN``."""
-    key, root, paths, started, seconds, commit, tools, configuration, models, repositories = row
+    key, root, paths, started, seconds, commit, tools, configuration, models, repositories, graphs = row
     return RunHeader(
         key,
         root,
@@ -229,4 +232,5 @@ def to_header(row: Row) -> RunHeader:
         _decode(configuration),
         to_texts(models),
         _decode_repositories(repositories),
+        _decode_graphs(graphs),
     )

@@ -24,6 +24,10 @@ if TYPE_CHECKING:
 MOST_BYTES = 1_000_000_000
 """A larger report is not read."""
 
+GRAPH_SCOPE = "configuration"
+"""Scope of the rules that look at computation graphs."""
+GRAPHS = "computationGraphs"
+"""Property of a run in SARIF: whether it looked at computation graphs."""
 LAST = "last"
 """Names the newest run before this one."""
 
@@ -32,13 +36,14 @@ class Baseline(msgspec.Struct, frozen=True):
     """What a run is compared with.
 
     ``files`` are git's hashes of the files there were by path, None where that is not known; ``renamed`` are paths of
-    files now by those of the baseline.
+    files now by those of the baseline; ``graphs`` is whether it looked at computation graphs.
     """
 
     title: str
     findings: tuple[Finding, ...]
     files: Mapping[str, str] | None = None
     renamed: Mapping[str, str] = {}
+    graphs: bool = True
 
 
 def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
@@ -138,7 +143,12 @@ def _of_run(name: str, store: Store, current: RunView, *, fresh: bool) -> Baseli
     _refuse_unknown_run(str(number), runs)
     view = store.view(number)
     files = {file.path: file.content_hash for _, file in view.files()}
-    return Baseline(f"run {number}", tuple(view.findings()), files)
+    return Baseline(f"run {number}", tuple(view.findings()), files, graphs=looked_at_graphs(view))
+
+
+def looked_at_graphs(view: RunView) -> bool:
+    """Return whether a run looked at computation graphs: then it knows their rules, whatever these found."""
+    return view.header.graphs is not None or any(rule.scope == GRAPH_SCOPE for rule in view.rules())
 
 
 def _of_file(path: Path) -> Baseline:
@@ -152,9 +162,12 @@ def _of_file(path: Path) -> Baseline:
     try:
         if isinstance(document, dict) and str(document.get("schema", "")).startswith("roslens-report/"):
             files = {one["path"]: one["content_hash"] for one in document["files"]}
-            return Baseline(str(path), tuple(map(_of_json, document["findings"])), files)
+            graphs = any(rule.get("scope") == GRAPH_SCOPE for rule in document.get("rules", ()))
+            return Baseline(str(path), tuple(map(_of_json, document["findings"])), files, graphs=graphs)
         if isinstance(document, dict) and "runs" in document:
-            return Baseline(str(path), tuple(_of_sarif(document)))
+            graphs = any(run.get("properties", {}).get(GRAPHS) for run in document["runs"])
+            found = tuple(_of_sarif(document))
+            return Baseline(str(path), found, graphs=graphs or any(one.rule.startswith("graph.") for one in found))
     except (KeyError, TypeError, AttributeError, ValueError, IndexError) as error:
         raise UsageError(
             f'--baseline "{path}" is not as it was written: {type(error).__name__}: {error}', expected=expected
@@ -278,7 +291,9 @@ def analysed_revision(
             )
             view = store.view(answer.run)
             files = {file.path: file.content_hash for _, file in view.files()}
-            return Baseline(revision.title, tuple(view.findings()), files, renamed_since(revision))
+            return Baseline(
+                revision.title, tuple(view.findings()), files, renamed_since(revision), graphs=looked_at_graphs(view)
+            )
 
 
 def _lend(kept: Path, copy: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from roslens.cli.check.kept_changed_run import KeptChangedRun
     from roslens.cli.workplace.configuration import Configuration
     from roslens.model.failure import Failure
+    from roslens.model.finding import Finding
     from roslens.report.run.reported import Wanted
     from roslens.store.read import RunView
     from roslens.store.runs import Store
@@ -124,7 +125,32 @@ def _compared(view: RunView, wanted: Wanted, baseline: Baseline, *, new_only: bo
     from roslens.store.narrowed import NarrowedView
 
     files = {file.path for _, file in view.files()}
-    found = since_baseline(baseline.findings, view.findings(), files, baseline.renamed)
+    before, now, title = _alike(baseline, view)
+    found = since_baseline(before, now, files, baseline.renamed)
     judged = NarrowedView(view, lambda finding: key_of_finding(finding) in found.new)
-    compared = msgspec.structs.replace(wanted, baseline=baseline.title, new=found.new, gone=found.gone)
+    compared = msgspec.structs.replace(wanted, baseline=title, new=found.new, gone=found.gone)
     return Scope(view, judged if new_only else view, judged, compared, baseline)
+
+
+def _alike(baseline: Baseline, view: RunView) -> tuple[Sequence[Finding], Sequence[Finding], str]:
+    """Return the findings that are compared, and the name of the baseline.
+
+    Where one side did not look at computation graphs, what the other found in them is neither new nor gone.
+    """
+    from roslens.cli.check.baseline import GRAPH_SCOPE, looked_at_graphs
+
+    now = list(view.findings())
+    if baseline.graphs == looked_at_graphs(view):
+        return baseline.findings, now, baseline.title
+    graph_rules = {rule.id for rule in view.rules() if rule.scope == GRAPH_SCOPE}
+
+    def others(findings: Sequence[Finding]) -> list[Finding]:
+        return [one for one in findings if one.rule not in graph_rules and not one.rule.startswith("graph.")]
+
+    if baseline.graphs:
+        return others(baseline.findings), now, baseline.title
+    return (
+        baseline.findings,
+        others(now),
+        f"{baseline.title} (which has no computation graphs: theirs are not compared)",
+    )

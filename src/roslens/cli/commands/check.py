@@ -18,7 +18,7 @@ from roslens.cli.check.fix_option import add_fix_arguments, refuse_contradiction
 from roslens.cli.check.kept_changed_run import STORE as CHANGED_STORE
 from roslens.cli.check.kept_changed_run import keep_changed_run
 from roslens.cli.check.kept_new import keep_new
-from roslens.cli.graph.graph_stage import add_graph_argument
+from roslens.cli.graph.graph_stage import HERE, add_graph_argument, settle_graph_argument
 from roslens.cli.terminal.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.terminal.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace.known_tags import refuse_unknown_tags
@@ -59,12 +59,13 @@ EXAMPLES = """\
   roslens check --changed --fix --fix-rule 'cpp.*'           these rules only, in changed files
   roslens check --watch                                      each file again as it is saved
   roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history
-  roslens check --graph                  also what does not fit together once the launch files are started"""
+  roslens check --graph all              the computation graph of every launch file, not only of the largest
+  roslens check --no-graph               without what does not fit together once the launch files are started"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``roslens check``."""
-    parser.add_argument("paths", nargs="*", default=["."], metavar="PATH", help="folders to look into (default: .)")
+    parser.add_argument("paths", nargs="*", default=HERE, metavar="PATH", help="folders to look into (default: .)")
     add_output_arguments(parser)
     parser.add_argument(
         "--model", action="append", metavar="NAME", help="quality model, built in or a file; may be given again"
@@ -122,6 +123,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.source.workspace.find import root_of
 
     begun = time.monotonic()
+    settle_graph_argument(options)
     tags = parse_tags(options.tag or "")
     chosen = outputs(options.format or (), options.output or ())
     _refuse_jobs(options.jobs)

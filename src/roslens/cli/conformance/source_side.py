@@ -75,7 +75,9 @@ def stored_side(word: str, options: argparse.Namespace, others: Sequence[Side]) 
     loose = tuple(one.configuration for one in every if one.configuration.unstarted)
     if not kept:
         raise UsageError(
-            f"run {run} keeps no graph", expected="a run of `roslens check --graph`", advice="Or name the workspace"
+            f"run {run} keeps no graph",
+            expected="a run of `roslens check` without --no-graph",
+            advice="Or name the workspace",
         )
     if wanted and wanted not in kept:
         raise UsageError(f"run {run} has no configuration {wanted!r}", expected=f"one of {', '.join(kept)}")

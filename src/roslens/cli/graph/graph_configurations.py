@@ -13,6 +13,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.errors import RoslensError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.graphs.graph_scope import GraphScope
 from roslens.model.judged_configuration import JudgedConfiguration
 
 if TYPE_CHECKING:
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
 
 LOOKING = "Looking at configurations"
 """The step in which they are assembled, one by one."""
+
+OUTSIDE = "not in the workspace"
+"""Words in the reason why something is not known that a package would tell which is elsewhere."""
 
 MOST = 8
 """Maximum number of launch files that are shown without a declaration: those that together start most nodes."""
@@ -86,6 +90,10 @@ def named_configurations(source: GraphSource) -> tuple[Named, ...]:
     """Return what ``roslens.toml`` declares, or else each launch file that no other includes."""
     if declared := source.settings.graph.configurations:
         return tuple(Named(name, one.launch, one.given()) for name, one in declared.items())
+    return _first_launch_files(source)
+
+
+def _first_launch_files(source: GraphSource) -> tuple[Named, ...]:
     paths = source.first_launch_files()
     often = Counter(path.rpartition("/")[2] for path in paths)
     return tuple(
@@ -93,8 +101,40 @@ def named_configurations(source: GraphSource) -> tuple[Named, ...]:
     )
 
 
+class Chosen(msgspec.Struct, frozen=True):
+    """The configurations that are looked at, in order, and the launch files that are not, as paths."""
+
+    named: tuple[Named, ...]
+    left_out: tuple[str, ...] = ()
+
+    def scope(self) -> GraphScope:
+        """Return what a run keeps of the choice."""
+        return GraphScope(tuple(one.name for one in self.named), self.left_out)
+
+
+def chosen_configurations(source: GraphSource, *, every: bool = False) -> Chosen:
+    """Return what ``roslens.toml`` declares, or else the launch files that together start most nodes.
+
+    Args:
+        source: the workspace.
+        every: whether to look at each launch file that no other includes, however many there are.
+    """
+    if not every and source.settings.graph.configurations:
+        return Chosen(named_configurations(source))
+    named = _first_launch_files(source)
+    if every:
+        names = {one.name for one in named}
+        declared = [one for one in named_configurations(source) if one.name not in names]
+        return Chosen((*declared, *named))
+    shown = largest(source, named)
+    left_out = {one.launch for one in named} - {one.launch for one in shown}
+    return Chosen(shown, tuple(sorted(launch.removeprefix(f"{source.root}/") for launch in left_out)))
+
+
 def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tuple[Named, ...]:
     """Return those that together start most nodes, in their order."""
+    if len(named) <= most:
+        return tuple(named)
     started = {one.name: _started(source.evaluated(one.launch, one.arguments)[1]) for one in named}
     kept = most_telling(started, most)
     return tuple(one for one in named if one.name in kept)
@@ -159,7 +199,7 @@ def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | 
             failures.append(_failure(one, error))
         else:
             configurations[one.name], findings[one.name] = made, tuple(found)
-            if not made.nodes:
+            if not made.nodes and not _is_elsewhere(source.evaluated(one.launch, one.arguments)[1]):
                 failures.append(_empty(one, made))
         watch.advance(item=one.name)
     unstarted: tuple[Configuration, ...] = ()
@@ -185,6 +225,11 @@ def _failure(one: Named, error: Exception) -> Failure:
         advice="Please report it with the file: this is a bug in roslens",
         detail="".join(traceback.format_exception(error)),
     )
+
+
+def _is_elsewhere(launch: Launch) -> bool:
+    """Whether a launch file starts programs that are no nodes, as a recorder, or includes what is not here."""
+    return bool(launch.nodes) or any(OUTSIDE in one.reason for one in launch.unresolved)
 
 
 def _empty(one: Named, made: Configuration) -> Failure:

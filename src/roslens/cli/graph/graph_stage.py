@@ -12,16 +12,35 @@ if TYPE_CHECKING:
     from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
 
+ALL = "all"
+"""Value of ``--graph`` that looks at every launch file."""
+HERE = ["."]
+"""The folders that are looked into where none is given; the list itself tells that none was."""
+_CHOSEN = "chosen"
+
 
 def add_graph_argument(parser: argparse.ArgumentParser) -> None:
     """Add ``--graph`` and ``--no-graph``."""
     parser.add_argument(
         "--graph",
-        action=argparse.BooleanOptionalAction,
-        default=None,
-        help="look for what does not fit together in computation graphs: of the configurations in roslens.toml, or of "
-        "every launch file that no other includes (default: where there are such configurations)",
+        nargs="?",
+        const=_CHOSEN,
+        metavar=ALL,
+        help="check computation graphs, which is the default: of the configurations in roslens.toml, or of the launch "
+        "files that together start most nodes; `--graph all`: of every launch file that no other includes",
     )
+    parser.add_argument(
+        "--no-graph", dest="graph", action="store_const", const=False, help="leave computation graphs out"
+    )
+
+
+def settle_graph_argument(options: argparse.Namespace) -> None:
+    """Take a word behind ``--graph`` that is not ``all`` as the path it is: ``roslens check --graph src``."""
+    word = options.graph
+    if not word or word in (ALL, _CHOSEN):
+        return
+    options.graph = _CHOSEN
+    options.paths = [word] if options.paths is HERE else [*options.paths, word]
 
 
 def graph_look(
@@ -32,7 +51,7 @@ def graph_look(
     cache: Path | None,
     progress: Progress,
 ) -> Beyond | None:
-    """Return the check of configurations; None if it is not requested.
+    """Return the check of configurations; None if it is left out.
 
     Args:
         options: of the command line.
@@ -42,24 +61,25 @@ def graph_look(
         cache: the file in which is kept what was learned of files; None keeps nothing.
         progress: who watches.
     """
-    wanted = bool(settings.graph.configurations) if options.graph is None else options.graph
-    if not wanted or "graph" in settings.disable:
+    if options.graph is False or "graph" in settings.disable:
         return None
     from roslens.source.pipeline import Beyond
     from roslens.source.rules.graph.findings import RULES
 
     jobs = configuration.jobs if options.jobs is None else options.jobs
     hinted_in = Path(configuration.path).name
+    every = options.graph == ALL
 
     def look() -> Sight:
-        from roslens.cli.graph.graph_configurations import assembled, named_configurations
+        from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
         from roslens.cli.graph.graph_source import GraphSource
         from roslens.plugins.outcome import Outcome
         from roslens.source.pipeline import Sight
 
         # Conditions of manifests see what the settings of the run hold of the environment.
         with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
-            found = assembled(source, named_configurations(source), progress)
-        return Sight(Outcome(findings=found.all_findings(), failures=found.failures), found.judged())
+            chosen = chosen_configurations(source, every=every)
+            found = assembled(source, chosen.named, progress)
+        return Sight(Outcome(findings=found.all_findings(), failures=found.failures), found.judged(), chosen.scope())
 
-    return Beyond("graph", tuple(rule for rule, _ in RULES), look)
+    return Beyond(f"graph {ALL}" if every else "graph", tuple(rule for rule, _ in RULES), look)

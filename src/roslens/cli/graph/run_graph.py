@@ -52,10 +52,13 @@ def graph_of_run(text: str, path: str = ".") -> RunGraph:
     with open_store(path) as store:
         view = store.view(int(number))
         kept = {one.name: one.configuration for one in view.configurations() if not one.configuration.unstarted}
-        if not kept:
-            _require_files(view)
         header = view.header
-    if kept:
+        from_files = not kept or (
+            bool(wanted) and wanted not in kept and bool(header.graphs and header.graphs.left_out)
+        )
+        if from_files:
+            _require_files(view)
+    if not from_files:
         name = _only(tuple(kept), wanted, number)
         return _run_graph(number, name, kept[name])
     try:
@@ -64,9 +67,9 @@ def graph_of_run(text: str, path: str = ".") -> RunGraph:
         # A run of another version of roslens may have been asked for something else.
         settings = SourceSettings()
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=find_folder(path) / CACHE) as source:
-        from roslens.cli.graph.graph_configurations import named_configurations
+        from roslens.cli.graph.graph_configurations import chosen_configurations
 
-        named = {one.name: one for one in named_configurations(source)}
+        named = {one.name: one for one in chosen_configurations(source, every=True).named}
         one = named[_only(tuple(named), wanted, number)]
         return _run_graph(number, one.name, source.launched(one.launch, one.arguments))
 
@@ -123,5 +126,5 @@ def _require_files(view: RunView) -> None:
         raise UsageError(
             f"{and_more(changed)} changed since run {view.id}",
             expected="files as they were, or a run that keeps its graphs",
-            advice="Run `roslens check --graph` and name the new run, or check out what the run was about",
+            advice="Run `roslens check` and name the new run, or check out what the run was about",
         )

@@ -59,7 +59,7 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     if not found:
         return None
     declared = bool(_settings_of(view.header).graph.configurations)
-    among = 0
+    among = view.header.graphs.among if view.header.graphs is not None else 0
     if not declared and len(found) > MOST:
         among = len(found)
         largest = most_telling(
@@ -119,7 +119,7 @@ def _note(changed: tuple[str, ...]) -> str:
         return ""
     return (
         "This is the graph of the files as they are now, not of those that the run saw: it keeps none, and "
-        f"{and_more(changed)} changed since. `roslens check --graph` keeps graphs with a run."
+        f"{and_more(changed)} changed since. `roslens check` without --no-graph keeps graphs with a run."
     )
 
 
@@ -137,17 +137,14 @@ def _settings_of(header: RunHeader) -> SourceSettings:
 
 def _chosen(source: GraphSource, *, quiet: bool) -> tuple[tuple[Named, ...], str]:
     """Return the configurations that are shown, and what readers have to know of those that are not."""
-    from roslens.cli.graph.graph_configurations import largest, named_configurations, note_of_left_out
+    from roslens.cli.graph.graph_configurations import chosen_configurations, note_of_left_out
 
-    named = named_configurations(source)
-    if source.settings.graph.configurations:
-        return named, ""
-    chosen = largest(source, named)
-    if len(chosen) == len(named):
-        return chosen, ""
+    chosen = chosen_configurations(source)
+    if not chosen.left_out:
+        return chosen.named, ""
     if not quiet:
-        _tell_left_out(len(chosen), len(named))
-    return chosen, note_of_left_out(len(chosen), len(named))
+        _tell_left_out(len(chosen.named), chosen.scope().among)
+    return chosen.named, note_of_left_out(len(chosen.named), chosen.scope().among)
 
 
 def _tell_left_out(shown: int, all_: int) -> None:

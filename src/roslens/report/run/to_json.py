@@ -16,6 +16,7 @@ from roslens.judge.quality.unusual import percentiles
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
+from roslens.model.graphs.graph_scope import GraphScope
 from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
 from roslens.model.repository import FoundRepository
@@ -112,7 +113,12 @@ def _run(header: RunHeader, tags: TagFilter) -> dict[str, Any]:
         "models": header.models,
         "configuration": header.configuration,
         "tags": str(tags),
+        **({"graphs": _graphs(header.graphs)} if header.graphs else {}),
     }
+
+
+def _graphs(one: GraphScope) -> dict[str, Any]:
+    return {"looked_at": one.looked_at, "left_out": one.left_out}
 
 
 def _process(one: RepositoryProcess) -> dict[str, Any]:

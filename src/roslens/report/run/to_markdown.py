@@ -54,6 +54,8 @@ def _head(view: RunView, findings: list[Reported], wanted: Wanted) -> Iterator[s
     yield f"{plural(count, 'package')}, {plural(sum(package.files for package in packages), 'file')}{models}{commit}."
     if others := aside(view, wanted.tags):
         yield f"{plural(others, 'more finding')} in test, generated or vendored code do not count here."
+    if view.header.graphs and (note := view.header.graphs.note()):
+        yield f"{_cell(note)}."
     for one in wanted.gate:
         state = {True: "holds", False: "is broken", None: "cannot be determined"}[one.holds]
         yield f"- gate {state}: {_cell(one.text)}"

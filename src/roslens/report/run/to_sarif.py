@@ -68,6 +68,8 @@ def write_sarif(view: RunView, stream: TextIO, wanted: Wanted) -> None:
             *(_suppressed(one, order[one.finding.rule], wanted.below, files) for one in hushed),
         ],
     }
+    if view.header.graphs is not None:
+        run["properties"] = {"computationGraphs": True}
     document = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     stream.write(msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n")
 

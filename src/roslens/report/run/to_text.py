@@ -83,6 +83,7 @@ def to_text(
             *hushed,
             *_copies(terminal, packages),
             *(line for text in since for line in _quiet(terminal, text)),
+            *(_quiet(terminal, terminal.clean(header.graphs.note())) if header.graphs else ()),
         ],
         list(_failures(terminal, failures)),
         list(_next(terminal, groups, failures, packages, revision)),

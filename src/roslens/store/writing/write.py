@@ -242,7 +242,7 @@ class RunWriter:
         run = _inserted(
             connection.execute(
                 f"INSERT INTO run ({rows.RUN}, vocabulary, workspace, packages, files, entities, findings, failures) "  # noqa: S608 - column names of this module
-                f"VALUES ({', '.join('?' * 17)})",
+                f"VALUES ({', '.join('?' * 18)})",
                 (
                     *rows.run_row(header),
                     self._vocabulary(workspace),

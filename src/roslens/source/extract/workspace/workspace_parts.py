@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import Protocol, TypeVar
+from typing import Protocol, TypeVar, cast
 
 import msgspec
 
@@ -122,6 +122,7 @@ class WorkspaceParts:
         self._macros = settings.macros
         self._jobs = jobs
         self._indexes: dict[str, SymbolTable] = {}
+        self._made: dict[str, Lasting] = {}
         for one in workspace.packages:
             if one.package.id != OUTSIDE_PACKAGES:
                 self.found.setdefault(one.package.name, one)
@@ -143,6 +144,12 @@ class WorkspaceParts:
     def kept(self, name: str, key: str, kind: type[Part], make: Callable[[], Part]) -> Part:
         """Return a part from the cache; what is not there is made, and kept if it will last."""
         full = f"graph:{name}:{key}"
+        if full not in self._made:
+            self._made[full] = self._looked_up(full, kind, make)
+        # The name, which is a part of the key, tells of what kind it is.
+        return cast("Part", self._made[full])
+
+    def _looked_up(self, full: str, kind: type[Part], make: Callable[[], Part]) -> Part:
         if (packed := self.cached.get((full,)).get(full)) is not None:
             try:
                 part = msgspec.msgpack.decode(plain(packed), type=kind)

@@ -1,0 +1,1 @@
+"""What a run looked at of its computation graphs, and how much of each is known."""

@@ -27,6 +27,6 @@ def test_its_example_is_read_and_taken_by_the_schema():
 
 def test_the_schema_refuses_what_the_reader_refuses():
     assert not accepted(EXAMPLE.replace("restart:", "explode:"))
-    assert not accepted(EXAMPLE.replace("is: [gone, stopped]", "is: [gone, stoped]"))
-    assert not accepted(EXAMPLE.replace("is: [gone, stopped], ", ""))
+    assert not accepted(EXAMPLE.replace("is: [crashed, stopped]", "is: [crashed, stoped]"))
+    assert not accepted(EXAMPLE.replace("is: [crashed, stopped], ", ""))
     assert not accepted(EXAMPLE.replace("type: std_msgs/msg/Bool", "typ: std_msgs/msg/Bool"))

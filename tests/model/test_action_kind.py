@@ -41,6 +41,11 @@ def test_what_a_host_does_is_done_to_something_on_it():
 
 def test_defaults_are_filled_in_and_what_is_given_stays():
     kind = action_kind("restart")
-    assert kind.filled({"grace": 1.0}) == {"grace": 1.0, "kill_after": 5.0, "whole_process": False}
+    assert kind.filled({"grace": 1.0}) == {
+        "grace": 1.0,
+        "kill_after": 5.0,
+        "whole_process": False,
+        "after_orderly_end": False,
+    }
     assert kind.argument("grace").default == 5.0
     assert kind.argument("nothing") is None

@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from roslens.live.agent.allow_list import EXAMPLE, AllowList, read_allow_list
@@ -64,3 +66,8 @@ def test_a_list_that_others_can_write_is_none(written, tmp_path):
         read_allow_list(written(EXAMPLE, 0o666))
     with pytest.raises(DocumentError, match="--enrol"):
         read_allow_list(tmp_path / "none")
+
+
+def test_the_page_of_the_agent_has_its_form():
+    page = Path(__file__).parents[3] / "docs/reference/agent.md"
+    assert EXAMPLE in page.read_text("utf-8")

@@ -20,6 +20,7 @@ class Scene:
 
     def __init__(self, mode=Mode.ACT, **limits):
         self.due, self.outcomes, self.checked, self.truth, self.unwell = [], [], [], {}, ""
+        self.spared = {}
         self.begun, self.came, self.cleared, self.stopped = [], [], [], 0
         self.entries, self.questions, self.said, self.withdrawn = [], [], [], []
         self.hold, self.now = "", 1000.0

@@ -19,6 +19,7 @@ from roslens.cli.react.ask_terminal import AskNobody, AskTerminal
 from roslens.cli.react.hold_file import Held
 from roslens.cli.react.react_page import AskEverywhere, serve_reacting, write_refusals
 from roslens.cli.react.react_reload import Renewal
+from roslens.cli.react.sole_reactor import hold_alone
 from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.cli.watch.param_reference import reference_sources
 from roslens.cli.watch.stretch import Stretch, never_saw
@@ -216,6 +217,8 @@ class Reacting:
         self._own, far, topic = self._here(), self._far_agents(), self._journal_topic()
         self._sources = sources_of(self._options)
         self._tools = [one.tool for one in self._sources if isinstance(one, ChildSource)]
+        if self._options.mode != "dry-run":
+            hold_alone(self._stack, (_system(tool, self._options) for tool in self._tools))
         hands = self._hands = self._all_hands(self._tools, self._own, far)
         self._stack.callback(hands.close)
         hands.prepare(self._reference.reactions)
@@ -382,6 +385,14 @@ class _Here:
             self.reported(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
 
         self.hand: HostHand = HostHand(allow, self.records, reported, output=output, held=held)
+
+
+def _system(tool: str, options: argparse.Namespace) -> str:
+    """Return which system an observer of ROS observes, in words that are the same for all observers of it."""
+    if tool == "ros1":
+        return f"master {options.master or os.environ.get('ROS_MASTER_URI', '') or 'http://localhost:11311'}"
+    domain = options.domain if options.domain is not None else os.environ.get("ROS_DOMAIN_ID", "") or 0
+    return f"ROS domain {domain}"
 
 
 def _ros_line(tool: str, options: argparse.Namespace) -> RosLine:

@@ -28,10 +28,10 @@ conditions:
     when: {node: /base, lifecycle: active}
 
 reactions:
-  # The lidar driver is gone or stopped: restart it; if it is not back within 10 s, stop the robot.
+  # The lidar driver crashed or is stopped: restart it; if it is not back within 10 s, stop the robot.
   - id: lidar
     text: "{entity} on {host} is {state}"
-    when: {node: /lidar, is: [gone, stopped], for: 2 s}
+    when: {node: /lidar, is: [crashed, stopped], for: 2 s}
     only_while: {condition: driving}
     unless: {parameter: /base/maintenance, value: true}
     cool_down: 1 min
@@ -63,7 +63,7 @@ given:
   - {at: 0 s, node: /base, lifecycle: active}
   - {at: 0 s, parameter: /base/maintenance, value: "false"}
   - {at: 0 s, topic: /scan, signal: rate, is: ok}
-  - {at: 20 s, node: /lidar, is: gone}
+  - {at: 20 s, node: /lidar, is: crashed}
   - {at: 21 s, topic: /scan, signal: rate, is: absent, cause: "node:/lidar"}
 until: 40 s
 expect:
@@ -98,6 +98,13 @@ true if one part is true, otherwise unknown if one is. A statement may set the v
 Nodes that disappear together with all others of their host, within 10 s, are unknown as well: the host is off, or all
 of them were shut down, and restarting each would be wrong. What an observer watches stays unknown until 3 s after the
 observer reports again.
+
+A node is `crashed` if its process ended by a signal or with an error (`gone` is any node that left). The host on which
+it ran sees the exit status: code 0, SIGINT, SIGTERM and SIGHUP are an end in order. Where the kernel keeps no status
+for others than the parent (before Linux 6.15), a node that took its leave from the graph ended in order, and one that
+was still in it crashed. What somebody ended in order is not started again by `restart` and `start`, whatever their
+condition, unless they are given `after_orderly_end: true`; the journal has an entry `spared` then. A Python node that
+does not handle `ExternalShutdownException` ends on SIGTERM with exit code 1, which cannot be told from an error.
 
 A reaction with `match: any` can start again once its condition is no longer true of any entity. Entities that have
 ended meanwhile, or were never judged, do not prevent that; a host that is no longer sampled does, if it was judged

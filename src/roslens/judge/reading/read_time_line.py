@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -26,6 +27,7 @@ WITHIN_S = 0.5
 AFTER_S = 60.0
 """How long a time line continues after its last entry, by default."""
 MOST_S = 3600.0
+_END = re.compile(r"(exit|signal) [0-9]{1,3}")
 _KINDS = (*KINDS, EntityKind.OBSERVER)
 
 TIME_LINE_KEYS = {
@@ -47,6 +49,7 @@ GIVEN_KEYS = {
     "severity": "of the verdict",
     "cause": "entity that explains the verdict, as `kind:name`",
     "number": "value that was judged",
+    "ended": "how the process of a node that is gone ended: `exit 0`, `signal 2`; by default that was not seen",
 }
 EXPECT_KEYS = {
     "at": "when",
@@ -72,6 +75,7 @@ class Given(msgspec.Struct, frozen=True):
     severity: Severity = Severity.ERROR
     cause: str = ""
     number: float | None = None
+    ended: str = ""
 
 
 class Expected(msgspec.Struct, frozen=True):
@@ -180,7 +184,7 @@ def _being_or_state(section: Section, common: Given) -> Given:
     """Return what is given of an entity, with whether it is there, or how it is judged."""
     word = section.text("is")
     if word in BEING_WORDS:
-        return msgspec.structs.replace(common, being=Being(word))
+        return msgspec.structs.replace(common, being=Being(word), ended=_ended(section, common, word))
     states = [state.value for state in State]
     if word not in states:
         valid = (*states, *BEING_WORDS)
@@ -194,6 +198,17 @@ def _being_or_state(section: Section, common: Given) -> Given:
         severity=section.choice("severity", Severity, Severity.ERROR),
         cause=_entity(section, "cause"),
     )
+
+
+def _ended(section: Section, common: Given, word: str) -> str:
+    text = section.text("ended", "")
+    if not text:
+        return ""
+    if common.entity.kind is not EntityKind.NODE or word != Being.GONE.value:
+        raise section.fault("ended", f"'ended' of {common.entity} that is {word}", expected="it of a node that is gone")
+    if not _END.fullmatch(text):
+        raise section.fault("ended", f"ended is {text!r}", expected="`exit N` or `signal N`")
+    return text
 
 
 _SAID = {"is": _being_or_state, "lifecycle": _in_lifecycle, "value": _valued}

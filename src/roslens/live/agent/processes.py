@@ -13,9 +13,11 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.live.agent.exit_status import how_it_ended
 from roslens.live.agent.kept_open import KeptOpen
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process
+from roslens.model.process_end import UNKNOWN
 from roslens.model.traffic.sample import Sample
 
 IN_TURN = 10
@@ -143,8 +145,9 @@ class ProcessSampler:
 
     def close(self) -> None:
         """Let all processes go."""
-        for pid in list(self._watched):
-            self._gone(pid, 0.0)
+        for one in self._watched.values():
+            _let_go(one)
+        self._watched.clear()
 
     def _look_at(self, pid: int, ticks: int, now: float) -> list[Event]:
         folder = self._proc / str(pid)
@@ -164,10 +167,9 @@ class ProcessSampler:
 
     def _gone(self, pid: int, now: float) -> Event:
         one = self._watched.pop(pid)
-        one.stat.close()
-        if one.handle >= 0:
-            os.close(one.handle)
-        return Event(now, Change.VANISHED, str(one.entity), one.process.command)
+        ended = how_it_ended(pid, one.handle, self._proc) if one.handle >= 0 else UNKNOWN
+        _let_go(one)
+        return Event(now, Change.VANISHED, str(one.entity), one.process.command, ended)
 
     def _quick(self, one: _Watched, now: float) -> dict[str, float] | None:
         fields = _stat_fields(one.stat.read())
@@ -214,6 +216,12 @@ class ProcessSampler:
             if line.startswith(b"btime "):
                 return int(line.split()[1]) + ticks / self._hertz
         return 0.0
+
+
+def _let_go(one: _Watched) -> None:
+    one.stat.close()
+    if one.handle >= 0:
+        os.close(one.handle)
 
 
 def _counters_of(folder: Path) -> dict[str, int]:

@@ -109,6 +109,7 @@ class Actor:
         self._under_way: dict[str, _Open] = {}
         self._repeats: set[str] = set()
         self._unwell: str | None = None
+        self._spared: dict[tuple[str, str], str] = {}
         self._hold = ""
 
     def take(self, step: Step) -> None:
@@ -117,6 +118,7 @@ class Actor:
         for decision in self.reactor.look(step, step.time):
             self._decide(decision, step.time)
         self._notice_unwell(step)
+        self._notice_spared(step)
         self._waited(step)
         self._answered(step)
         self._carried_out(step)
@@ -156,6 +158,14 @@ class Actor:
             first, self._unwell = self._unwell is None, unwell
             if unwell or not first:
                 self._journal.add("unwell" if unwell else "well", step.time, text=unwell)
+
+    def _notice_spared(self, step: Step) -> None:
+        """Journal once why a node that somebody ended is not started again."""
+        spared = self.reactor.spared
+        for (reaction, entity), why in spared.items():
+            if (reaction, entity) not in self._spared:
+                self._journal.add("spared", step.time, reaction=reaction, entity=entity, text=why)
+        self._spared = spared
 
     def _decide(self, decision: Decision, now: float) -> None:
         reported = msgspec.to_builtins(decision)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.graph import Change, Event, Graph, Role
+from roslens.model.graph import Change, Event, Graph, Node, Role
+from roslens.model.process_end import in_order
 
 BEFELL_S = 10.0
 """So long it counts that something was restarted, or that it flaps."""
@@ -21,6 +24,28 @@ _ENDS = {
 _BEFELL = (Change.RESTARTED, Change.FLAPPING)
 
 
+class Ended(msgspec.Struct, frozen=True):
+    """The end of the process of a node.
+
+    Attributes:
+        process: as ``host/pid``.
+        at: when it ended.
+        how: as `model/process_end.py` writes it.
+        in_graph: whether the node was still in the graph when its process was gone: it did not take its leave.
+    """
+
+    process: str
+    at: float
+    how: str
+    in_graph: bool
+
+    @property
+    def in_order(self) -> bool:
+        """Whether it was asked to end, or was done; where nobody saw its status, whether it took its leave."""
+        known = in_order(self.how)
+        return not self.in_graph if known is None else known
+
+
 class Presences:
     """What was ever there, and since when it is or is not; times are seconds on the monitor's clock."""
 
@@ -28,11 +53,12 @@ class Presences:
         """Start without any node."""
         self._there: dict[EntityId, float] = {}
         self._gone: dict[EntityId, float] = {}
-        self._crashed: dict[EntityId, float] = {}
+        self._ends: dict[str, Ended] = {}
+        self._since: dict[str, float] = {}
         self._befell: dict[tuple[EntityId, Change], float] = {}
         self._hosts: dict[str, str] = {}
         self._lifecycles: dict[str, str] = {}
-        self._pids: dict[str, set[str]] = {}
+        self._process_of: dict[str, str] = {}
 
     def there(self, entity: EntityId) -> float | None:
         """Return since when something is there; None where it is not, or never was."""
@@ -43,8 +69,18 @@ class Presences:
         return self._gone.get(entity)
 
     def crashed(self, node: EntityId) -> float | None:
-        """Return when a node went with its process, and without taking its leave before."""
-        return self._crashed.get(node) if node in self._gone else None
+        """Return when a node went with its process, which was not asked to end; None of any other."""
+        ended = self.end_of(node)
+        return ended.at if ended is not None and not ended.in_order else None
+
+    def end_of(self, node: EntityId) -> Ended | None:
+        """Return how the process of a node that is gone ended; None where its end was not seen, or of the living."""
+        ended = self._ends.get(node.name) if node in self._gone and node.kind is EntityKind.NODE else None
+        return ended if ended is not None and ended.process == self._process_of.get(node.name) else None
+
+    def began(self, node: EntityId) -> float | None:
+        """Return since when a node that is gone had been there; None where that is not known."""
+        return self._since.get(node.name) if node in self._gone else None
 
     def befell(self, entity: EntityId, change: Change, now: float) -> float | None:
         """Return when something was restarted, or found to flap, in the latest ``BEFELL_S``."""
@@ -87,9 +123,10 @@ class Presences:
             self._befell[entity, event.change] = event.time
         if event.change is Change.VANISHED:
             if entity.kind is EntityKind.PROCESS:
-                self._ended(entity, event.time)
-            if self._there.pop(entity, None) is not None:
-                self._gone[entity] = event.time
+                self._ended(entity, event)
+            elif entity.kind is EntityKind.NODE and event.ended:
+                self._went_with(entity.name, self._process_of.get(entity.name, ""), event)
+            self._go(entity, event.time)
         elif event.change in (Change.APPEARED, Change.RESTARTED):
             return self._appear(entity, event.time)
         return False
@@ -100,10 +137,9 @@ class Presences:
             if node.host:
                 self._hosts[node.name] = node.host
         self._lifecycles = {node.name: node.lifecycle for node in graph.nodes if node.lifecycle}
-        self._pids = {}
         for node in graph.nodes:
             if node.pid:
-                self._pids.setdefault(f"{node.host}/{node.pid}", set()).add(node.name)
+                self._live_in(node)
         existing = {EntityId(EntityKind.NODE, node.name) for node in graph.nodes}
         existing |= {EntityId(EntityKind.HOST, host) for host in (*graph.hosts, *self._hosts_of(graph))}
         existing |= {EntityId(EntityKind.PROCESS, f"{one.host}/{one.pid}") for one in graph.processes}
@@ -111,16 +147,15 @@ class Presences:
         for entity in existing:
             self._appear(entity, now)
         for entity in sorted(self._there.keys() - existing):
-            del self._there[entity]
-            self._gone[entity] = now
+            self._go(entity, now)
         while len(self._gone) > MOST_GONE:
             self._forget(next(iter(self._gone)))
 
     def _forget(self, entity: EntityId) -> None:
         del self._gone[entity]
-        self._crashed.pop(entity, None)
         if entity.kind is EntityKind.NODE:
-            self._hosts.pop(entity.name, None)
+            for kept in (self._hosts, self._ends, self._since, self._process_of):
+                kept.pop(entity.name, None)
 
     def _hosts_of(self, graph: Graph) -> set[str]:
         return {node.host for node in graph.nodes if node.host}
@@ -129,10 +164,38 @@ class Presences:
         if entity in self._there:
             return False
         self._there[entity] = at
-        self._crashed.pop(entity, None)
+        if entity.kind is EntityKind.NODE:
+            self._ends.pop(entity.name, None)
         return self._gone.pop(entity, None) is None
 
-    def _ended(self, process: EntityId, at: float) -> None:
-        """Note that a process ended while its nodes were still in the graph."""
-        for name in self._pids.get(process.name, ()):
-            self._crashed[EntityId(EntityKind.NODE, name)] = at
+    def _go(self, entity: EntityId, at: float) -> None:
+        since = self._there.pop(entity, None)
+        if since is None:
+            return
+        self._gone[entity] = at
+        if entity.kind is EntityKind.NODE:
+            self._since[entity.name] = since
+
+    def _live_in(self, node: Node) -> None:
+        """Note the process of a node; what is known of the end of another one is not about it."""
+        process = f"{node.host}/{node.pid}"
+        self._process_of[node.name] = process
+        ended = self._ends.get(node.name)
+        if ended is not None and ended.process != process:
+            del self._ends[node.name]
+
+    def _ended(self, process: EntityId, event: Event) -> None:
+        """Note how a process ended, for the nodes that were last in it: they may have left the graph before."""
+        for name, where in self._process_of.items():
+            if where == process.name:
+                self._went_with(name, where, event)
+
+    def _went_with(self, name: str, process: str, event: Event) -> None:
+        known = self._ends.get(name)
+        if known is not None and known.process == process:
+            # Two observers see the end of one process: who knows how it ended is right, in whatever order they tell.
+            how = event.ended if in_order(known.how) is None and event.ended else known.how
+            self._ends[name] = msgspec.structs.replace(known, how=how)
+            return
+        there = EntityId(EntityKind.NODE, name) in self._there
+        self._ends[name] = Ended(process, event.time, event.ended, in_graph=there)

@@ -16,6 +16,7 @@ from roslens.live.react.plan import Plan
 from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
+from roslens.live.window.newest import keep_newest
 from roslens.model.acting.reaction import (
     ActionCall,
     Because,
@@ -28,8 +29,11 @@ from roslens.model.acting.reaction import (
     repeats,
 )
 from roslens.model.entity import EntityId
+from roslens.model.process_end import end_words, in_order
 
 MOST_ENDED = 1_000
+_BEGINS = frozenset({"restart", "start"})
+_ENDS = frozenset({"restart", "stop", "kill"})
 _FORWARDING = {"{entity}", "{host}", "{cause}"}
 
 
@@ -39,12 +43,15 @@ class Reactor:
     Attributes:
         unwell: why nothing is decided, because of the monitor itself; empty where it is fit to.
         withheld: why a reaction whose condition is true does nothing, by its name and the entity.
+        spared: the part of it that is about nodes which somebody ended in order.
     """
 
     def __init__(self, reactions: Sequence[Reaction], *, start: float) -> None:
         """Begin at ``start``, in seconds on the monitor's clock."""
         self.unwell = ""
         self.withheld: dict[tuple[str, str], str] = {}
+        self.spared: dict[tuple[str, str], str] = {}
+        self._ended_by_us: dict[str, float] = {}
         self._start = start
         self._now = start
         self._known = Known(start)
@@ -64,7 +71,7 @@ class Reactor:
         self._now = now_s
         self._known.take(step, now_s)
         self.unwell = self._wellness.look(step, now_s)
-        self.withheld = {}
+        self.withheld, self.spared = {}, {}
         if self._follow:
             self._renew()
         if self.unwell:
@@ -192,6 +199,13 @@ class Reactor:
         if isinstance(action, str):
             self._withhold(key, action)
             return []
+        if why := self._ended_in_order(action):
+            self._withhold(key, why)
+            self.spared[key[0], str(key[1] or "")] = why
+            return []
+        if action.kind in _ENDS and action.target is not None:
+            self._ended_by_us[action.target.name] = self._now
+            keep_newest(self._ended_by_us)
         decision = Decision(
             id=f"{reaction.name}/{chain.number}.{chain.step + 1}",
             reaction=reaction.name,
@@ -216,6 +230,21 @@ class Reactor:
 
     def _withhold(self, key: tuple[str, EntityId | None], reason: str) -> None:
         self.withheld[key[0], str(key[1] or "")] = reason
+
+    def _ended_in_order(self, action: ActionCall) -> str:
+        """Return why a node stays ended: somebody else asked it to end, or it was done; empty for any other."""
+        target = action.target
+        if action.kind not in _BEGINS or target is None or action.arguments.get("after_orderly_end"):
+            return ""
+        ended = self._known.presences.end_of(target)
+        if ended is None or not ended.in_order:
+            return ""
+        began, by_us = self._known.presences.began(target), self._ended_by_us.get(target.name)
+        if by_us is not None and (began is None or began <= by_us):
+            return ""
+        known = in_order(ended.how) is not None
+        how = end_words(ended.how) if known else "it took its leave before its process ended"
+        return f"{target.name} was ended in order ({how}), not by a fault, and stays so"
 
     def _about(self, plan: Plan, entity: EntityId | None, shows: tuple[Because, ...]) -> str:
         if entity is not None:

@@ -11,6 +11,7 @@ from roslens.live.system.halted import Halted
 from roslens.model.acting.condition import Being
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
+from roslens.model.process_end import UNKNOWN
 from roslens.model.verdict import State, Verdict
 
 TICK_S = 0.1
@@ -55,7 +56,9 @@ class _System:
             yield Event(given.at_s, _BEFALLS[given.being], str(given.entity))
         node = self._nodes.get(given.entity.name)
         if given.being is Being.CRASHED and node is not None:
-            yield Event(given.at_s, Change.VANISHED, str(EntityId(EntityKind.PROCESS, f"{node.host}/{node.pid}")))
+            yield _process_end(given, node, UNKNOWN)
+        if given.being is Being.GONE and given.ended and node is not None:
+            yield _process_end(given, node, given.ended)
         if given.being in (Being.GONE, Being.CRASHED):
             yield Event(given.at_s, Change.VANISHED, str(given.entity))
 
@@ -111,6 +114,11 @@ class _System:
             tuple(sorted(processes)),
             {node: dict(values) for node, values in self._parameters.items()},
         )
+
+
+def _process_end(given: Given, node: Node, ended: str) -> Event:
+    process = EntityId(EntityKind.PROCESS, f"{node.host}/{node.pid}")
+    return Event(given.at_s, Change.VANISHED, str(process), ended=ended)
 
 
 def _process(name: str) -> Process:

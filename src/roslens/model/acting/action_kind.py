@@ -116,6 +116,10 @@ _WHOLE = Argument(
     "whole_process", _T.FLAG, "Whether other nodes of the same process may be ended with it; if not, such a process is "
     "not touched.", default=False,
 )  # fmt: skip
+_AFTER_ORDERLY_END = Argument(
+    "after_orderly_end", _T.FLAG, "Whether a node is also started again that was asked to end, or was done: its "
+    "process ended with exit code 0, SIGINT, SIGTERM or SIGHUP.", default=False,
+)  # fmt: skip
 _LEVELS = ("info", "warning", "error")
 
 ACTION_KINDS: tuple[ActionKind, ...] = (
@@ -277,16 +281,20 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
                 default=5.0,
             ),
             _WHOLE,
+            _AFTER_ORDERLY_END,
         ),
         details="Command line, environment, working directory, namespace and parameters are those that the agent "
-        "recorded while the process ran. If a supervisor has already restarted the process, it is not started twice.",
+        "recorded while the process ran. If a supervisor has already restarted the process, it is not started twice. "
+        "What somebody else ended in order, such as an operator with Ctrl-C, stays ended.",
     ),
     ActionKind(
         "start",
         "Start a node that is gone, as it was.",
         By.HOST,
         targets=_NODE,
-        details="It is started as by `restart`. A node that runs is not touched, which is reported as done.",
+        arguments=(_AFTER_ORDERLY_END,),
+        details="It is started as by `restart`. What somebody else ended in order, such as an operator with Ctrl-C, "
+        "stays ended. A node that runs is not touched, which is reported as done.",
     ),
     ActionKind(
         "kill",

@@ -34,9 +34,8 @@ class About(str, Enum):
 class Being(str, Enum):
     """What can be said of an entity without a constraint of the reference.
 
-    ``gone`` was there and is not any more; ``crashed`` went without its managed end, in the latest
-    ``CRASH_KEPT_S`` seconds of the reactor; ``stopped`` and ``hung`` are what its process is; ``misfit`` is a topic of
-    which two ends exchange nothing.
+    ``gone`` was there and is not any more; ``crashed`` went with its process, which nobody had asked to end;
+    ``stopped`` and ``hung`` are what its process is; ``misfit`` is a topic of which two ends exchange nothing.
     """
 
     THERE = "there"

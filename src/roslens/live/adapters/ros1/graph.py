@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from roslens.live.adapters.ros1.master import SystemState
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
+from roslens.model.process_end import UNKNOWN
 
 _VERBS = {
     Role.PUBLISHER: "published by",
@@ -46,7 +47,9 @@ def _kind(role: Role) -> EntityKind:
     return EntityKind.SERVICE if role is Role.SERVICE_SERVER else EntityKind.TOPIC
 
 
-def changes(before: Graph, after: Graph, time: float, reasons: Mapping[str, str]) -> list[Event]:
+def changes(
+    before: Graph, after: Graph, time: float, reasons: Mapping[str, str], dead: Collection[str] = ()
+) -> list[Event]:
     """Return what happened between two graphs, nodes first, sorted.
 
     Args:
@@ -54,18 +57,23 @@ def changes(before: Graph, after: Graph, time: float, reasons: Mapping[str, str]
         after: the graph from now on.
         time: seconds on the observer's clock.
         reasons: why nodes vanished, or what else is to be said of them, by name.
+        dead: nodes that nobody answers for any more, though they did not unregister.
     """
-    return [*_node_changes(before, after, time, reasons), *_name_changes(before, after, time)]
+    return [*_node_changes(before, after, time, reasons, dead), *_name_changes(before, after, time)]
 
 
-def _node_changes(before: Graph, after: Graph, time: float, reasons: Mapping[str, str]) -> list[Event]:
+def _node_changes(
+    before: Graph, after: Graph, time: float, reasons: Mapping[str, str], dead: Collection[str]
+) -> list[Event]:
     old = {node.name: node for node in before.nodes}
     new = {node.name: node for node in after.nodes}
     events = []
     for name in sorted(old.keys() | new.keys()):
         entity, reason = _text(EntityKind.NODE, name), reasons.get(name, "")
         if name not in new:
-            events.append(Event(time, Change.VANISHED, entity, reason or "unregistered at the master"))
+            # Who is asked to end unregisters: one that is dead beforehand was not.
+            ended = UNKNOWN if name in dead else ""
+            events.append(Event(time, Change.VANISHED, entity, reason or "unregistered at the master", ended))
         elif name not in old:
             events.append(Event(time, Change.APPEARED, entity, reason))
         elif old[name].pid and new[name].pid and (old[name].host, old[name].pid) != (new[name].host, new[name].pid):

@@ -232,8 +232,8 @@ class Observation:
         if self._parameters:
             graph = msgspec.structs.replace(graph, parameters=self._parameters.by_node(living))
         self._graph = graph
-        why = {name: contact.reason for name, contact in self._contacts.items() if contact.dead} | reasons
-        return (changes(before, graph, now, why) if before else []), graph
+        dead = {name: contact.reason for name, contact in self._contacts.items() if contact.dead}
+        return (changes(before, graph, now, dead | reasons, dead) if before else []), graph
 
     def _parameters_due(self, now: float) -> bool:
         if not self._parameters or not self._parameters.moved or now - self._parameters_reported < PARAMETERS_S:

@@ -45,6 +45,8 @@ MEET_S = 0.5
 COUNT_EVERY_S = 0.15
 """An alarm may come 0.2 s after its window: counting, the line and the monitor share that."""
 _LARGEST_DOMAIN = 232
+_CHANGED = (0, "")
+"""The graph changed, and no process is known to have ended."""
 
 
 def read_arguments(words: list[str]) -> argparse.Namespace:
@@ -119,12 +121,12 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
             f"{OWN[1:]}{os.getpid()}", namespace="/", enable_rosout=False, start_parameter_services=False
         )
     host = socket.gethostname()
-    wakes: queue.SimpleQueue[int] = queue.SimpleQueue()
-    ends = ProcessEnds(wakes.put)
+    wakes: queue.SimpleQueue[tuple[int, str]] = queue.SimpleQueue()
+    ends = ProcessEnds(lambda pid, how: wakes.put((pid, how)))
     publisher = _monitor_publisher(options, node, speaker, host)
     event = None
     try:
-        event = GraphEvent(node, lambda: wakes.put(0))
+        event = GraphEvent(node, lambda: wakes.put(_CHANGED))
     except (OSError, AttributeError, RuntimeError) as error:
         speaker.say(_without_events(host, error))
     counters = CounterReader(folder_of(os.environ))
@@ -170,7 +172,8 @@ class _Turns:
     """What to do when: graph changes gathered, ends of processes at once, tallies once a period, taps each 40 ms."""
 
     def __init__(
-        self, observation: Observation, speaker: _Speaker, ends: ProcessEnds, wakes: queue.SimpleQueue[int],
+        self, observation: Observation, speaker: _Speaker, ends: ProcessEnds,
+        wakes: queue.SimpleQueue[tuple[int, str]],
         tap: Tap | None, period: float, *, polled: bool,
     ) -> None:  # fmt: skip
         self._observation = observation
@@ -199,7 +202,7 @@ class _Turns:
                 self._tap.drain()
             self._asking = self._observation.ask(now)
             with suppress(queue.Empty):
-                self._wake(self._wakes.get(timeout=self._left()))
+                self._wake(*self._wakes.get(timeout=self._left()))
 
     def _tell(self) -> None:
         self._due = max(self._due + self._period, time.monotonic() + self._period / 10)
@@ -219,9 +222,9 @@ class _Turns:
             return min(left, DRAIN_S)
         return min(left, ASK_S) if self._asking else left
 
-    def _wake(self, pid: int) -> None:
+    def _wake(self, pid: int, how: str) -> None:
         if pid:
-            self._say(self._observation.ended(pid, time.time()))
+            self._say(self._observation.ended(pid, time.time(), how))
         else:
             self._settle()
 

@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Iterator
 
 from roslens.model.graph import Change, Event, Graph
+from roslens.model.process_end import UNKNOWN, end_words
 
 FLAPS = 3
 FLAP_S = 60.0
@@ -21,20 +22,29 @@ class Changes:
         self._gone: dict[str, float] = {}
         self._restarts: dict[str, deque[float]] = {}
 
-    def to(self, graph: Graph, time: float) -> list[Event]:
-        """Return what happened since the graph given last; nothing happened before the first."""
+    def to(self, graph: Graph, time: float, with_process: tuple[int, str] = (0, "")) -> list[Event]:
+        """Return what happened since the graph given last; nothing happened before the first.
+
+        ``with_process`` is the id of a process that has just ended and how it did: with it its nodes did.
+        """
         before, self._before = self._before, graph
         if before is None:
             return []
-        return [*self._nodes(before, graph, time), *_topics(before, graph, time)]
+        return [*self._nodes(before, graph, time, with_process), *_topics(before, graph, time)]
 
-    def _nodes(self, before: Graph, after: Graph, time: float) -> Iterator[Event]:
+    def _nodes(
+        self, before: Graph, after: Graph, time: float, with_process: tuple[int, str]
+    ) -> Iterator[Event]:  # fmt: skip
         old = {node.name: node for node in before.nodes}
         new = {node.name: node for node in after.nodes}
         for name in sorted(old.keys() - new.keys()):
             self._gone.pop(name, None)
             self._gone[name] = time
-            yield Event(time, Change.VANISHED, f"node:{name}", _place(old[name].pid, old[name].host))
+            pid = old[name].pid
+            ended = with_process[1] if pid and pid == with_process[0] else ""
+            place = _place(pid, old[name].host)
+            how = f", {end_words(ended)}" if ended and ended != UNKNOWN else ""
+            yield Event(time, Change.VANISHED, f"node:{name}", place + how, ended)
         for name in list(self._gone)[: max(len(self._gone) - MOST_GONE, 0)]:
             del self._gone[name]
             self._restarts.pop(name, None)

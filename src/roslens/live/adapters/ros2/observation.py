@@ -17,6 +17,7 @@ from roslens.live.inside.counters import Called, Counted, joined
 from roslens.live.system.misfit import misfits
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
+from roslens.model.process_end import UNKNOWN
 from roslens.model.traffic.sample import Sample
 from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
@@ -107,8 +108,11 @@ class Observation:
         """Return the processes to watch."""
         return self._graphs.pids()
 
-    def changed(self, now: float) -> Frame | None:
-        """Return the graph and what happened, at seconds since the epoch; None where nothing did."""
+    def changed(self, now: float, with_process: tuple[int, str] = (0, "")) -> Frame | None:
+        """Return the graph and what happened, at seconds since the epoch; None where nothing did.
+
+        ``with_process`` is a process that has just ended, and how.
+        """
         graph = self._graphs.update()
         if self._reports is not None:
             self._reports.choose(graph)
@@ -129,12 +133,15 @@ class Observation:
         if self._taps is not None:
             self._taps.choose(graph)
         return self._frame(
-            now, events=self._changes.to(graph, now), graph=graph, failures=sorted(fresh, key=lambda one: one.what)
+            now,
+            events=self._changes.to(graph, now, with_process),
+            graph=graph,
+            failures=sorted(fresh, key=lambda one: one.what),
         )
 
-    def ended(self, pid: int, now: float) -> Frame | None:
-        """Return what the end of a process changes."""
-        return self.changed(now) if self._graphs.ended(pid) else None
+    def ended(self, pid: int, now: float, how: str = UNKNOWN) -> Frame | None:
+        """Return what the end of a process changes; ``how`` it ended is text of `model/process_end.py`."""
+        return self.changed(now, (pid, how)) if self._graphs.ended(pid) else None
 
     def period(self, now: float, seconds: float, *, attentive: bool = True) -> tuple[Frame, bool]:
         """Return what was counted since the last period, and whether the graph had changed unnoticed.

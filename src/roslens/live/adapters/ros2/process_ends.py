@@ -7,15 +7,19 @@ import select
 import threading
 from collections.abc import Callable
 
+from roslens.live.agent.exit_status import how_it_ended
+from roslens.model.process_end import UNKNOWN
+
 
 class ProcessEnds:
     """Watches processes of this host.
 
     Args:
-        ended: called with the id of a process that ended, in a thread of its own.
+        ended: called with the id of a process that ended and how it did (`model/process_end.py`), in a thread of its
+            own.
     """
 
-    def __init__(self, ended: Callable[[int], None]) -> None:
+    def __init__(self, ended: Callable[[int, str], None]) -> None:
         self._ended = ended
         self._poll = select.epoll()
         self._pids: dict[int, int] = {}
@@ -33,7 +37,7 @@ class ProcessEnds:
             try:
                 descriptor = os.pidfd_open(pid)
             except ProcessLookupError:
-                self._ended(pid)
+                self._ended(pid, UNKNOWN)
                 return
             except OSError:
                 return
@@ -48,8 +52,9 @@ class ProcessEnds:
                 with self._lock:
                     pid = self._pids.pop(descriptor)
                     self._poll.unregister(descriptor)
-                    os.close(descriptor)
-                self._ended(pid)
+                how = how_it_ended(pid, descriptor)
+                os.close(descriptor)
+                self._ended(pid, how)
 
     def close(self) -> None:
         """Stop watching."""

@@ -26,7 +26,7 @@ OWN = {
     "live/adapters/ros2/local_process.py": "of the kernel",
     "live/agent/key_file.py": "the user's own key",
     "cli/react/sole_reactor.py": "of the kernel",
-    "live/agent/exit_status.py": "of the kernel",
+    "children/exit_status.py": "of the kernel",
     "live/agent/process_record.py": "of the kernel, up to a bound",
     "live/agent/processes.py": "of the kernel",
     "live/inside/host_counters.py": "of the kernel",

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.live.agent.exit_status import how_it_ended
+from roslens.children.exit_status import how_it_ended
 from roslens.live.agent.kept_open import KeptOpen
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process

@@ -7,7 +7,7 @@ import select
 import threading
 from collections.abc import Callable
 
-from roslens.live.agent.exit_status import how_it_ended
+from roslens.children.exit_status import how_it_ended
 from roslens.model.process_end import UNKNOWN
 
 

@@ -8,8 +8,8 @@ import sys
 
 import pytest
 
-from roslens.live.agent import exit_status
-from roslens.live.agent.exit_status import how_it_ended
+from roslens.children import exit_status
+from roslens.children.exit_status import how_it_ended
 
 pytestmark = pytest.mark.timed
 

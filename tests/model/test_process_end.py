@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.model.process_end import UNKNOWN, end_of_status, end_words, in_order
+from roslens.model.acting.process_end import UNKNOWN, end_of_status, end_words, in_order
 
 
 @pytest.mark.parametrize(

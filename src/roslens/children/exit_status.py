@@ -13,7 +13,7 @@ import struct
 import time
 from pathlib import Path
 
-from roslens.model.process_end import UNKNOWN, end_of_status
+from roslens.model.acting.process_end import UNKNOWN, end_of_status
 
 _INFO_BYTES = 64
 _GET_INFO = 3 << 30 | _INFO_BYTES << 16 | 0xFF << 8 | 11
@@ -25,7 +25,7 @@ _STATE_FIELD = 0
 
 
 def how_it_ended(pid: int, handle: int, proc: Path = Path("/proc")) -> str:
-    """Return how the process of a descriptor ended (`model/process_end.py`); it has become readable."""
+    """Return how the process of a descriptor ended (`model/acting/process_end.py`); it has become readable."""
     for _ in range(_TRIES):
         status = _kept(handle)
         if status is None:

@@ -102,8 +102,8 @@ class Change(str, Enum):
 class Event(msgspec.Struct, frozen=True, omit_defaults=True):
     """A change of the graph at ``time``, seconds on the monitor's clock; ``entity`` is the text form of an id.
 
-    ``ended`` is how a process that vanished ended, or that of a node which vanished with it (`model/process_end.py`);
-    empty where no end of a process was seen.
+    ``ended`` is how a process that vanished ended, or that of a node which vanished with it
+    (`model/acting/process_end.py`); empty where no end of a process was seen.
     """
 
     time: float

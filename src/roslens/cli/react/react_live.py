@@ -9,17 +9,18 @@ import platform
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from roslens.cli.page.watch_screen import time_of_day
 from roslens.cli.react.ask_terminal import AskNobody, AskTerminal
+from roslens.cli.react.done_before import done_before
 from roslens.cli.react.hold_file import Held
 from roslens.cli.react.react_page import AskEverywhere, serve_reacting, write_refusals
 from roslens.cli.react.react_reload import Renewal
-from roslens.cli.react.sole_reactor import hold_alone
+from roslens.cli.react.sole_reactor import hold_alone, system_of
 from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.cli.watch.param_reference import reference_sources
 from roslens.cli.watch.stretch import Stretch, never_saw
@@ -121,30 +122,6 @@ def limits_of(options: argparse.Namespace) -> Limits:
     )  # fmt: skip
 
 
-def _done_before(path: Path, within_s: float) -> Iterator[tuple[Decision, float]]:
-    """Yield what was done before this process began, and how many seconds ago: a monitor that crashes counts on."""
-    import msgspec
-
-    from roslens.model.acting.reaction import ActionCall, Decision
-    from roslens.store.journals.read_journal import JournalReader
-
-    now = time.time()
-    reader = JournalReader(path)
-    try:
-        for entry in reader.entries():
-            if entry.what != "announced" or not 0 <= now - entry.time < within_s:
-                continue
-            fields = entry.fields
-            try:
-                action = msgspec.convert(fields["action"], ActionCall)
-                reported = [str(fields[name]) for name in ("decision", "reaction", "entity")]
-            except (KeyError, msgspec.ValidationError):
-                continue
-            yield Decision(reported[0], reported[1], reported[2], 0, action, entry.time), now - entry.time
-    finally:
-        reader.close()
-
-
 class _Telling:
     """A journal whose entries are shown, and published in ROS, once they are on the disk."""
 
@@ -191,7 +168,7 @@ class Reacting:
         self._journal = _Telling(journal, options.json)
         self._places: NodePlaces = NodePlaces()
         self._gate = Gate(limits, self._places.of)
-        recalled(self._gate, _done_before(journal.path, limits.restarts_per_s), time.monotonic())
+        recalled(self._gate, done_before(journal.path, limits.restarts_per_s), time.monotonic())
         self._log: deque[str] = deque(maxlen=_LOG_LINES)
         self._failed = False
         self._places_due = 0.0
@@ -218,7 +195,7 @@ class Reacting:
         self._sources = sources_of(self._options)
         self._tools = [one.tool for one in self._sources if isinstance(one, ChildSource)]
         if self._options.mode != "dry-run":
-            hold_alone(self._stack, (_system(tool, self._options) for tool in self._tools))
+            hold_alone(self._stack, (system_of(tool, self._options) for tool in self._tools))
         hands = self._hands = self._all_hands(self._tools, self._own, far)
         self._stack.callback(hands.close)
         hands.prepare(self._reference.reactions)
@@ -385,14 +362,6 @@ class _Here:
             self.reported(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
 
         self.hand: HostHand = HostHand(allow, self.records, reported, output=output, held=held)
-
-
-def _system(tool: str, options: argparse.Namespace) -> str:
-    """Return which system an observer of ROS observes, in words that are the same for all observers of it."""
-    if tool == "ros1":
-        return f"master {options.master or os.environ.get('ROS_MASTER_URI', '') or 'http://localhost:11311'}"
-    domain = options.domain if options.domain is not None else os.environ.get("ROS_DOMAIN_ID", "") or 0
-    return f"ROS domain {domain}"
 
 
 def _ros_line(tool: str, options: argparse.Namespace) -> RosLine:

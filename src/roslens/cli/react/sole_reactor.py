@@ -7,6 +7,7 @@ network namespace, as are the domains and masters that it is about.
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import os
 import socket
@@ -18,6 +19,14 @@ from roslens.model.errors import UsageError
 
 _CREDENTIALS = struct.Struct("3i")
 _SHOWN = 200
+
+
+def system_of(tool: str, options: argparse.Namespace) -> str:
+    """Return which system an observer of ROS observes, in words that are the same for all observers of it."""
+    if tool == "ros1":
+        return f"master {options.master or os.environ.get('ROS_MASTER_URI', '') or 'http://localhost:11311'}"
+    domain = options.domain if options.domain is not None else os.environ.get("ROS_DOMAIN_ID", "") or 0
+    return f"ROS domain {domain}"
 
 
 def hold_alone(stack: contextlib.ExitStack, systems: Iterable[str]) -> None:

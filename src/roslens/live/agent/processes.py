@@ -15,9 +15,9 @@ import msgspec
 
 from roslens.children.exit_status import how_it_ended
 from roslens.live.agent.kept_open import KeptOpen
+from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process
-from roslens.model.process_end import UNKNOWN
 from roslens.model.traffic.sample import Sample
 
 IN_TURN = 10

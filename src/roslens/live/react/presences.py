@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import msgspec
 
+from roslens.model.acting.process_end import in_order
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Graph, Node, Role
-from roslens.model.process_end import in_order
 
 BEFELL_S = 10.0
 """So long it counts that something was restarted, or that it flaps."""
@@ -30,7 +30,7 @@ class Ended(msgspec.Struct, frozen=True):
     Attributes:
         process: as ``host/pid``.
         at: when it ended.
-        how: as `model/process_end.py` writes it.
+        how: as `model/acting/process_end.py` writes it.
         in_graph: whether the node was still in the graph when its process was gone: it did not take its leave.
     """
 

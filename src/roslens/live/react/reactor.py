@@ -17,6 +17,7 @@ from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
 from roslens.live.window.newest import keep_newest
+from roslens.model.acting.process_end import end_words, in_order
 from roslens.model.acting.reaction import (
     ActionCall,
     Because,
@@ -29,7 +30,6 @@ from roslens.model.acting.reaction import (
     repeats,
 )
 from roslens.model.entity import EntityId
-from roslens.model.process_end import end_words, in_order
 
 MOST_ENDED = 1_000
 _BEGINS = frozenset({"restart", "start"})

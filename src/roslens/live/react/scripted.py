@@ -9,9 +9,9 @@ from roslens.live.join.session import Step
 from roslens.live.react.wellness import BEGINNING_S
 from roslens.live.system.halted import Halted
 from roslens.model.acting.condition import Being
+from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
-from roslens.model.process_end import UNKNOWN
 from roslens.model.verdict import State, Verdict
 
 TICK_S = 0.1

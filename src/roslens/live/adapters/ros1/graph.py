@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 
 from roslens.live.adapters.ros1.master import SystemState
+from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
-from roslens.model.process_end import UNKNOWN
 
 _VERBS = {
     Role.PUBLISHER: "published by",

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator
 
-from roslens.model.graph import Change, Event, Graph
-from roslens.model.process_end import UNKNOWN, end_words
+from roslens.model.acting.process_end import UNKNOWN, end_words
+from roslens.model.graph import Change, Event, Graph, Node
 
 FLAPS = 3
 FLAP_S = 60.0
@@ -40,11 +40,7 @@ class Changes:
         for name in sorted(old.keys() - new.keys()):
             self._gone.pop(name, None)
             self._gone[name] = time
-            pid = old[name].pid
-            ended = with_process[1] if pid and pid == with_process[0] else ""
-            place = _place(pid, old[name].host)
-            how = f", {end_words(ended)}" if ended and ended != UNKNOWN else ""
-            yield Event(time, Change.VANISHED, f"node:{name}", place + how, ended)
+            yield _vanished(old[name], time, with_process)
         for name in list(self._gone)[: max(len(self._gone) - MOST_GONE, 0)]:
             del self._gone[name]
             self._restarts.pop(name, None)
@@ -68,6 +64,12 @@ class Changes:
         yield Event(time, Change.RESTARTED, f"node:{name}", detail)
         if len(times) == FLAPS and time - times[0] <= FLAP_S:
             yield Event(time, Change.FLAPPING, f"node:{name}", f"{FLAPS} starts in {time - times[0]:.0f} s")
+
+
+def _vanished(node: Node, time: float, with_process: tuple[int, str]) -> Event:
+    ended = with_process[1] if node.pid and node.pid == with_process[0] else ""
+    how = f", {end_words(ended)}" if ended and ended != UNKNOWN else ""
+    return Event(time, Change.VANISHED, f"node:{node.name}", _place(node.pid, node.host) + how, ended)
 
 
 def _place(pid: int, host: str) -> str:

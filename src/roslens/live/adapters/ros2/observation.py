@@ -15,9 +15,9 @@ from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import Called, Counted, joined
 from roslens.live.system.misfit import misfits
+from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
-from roslens.model.process_end import UNKNOWN
 from roslens.model.traffic.sample import Sample
 from roslens.model.traffic.tally import Tally
 from roslens.model.wire import VERSION, Frame
@@ -140,7 +140,7 @@ class Observation:
         )
 
     def ended(self, pid: int, now: float, how: str = UNKNOWN) -> Frame | None:
-        """Return what the end of a process changes; ``how`` it ended is text of `model/process_end.py`."""
+        """Return what the end of a process changes; ``how`` it ended is text of `model/acting/process_end.py`."""
         return self.changed(now, (pid, how)) if self._graphs.ended(pid) else None
 
     def period(self, now: float, seconds: float, *, attentive: bool = True) -> tuple[Frame, bool]:

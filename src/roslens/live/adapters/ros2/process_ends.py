@@ -8,15 +8,15 @@ import threading
 from collections.abc import Callable
 
 from roslens.children.exit_status import how_it_ended
-from roslens.model.process_end import UNKNOWN
+from roslens.model.acting.process_end import UNKNOWN
 
 
 class ProcessEnds:
     """Watches processes of this host.
 
     Args:
-        ended: called with the id of a process that ended and how it did (`model/process_end.py`), in a thread of its
-            own.
+        ended: called with the id of a process that ended and how it did (`model/acting/process_end.py`), in a
+            thread of its own.
     """
 
     def __init__(self, ended: Callable[[int, str], None]) -> None:

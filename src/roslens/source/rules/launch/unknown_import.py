@@ -12,7 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.signatures.read_signatures import homes_of, names_of, read_tables, signature_of
-from roslens.source.rules.views.launch_code import LIBRARIES, MENTIONS, LaunchCode, launch_code
+from roslens.source.rules.views.launch_code import LIBRARIES, MENTIONS, LaunchCode, imported, launch_code
 from roslens.source.rules.views.python_names import above_of, text_of
 
 _SIMILAR = 0.85
@@ -23,31 +23,32 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
     code = launch_code(view)
     if code is None:
         return
-    for node in view.nodes("import_from_statement"):
-        module = text_of(node.child_by_field_name("module_name"))
-        if above_of(node, "try_statement", "if_statement") is None and _is_of_ros(module, code):
-            yield from _of_import(node, view)
-    for node in view.nodes("import_statement"):
-        for one in node.children_by_field_name("name"):
-            module = text_of(one.child_by_field_name("name") if one.type == "aliased_import" else one)
-            if _is_unknown_module(module) and above_of(node, "try_statement", "if_statement") is None:
-                yield view.hit("launch.unknown_import", one, _no_module(module))
+    for node in (*view.nodes("import_from_statement"), *view.nodes("import_statement")):
+        if above_of(node, "try_statement", "if_statement") is None:
+            for at, message in (_of_from if node.type == "import_from_statement" else _of_import)(node, code):
+                yield view.hit("launch.unknown_import", at, message)
     for call in code.other_calls:
         function = call.child_by_field_name("function")
         module, _, name = code.full_name(function).rpartition(".")
-        if function is not None and module and _lacks(module, name) and _is_of_ros(module, code):
+        if function is not None and module and _lacks(module, name, code):
             yield view.hit("launch.unknown_import", function, _no_name(module, name))
 
 
-def _of_import(node: Node, view: FileView) -> Iterator[Hit]:
+def _of_from(node: Node, code: LaunchCode) -> Iterator[tuple[Node, str]]:
     module = text_of(node.child_by_field_name("module_name"))
     if _is_unknown_module(module):
-        yield view.hit("launch.unknown_import", node, _no_module(module))
+        yield node, _no_module(module)
         return
     for one in node.children_by_field_name("name"):
-        name = text_of(one.child_by_field_name("name") if one.type == "aliased_import" else one)
-        if _lacks(module, name):
-            yield view.hit("launch.unknown_import", one, _no_name(module, name))
+        name = imported(one)
+        if _lacks(module, name, code):
+            yield one, _no_name(module, name)
+
+
+def _of_import(node: Node, _code: LaunchCode) -> Iterator[tuple[Node, str]]:
+    for one in node.children_by_field_name("name"):
+        if _is_unknown_module(imported(one)):
+            yield one, _no_module(imported(one))
 
 
 def _is_unknown_module(module: str) -> bool:
@@ -57,16 +58,12 @@ def _is_unknown_module(module: str) -> bool:
     return not is_other and bool(get_close_matches(module, library, 1, _SIMILAR))
 
 
-def _is_of_ros(module: str, code: LaunchCode) -> bool:
-    """Whether ``launch`` is that of ROS, not a module ``launch.py`` of somebody else."""
-    return module != "launch" or any(signature_of(one) is not None for one in code.imports.values()) or bool(code.calls)
-
-
-def _lacks(module: str, name: str) -> bool:
+def _lacks(module: str, name: str, code: LaunchCode) -> bool:
+    """Whether a module of the libraries does not have a name; a module ``launch.py`` of somebody else may have any."""
     names = names_of(module)
-    if names is None or name.startswith("_"):
+    if names is None or name.startswith("_") or f"{module}.{name}" in read_tables().library:
         return False
-    if f"{module}.{name}" in read_tables().library:
+    if module == "launch" and not code.calls and not any(signature_of(one) for one in code.imports.values()):
         return False
     return name not in names or not names[name].is_supported
 

@@ -237,18 +237,20 @@ def scope_at(code: LaunchCode, node: Node) -> Scope:
     return code.names.scope_of(node)
 
 
+def imported(node: Node) -> str:
+    """Return the name that is imported by a part of an import, whatever it is called in the file."""
+    return text_of(node.child_by_field_name("name") if node.type == "aliased_import" else node)
+
+
 def _imports(root: Node) -> Iterator[tuple[int, str]]:
     """Yield the nodes of imported names, by their id, with their full names."""
-    for node in _of_types(root, ("import_statement", "import_from_statement")):
-        module = node.child_by_field_name("module_name")
-        base = "" if module is None else f"{text_of(module)}."
-        for one in node.children:
-            if one == module or one.type not in ("aliased_import", "dotted_name"):
-                continue
-            name = text_of(one.child_by_field_name("name") if one.type == "aliased_import" else one)
-            if module is None and one.type == "dotted_name":
-                name = name.partition(".")[0]
-            yield one.id, f"{base}{name}"
+    for node in _of_types(root, ("import_from_statement",)):
+        module = text_of(node.child_by_field_name("module_name"))
+        yield from ((one.id, f"{module}.{imported(one)}") for one in node.children_by_field_name("name"))
+    for node in _of_types(root, ("import_statement",)):
+        for one in node.children_by_field_name("name"):
+            name = imported(one)
+            yield one.id, name if one.type == "aliased_import" else name.partition(".")[0]
 
 
 def _calls(root: Node) -> Iterator[Node]:

@@ -270,3 +270,38 @@ def test_a_component_that_is_there_under_a_condition():
         ("p::A", ()),
         ("p::B", ("random.random() > 0.5",)),
     ]
+
+
+LOOPS = {
+    "xml": """<launch><arg name="robots" default="{name: a, id: 1};{name: b}"/>
+        <for_each values="$(var robots)"><node pkg="p" exec="e" name="$(for-var name)$(for-var id 9)"/></for_each>
+        <for len="2" name="i"><for len="2" name="k"><node pkg="p" exec="e" name="n$(index i)$(index k)"/></for></for>
+        </launch>""",
+    "yaml": """launch:
+- arg: {name: robots, default: "{name: a, id: 1};{name: b}"}
+- for_each:
+    values: $(var robots)
+    children:
+    - node: {pkg: p, exec: e, name: $(for-var name)$(for-var id 9)}
+- for:
+    len: "2"
+    name: i
+    children:
+    - for: {len: "2", name: k, children: [{node: {pkg: p, exec: e, name: n$(index i)$(index k)}}]}
+""",
+}
+
+
+@pytest.mark.parametrize("extension", LOOPS)
+def test_loops_start_their_actions_once_a_turn(extension):
+    whole = evaluate_ros2(f"a.{extension}", Written(**{f"a_{extension}": LOOPS[extension]}))
+    assert [one.name.known for one in whole.nodes] == ["a1", "b9", "n00", "n01", "n10", "n11"]
+    assert not whole.unresolved
+
+
+@pytest.mark.parametrize("loop", ['<for len="$(env N)" name="i">%s</for>', '<for_each values="x">%s</for_each>'])
+def test_a_loop_that_is_not_known_is_told(loop):
+    node = '<node pkg="p" exec="e"/>'
+    whole = evaluate_ros2("a.xml", Written(a_xml=f"<launch>{loop % node}</launch>"))
+    assert whole.nodes == ()
+    assert [one.reason for one in whole.unresolved] == ["it is unknown how often it starts its actions"]

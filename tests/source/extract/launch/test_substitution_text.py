@@ -12,11 +12,15 @@ class Files:
         return {"robot": "src/robot"}.get(name)
 
     def content(self, path):
-        return None
+        return {"name.txt": b"r3", "bytes.bin": b"\xff"}.get(path)
 
 
 SCOPE = Scope(
-    Files(), {"a": Text.of("1"), "b": Text.of("two"), "yes": Text.of("true")}, {"HOME": "/h"}, "src/robot/l/x.xml"
+    Files(),
+    {"a": Text.of("1"), "b": Text.of("two"), "yes": Text.of("true")},
+    {"HOME": "/h"},
+    "src/robot/l/x.xml",
+    turns={"i": Text.of("4")},
 )
 
 
@@ -43,6 +47,24 @@ SCOPE = Scope(
         ("$(if $(var yes) left right)", "left"),
         ("$(dirname)/y", "src/robot/l/y"),
         ("$(path-join a b ../c)", "a/c"),
+        ("$(path-join a /b c)", "/b/c"),
+        ("$(path-join $(find-pkg-prefix robot) share robot c.yaml)", "src/robot/c.yaml"),
+        ("$(find-pkg-prefix robot)/share/robot/c.yaml", "src/robot/c.yaml"),
+        ("$(find-pkg-prefix robot)/lib/robot/x", "*/lib/robot/x"),
+        ("$(string-join . https://$(var b) ros org)", "https://two.ros.org"),
+        ("$(string-join '' $(var a) b)", "1b"),
+        ("$(string-join .)", "*"),
+        ("$(any false $(var yes))", "true"),
+        ("$(all $(var yes) false)", "false"),
+        ("$(file-content name.txt)/x", "r3/x"),
+        ("$(file-content gone.txt)", "*"),
+        ("$(file-content bytes.bin)", "*"),
+        ("$(index i)$(for-var i)", "44"),
+        ("$(for-var other else)", "else"),
+        ("$(for-var other)", "*"),
+        ("$(launch_log_dir)/x", "*/x"),
+        ("$(param name)", "*"),
+        ("$(ament-index-resource rosidl_interfaces std_msgs)", "*"),
         ("$(anon n)", "n_*"),
         ("$(command 'ls -l')", "*"),
         ("$(exec-in-pkg a b)", "*"),

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
 from roslens.intake.bounded_file import read_bounded
+
+MOST_LISTED = 5_000
 
 
 class Files(Protocol):
@@ -17,6 +20,9 @@ class Files(Protocol):
 
     def content(self, path: str) -> bytes | None:
         """Return the bytes of a file; None where there is none, or it cannot be read."""
+
+    def listing(self, folder: str) -> tuple[str, ...]:
+        """Return the paths of the files below a folder, those in folders of it too; none where there is no folder."""
 
 
 def joined(folder: str, path: str) -> str:
@@ -56,6 +62,23 @@ class FolderFiles:
             return read_bounded(found, self._most_bytes) if found.is_relative_to(self._root) else None
         except (OSError, ValueError, RuntimeError):
             return None
+
+    def listing(self, folder: str) -> tuple[str, ...]:
+        """Return the paths of the files below a folder, those in folders of it too; none where there is no folder.
+
+        Of a folder with more than :data:`MOST_LISTED` files none are returned: a part of them would be taken for all.
+        """
+        found: list[str] = []
+        try:
+            top = (self._root / folder).resolve()
+            for here, folders, names in os.walk(top) if top.is_relative_to(self._root) else ():
+                folders[:] = sorted(one for one in folders if not one.startswith("."))
+                found += [(Path(here) / name).relative_to(self._root).as_posix() for name in names]
+                if len(found) > MOST_LISTED:
+                    return ()
+        except (OSError, ValueError, RuntimeError):
+            return ()
+        return tuple(sorted(found))
 
 
 def folders_in_common(one: str, other: str) -> int:

@@ -84,7 +84,7 @@ class Calls:
         if made is not None:
             return made[0]
         if name in ctx.state.frame.names or not name:
-            return self._apply(ctx.value(function), expression, arguments, keywords, templates)
+            return self.applied(ctx.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
 
     def _called_name(
@@ -98,7 +98,7 @@ class Calls:
         if method is not None:
             return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
         if name in thing.fields:
-            return self._apply(thing.fields[name], expression, arguments, keywords, templates)
+            return self.applied(thing.fields[name], expression, arguments, keywords, templates)
         if is_method(name):
             return self._called_inherited(thing, name, expression, arguments, keywords, templates)
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
@@ -154,7 +154,7 @@ class Calls:
                 found = self._overload(found, name, arguments)
             case Class() if self.ctx.index.alias(*self._place(name)).endswith("*"):
                 return arguments[0] if arguments else None
-        return self._apply(found, expression, arguments, keywords, templates)
+        return self.applied(found, expression, arguments, keywords, templates)
 
     def _of_template(self, name: str, alias: str) -> tuple[Defined | None, tuple[str, ...]]:
         """Return the class that a name is an alias of with template arguments, and these."""
@@ -229,7 +229,7 @@ class Calls:
                 if method is not None:
                     return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
                 if name in of.fields:
-                    return self._apply(of.fields[name], expression, arguments, keywords, templates)
+                    return self.applied(of.fields[name], expression, arguments, keywords, templates)
         return self._of_library(expression, function, of, arguments, keywords, templates)
 
     def _of_library(
@@ -279,7 +279,7 @@ class Calls:
         count = len(arguments) + len(keywords)
         inside = ctx.named.function(_dotted(function), count) or self._class_of_module(function)
         if inside is not None:
-            return self._apply(inside, expression, arguments, keywords, templates)
+            return self.applied(inside, expression, arguments, keywords, templates)
         beside: Class | None = None
         match function.of:
             case Member() as outer:
@@ -356,9 +356,10 @@ class Calls:
             return ctx.call(Invocation(Callable(what, path, bound_to), arguments, keywords, given))
         return Unknown(f"result of {name}()")
 
-    def _apply(
+    def applied(
         self, of: Value, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
     ) -> Value:
+        """Call a value."""
         ctx = self.ctx
         match of:
             case Callable():

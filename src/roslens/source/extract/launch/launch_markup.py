@@ -196,7 +196,7 @@ def _node(kind: str) -> Callable[[Entity], Action]:
             kind,
             entity.evidence,
             values,
-            tuple(_actions(entity.all("composable_node"))),
+            tuple(_actions([one for one in entity.children if one.kind.startswith("composable_")])),
             parameters=tuple(one for param in entity.all("param") for one in _parameters(param, "")),
             remaps=tuple((one.value("from"), one.value("to")) for one in entity.all("remap")),
             words=words(entity.attributes.get("args", "")),
@@ -224,6 +224,15 @@ def _timer(entity: Entity) -> Action:
     return Action("sequence", entity.evidence, children=tuple(_actions(entity.children)))
 
 
+def _for_each(entity: Entity) -> Action:
+    return Action("loop", entity.evidence, {"over": entity.value("values", "iter")}, tuple(_actions(entity.children)))
+
+
+def _for(entity: Entity) -> Action:
+    values = {"over": entity.value("len"), "name": entity.value("name")}
+    return Action("loop", entity.evidence, values, tuple(_actions(entity.children)))
+
+
 def _environment(entity: Entity) -> Action:
     return Action("environment", entity.evidence, {"name": entity.value("name") if entity.attributes else "*"})
 
@@ -247,16 +256,19 @@ _MAKERS: dict[str, Callable[[Entity], Action]] = {
     "lifecycle_node": _node("lifecycle"),
     "node_container": _node("container"),
     "composable_node": _node("component"),
+    "composable_lifecycle_node": _node("component"),
     "load_composable_node": _node("load"),
     "executable": _executable,
     "timer": _timer,
+    "for_each": _for_each,
+    "for": _for,
     "ros_timer": _timer,
     "set_env": _environment,
     "unset_env": _environment,
     "append_env": _environment,
     "pop_environment": _environment,
 } | dict.fromkeys(
-    ("env", "log", "log_info", "shutdown", "reset", "push_environment", "lifecycle_transition", "set_ros_log_dir",
-     "choice"),
+    ("env", "log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "reset", "push_environment",
+     "lifecycle_transition", "set_ros_log_dir", "choice"),
     _nothing,
 )  # fmt: skip

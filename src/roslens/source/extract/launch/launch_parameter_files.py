@@ -16,11 +16,15 @@ from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.launch.substitution_text import parse
 from roslens.source.extract.launch_python.deferred import Scope, resolve, truth
+from roslens.source.extract.launch_python.file_changes import read_changes
 from roslens.source.extract.launch_python.launch_action import FileChange
 from roslens.source.extract.parameters.parameter_file import ros2_parameters
 from roslens.source.extract.parameters.ros2_values import type_when_written
+from roslens.source.extract.symbolic.reason import RewrittenFile
 from roslens.source.extract.symbolic.text import Hole, Text
 
+_ROS = "ros__parameters"
+_UNKNOWN = b""
 _HOLE = re.compile("\ue000([0-9]+)\ue001")
 """Stands in the text of a file for what is not known."""
 
@@ -53,9 +57,19 @@ class ParameterFiles:
                 found = [_substituted(one, change, scope) for one in found]
             elif change.kind == "root":
                 found = _below(found, resolve(change.value, scope))
+            elif change.kind == "keys":
+                found = _renamed(found, change, scope)
             else:
                 found = _rewritten(found, change, scope)
         return found
+
+    def of_copy(self, path: Text, changes: Iterable[FileChange], scope: Scope) -> tuple[Text, tuple[FileChange, ...]]:
+        """Return the file that a path leads to, with all that is done to it: the path may be that of a changed copy."""
+        found = tuple(changes)
+        while (hole := path.only) is not None and isinstance(hole.reason, RewrittenFile):
+            path, *texts = scope.rewritten[hole.reason.number]
+            found = (*read_changes(tuple(texts)), *found)
+        return path, found
 
     def _parsed(self, path: str, content: bytes) -> list[Setting]:
         known = self._read.get((path, content))
@@ -74,7 +88,11 @@ def _replaced(content: bytes, change: FileChange, scope: Scope, holes: list[Hole
     if not _holds(change, scope):
         return content
     text = content.decode("utf-8", "surrogateescape")
-    for key, value in change.pairs:
+    for written, value in change.pairs:
+        key = resolve(written, scope).known
+        if key is None:
+            # Anything may be replaced: nothing in the file is known.
+            return _UNKNOWN
         if key and key in text:
             text = text.replace(key, _written(resolve(value, scope), holes))
     return text.encode("utf-8", "surrogateescape")
@@ -146,24 +164,66 @@ def _substituted(setting: Setting, change: FileChange, scope: Scope) -> Setting:
 
 
 def _below(settings: list[Setting], root: Text) -> list[Setting]:
-    known = (root.known or "").strip("/")
+    if root.known is None:
+        # It may be any namespace, or none.
+        return [msgspec.structs.replace(one, node=f"/**{one.node}") for one in settings]
+    known = root.known.strip("/")
     return [msgspec.structs.replace(one, node=f"/{known}{one.node}") for one in settings] if known else settings
 
 
 def _rewritten(settings: list[Setting], change: FileChange, scope: Scope) -> list[Setting]:
     """Return parameters with other values: by name or path of them (``names``), or by what they were (``values``)."""
-    pairs = {key: resolve(value, scope) for key, value in change.pairs}
+    pairs = [(resolve(key, scope), resolve(value, scope)) for key, value in change.pairs]
+    known = {key.known: value for key, value in pairs if key.known is not None}
+    open_ = next((value for key, value in pairs if key.known is None), None)
     if not pairs:
         return settings
     found = []
     for one in settings:
-        if change.kind == "values":
-            value = pairs.get(one.value.known or "")
-        else:
-            name = one.name.known or ""
-            value = pairs.get(name, pairs.get(name.rpartition(".")[2]))
+        value = known.get(one.value.known or "") if change.kind == "values" else _value_by_name(one, known)
+        # What is replaced by an unknown name may be any of them.
+        value = open_ if value is None and open_ is not None else value
         found.append(one if value is None else _set(one, value, numbers=change.numbers))
+    return found if change.kind == "values" else [*found, *_added(settings, known, change)]
+
+
+def _value_by_name(setting: Setting, known: dict[str, Text]) -> Text | None:
+    """Return what a value becomes: by its path in the file, which counts more, or its own name."""
+    name = setting.name.known or ""
+    path = ".".join([*setting.node.strip("/").split("/"), _ROS, name])
+    return known.get(path, known.get(name, known.get(name.rpartition(".")[2])))
+
+
+def _added(settings: list[Setting], known: dict[str, Text], change: FileChange) -> list[Setting]:
+    """Return the parameters of paths that the file does not have: they are added to it."""
+    there = {".".join([*one.node.strip("/").split("/"), _ROS, one.name.known or ""]) for one in settings}
+    found: list[Setting] = []
+    for path, value in known.items():
+        node, separator, name = path.partition(f".{_ROS}.")
+        if separator and path not in there and settings:
+            empty = Setting(Text.of(name), Text(), settings[0].evidence, "", f"/{node.replace('.', '/')}")
+            found.append(_set(empty, value, numbers=change.numbers))
     return found
+
+
+def _renamed(settings: list[Setting], change: FileChange, scope: Scope) -> list[Setting]:
+    """Return parameters with other keys in their paths, of nodes too."""
+    pairs = {resolve(key, scope).known: resolve(value, scope) for key, value in change.pairs}
+    return [_with_keys(one, pairs) for one in settings] if pairs else settings
+
+
+def _with_keys(setting: Setting, pairs: dict[str | None, Text]) -> Setting:
+    node = "/".join(_key(piece, pairs).pattern for piece in setting.node.split("/"))
+    pieces = (setting.name.known or "").split(".")
+    name = Text.of(*(part for place, piece in enumerate(pieces) for part in (("." * bool(place)), _key(piece, pairs))))
+    return msgspec.structs.replace(setting, node=node, name=name if setting.name.known is not None else setting.name)
+
+
+def _key(piece: str, pairs: dict[str | None, Text]) -> Text:
+    found = pairs.get(piece)
+    if found is None and None in pairs and piece:
+        return pairs[None]
+    return Text.of(piece) if found is None else found
 
 
 def _set(setting: Setting, value: Text, *, numbers: bool) -> Setting:

@@ -18,6 +18,7 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch_python.deferred import Scope, Value, resolve, truth
 from roslens.source.extract.launch_python.launch_action import Action, Condition, Parameter
+from roslens.source.extract.launch_python.turns import turns_over, turns_up_to
 from roslens.source.extract.parameters.ros2_values import type_in_launch
 from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
 
@@ -82,6 +83,7 @@ class _Whole:
         self._environment = environment
         self._assigned: set[str] = set()
         self._open: list[str] = []
+        self._rewritten_files: list[tuple[Text, ...]] = []
         self._read = self._visited = 0
         self._parameter_files = ParameterFiles(files)
 
@@ -106,7 +108,9 @@ class _Whole:
             self.miss(path, *_place_and_reason(error, path, evidence), opens=True)
             return
         self._open.append(path)
-        scope = Scope(self.files, configurations, self._environment, path, self._assigned)
+        scope = Scope(
+            self.files, configurations, self._environment, path, self._assigned, rewritten=self._rewritten_files
+        )
         if outer:
             self._declare(actions, msgspec.structs.replace(scope, configurations=dict(configurations)))
         self._all(actions, scope, space)
@@ -186,6 +190,9 @@ class _Whole:
         elif action.kind == "call" and action.make is not None:
             self._sequence(action.make(scope), action.note, scope, inner)
             _keep(inner, space)
+        elif action.kind == "loop":
+            self._loop(action, scope, inner)
+            _keep(inner, space)
         elif action.kind == "unknown":
             self.miss(str(resolve(action.values.get("text", ""), scope)), action.evidence, action.note, opens=True)
         else:
@@ -233,12 +240,25 @@ class _Whole:
             inner.conditions = (*inner.conditions, Written(note))
         self._all(children, scope, inner)
 
+    def _loop(self, action: Action, scope: Scope, inner: _Space) -> None:
+        """Visit the children once a turn."""
+        over = resolve(action.values["over"], scope)
+        name = resolve(action.values["name"], scope).known if "name" in action.values else None
+        turns = turns_over(over) if name is None else turns_up_to(over, name)
+        if turns is None:
+            self.miss(
+                f"a loop over {over}", action.evidence, "it is unknown how often it starts its actions", opens=True
+            )
+        for turn in turns or ():
+            found = {**scope.turns, **{name: Text.of(str(value)) for name, value in turn.items()}}
+            self._all(action.children, msgspec.structs.replace(scope, turns=found), inner)
+
     def _include(self, action: Action, scope: Scope, inner: _Space) -> None:
         file = resolve(action.values["file"], scope)
         if file.known is None:
             self.miss(str(file), action.evidence, str(file.holes[0].reason), opens=True)
             return
-        path = joined("", file.known)
+        path = _place(file.known)
         # An included file sees what is set around it, and what it sets stays set after it.
         for child in action.children:
             scope.configurations[str(resolve(child.values["name"], scope))] = resolve(child.values["value"], scope)
@@ -301,13 +321,13 @@ class _Whole:
                 kind = one.type or (type_in_launch(value.known) if value.known is not None else "")
                 found.append(Setting(resolve(one.name, scope), value, one.evidence, kind))
                 continue
-            file = resolve(one.file, scope)
+            file, changes = self._parameter_files.of_copy(resolve(one.file, scope), one.changes, scope)
             if file.known is None:
                 self.miss(str(file), one.evidence, str(file.holes[0].reason))
                 continue
-            path = joined("", file.known)
+            path = _place(file.known)
             try:
-                settings = self._parameter_files.settings(path, one.changes, scope)
+                settings = self._parameter_files.settings(path, changes, scope)
             except DocumentError as error:
                 self.miss(error.what, one.evidence, f"{error.where}: expected {error.expected}")
                 continue
@@ -315,6 +335,11 @@ class _Whole:
                 self.miss(path, one.evidence, "there is no such file in the workspace")
             found += settings or []
         return found
+
+
+def _place(path: str) -> str:
+    """Return a path without detours; one from the root of the machine stays one."""
+    return f"{'/' * path.startswith('/')}{joined('', path)}"
 
 
 def _place_and_reason(error: DocumentError, path: str, evidence: Evidence) -> tuple[Evidence, str]:

@@ -31,8 +31,22 @@ _KINDS = {
     "anon": "anonymous",
     "command": "command",
     "path-join": "path",
+    "string-join": "join",
+    "file-content": "content",
+    "for-var": "turn",
+    "index": "turn",
     "if": "if",
 }
+
+_AT_START = {
+    "exec-in-pkg": "path of a program",
+    "find-exec": "path of a program",
+    "launch_log_dir": "folder of the logs of this start",
+    "log_dir": "folder of the logs of this start",
+    "param": "value of a global parameter",
+    "ament-index-resource": "path of a resource of the index of packages",
+}
+"""Substitutions that are known when a launch file is started."""
 
 
 def parse(written: str, depth: int = 0) -> Value:
@@ -134,10 +148,8 @@ def _one(inside: str, depth: int) -> Value:
         return Deferred("python" if command == "eval" else "command", (parse(_unquoted(rest.strip()), depth),))
     arguments = [parse(one, depth) for one in _words(rest)]
     kind = _KINDS.get(command)
-    if command == "exec-in-pkg":
-        return unknown_value(f"path of a program: {inside}")
-    if command == "find-exec":
-        return unknown_value(f"path of a program: {inside}")
+    if command in _AT_START:
+        return unknown_value(f"{_AT_START[command]}: {inside}")
     if kind is None:
         return unknown_value(f"unsupported substitution $({inside})")
     if not arguments and kind not in ("folder", "file"):

@@ -7,13 +7,14 @@ configurations that hold at that moment.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 import msgspec
 
 from roslens.source.extract.domain.abstract_value import Foreign
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.symbolic.python_expression import UnknownError, evaluate
-from roslens.source.extract.symbolic.reason import NotSet, OfEnvironment, RandomEnd
+from roslens.source.extract.symbolic.reason import InstalledAt, NotSet, OfEnvironment, RandomEnd, RewrittenFile
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 _MOST_DEPTH = 40
@@ -24,9 +25,11 @@ class Deferred(Foreign, frozen=True):
 
     Attributes:
         kind: ``text`` (parts one after the other), ``configuration``, ``environment``, ``share``, ``prefix``, ``path``
-            (parts joined by ``/``), ``python``, ``not``, ``and``, ``or``, ``equals``, ``unequal``, ``if`` (condition,
-            then, else), ``folder``, ``file``, ``anonymous``, ``command``, ``rewritten`` (a file of parameters in which
-            something is rewritten) or ``unknown`` (with the reason).
+            (parts joined by ``/``), ``join`` (a delimiter, and the parts that it joins), ``content`` (of a file),
+            ``turn`` (what a loop gives its actions, by name), ``python``, ``not``, ``and``, ``or``, ``equals``,
+            ``unequal``, ``if`` (condition, then, else), ``folder``, ``file``, ``anonymous``, ``command``,
+            ``rewritten`` (a file of parameters, and what ``file_changes.written_changes`` makes of its changes) or
+            ``unknown`` (with the reason).
         parts: what it is made of; of ``configuration`` and ``environment`` the name, and the default if there is one.
     """
 
@@ -43,6 +46,8 @@ class Scope(msgspec.Struct):
         environment: variables that are known.
         path: of the launch file.
         assigned: variables of the environment that an action before may have changed; ``*`` for all.
+        turns: what the loops around give their actions, by name.
+        rewritten: paths of files of which a copy is made, with the changes that are made to it, as texts.
     """
 
     files: Files
@@ -50,6 +55,8 @@ class Scope(msgspec.Struct):
     environment: Mapping[str, str]
     path: str
     assigned: set[str] = set()
+    turns: Mapping[str, Text] = MappingProxyType({})
+    rewritten: list[tuple[Text, ...]] = []
 
 
 Value = Deferred | Text | str
@@ -133,14 +140,65 @@ def _share(parts: list[Text], scope: Scope) -> Text:
     return unknown(f"folder of package {name}, which is not in the workspace") if folder is None else Text.of(folder)
 
 
-def _path(parts: list[Text], _scope: Scope) -> Text:
+def _installed(path: Text, scope: Scope) -> Text:
+    """Return a path below the folder into which a package is installed: what is shared keeps its place in it."""
+    match path.parts:
+        case (Hole(reason=InstalledAt(package=package)), str(below)) if below.startswith(f"/share/{package}/"):
+            folder = scope.files.package(package)
+            return path if folder is None else Text.of(joined(folder, below.removeprefix(f"/share/{package}/")))
+    return path
+
+
+def _path(parts: list[Text], scope: Scope) -> Text:
+    # What begins with a separator leaves out what stands before it.
+    first = max((place for place, part in enumerate(parts) if part.is_global), default=0)
     pieces: list[Text | str] = []
-    for index, part in enumerate(parts):
-        pieces += [part, "/"] if index < len(parts) - 1 else [part]
+    for part in parts[first:]:
+        pieces += ["/", part] if pieces and not str(pieces[-1]).endswith("/") else [part]
     whole = Text.of(*pieces)
     if whole.known is None:
-        return whole
+        return _installed(whole, scope)
     return Text.of("/" * whole.known.startswith("/") + joined("", whole.known))
+
+
+def _joined(parts: list[Text], _scope: Scope) -> Text:
+    delimiter, *components = parts
+    if not components:
+        return unknown("components that are joined, of which there are none")
+    return Text.of(*[piece for one in components for piece in (delimiter, one)][1:])
+
+
+def _content(parts: list[Text], scope: Scope) -> Text:
+    path = parts[0].known
+    if path is None:
+        return _first_hole(parts)
+    content = scope.files.content(path)
+    if content is None:
+        return unknown(f"content of {path}, which is not in the workspace")
+    try:
+        return Text.of(content.decode())
+    except UnicodeDecodeError:
+        return unknown(f"content of {path}, which is no text")
+
+
+def _turn(parts: list[Text], scope: Scope) -> Text:
+    name = parts[0].known
+    if name is None:
+        return _first_hole(parts)
+    if name in scope.turns:
+        return scope.turns[name]
+    return parts[1] if len(parts) > 1 else unknown(NotSet(f"loop variable {name}"))
+
+
+def _rewritten(parts: list[Text], scope: Scope) -> Text:
+    """Return the path of a copy of a file, which is known by the changes that are made to it."""
+    of = parts[0]
+    if len(parts) == 1 or (of.known is None and not (of.only and isinstance(of.only.reason, RewrittenFile))):
+        return of
+    found = tuple(parts)
+    if found not in scope.rewritten:
+        scope.rewritten.append(found)
+    return unknown(RewrittenFile(of.known or str(of), scope.rewritten.index(found)))
 
 
 def _python(parts: list[Text], _scope: Scope) -> Text:
@@ -168,11 +226,11 @@ def _folder(_parts: list[Text], scope: Scope) -> Text:
 
 
 _KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
-    "text": lambda parts, _scope: Text.of(*parts),
+    "text": lambda parts, scope: _installed(Text.of(*parts), scope),
     "configuration": _configuration,
     "environment": _environment,
     "share": _share,
-    "prefix": lambda parts, _scope: unknown(f"folder into which {parts[0]} is installed"),
+    "prefix": lambda parts, _scope: unknown(InstalledAt(str(parts[0]))),
     "path": _path,
     "python": _python,
     "not": lambda parts, _scope: _said(parts, lambda found: not found[0]),
@@ -185,5 +243,8 @@ _KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
     "file": lambda _parts, scope: Text.of(scope.path),
     "anonymous": lambda parts, _scope: Text.of(*parts, "_", Hole(RandomEnd())),
     "command": lambda parts, _scope: unknown(f"output of `{Text.of(*parts)}`"),
-    "rewritten": lambda parts, _scope: parts[0],
+    "rewritten": _rewritten,
+    "join": _joined,
+    "content": _content,
+    "turn": _turn,
 }

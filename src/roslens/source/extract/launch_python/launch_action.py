@@ -24,7 +24,8 @@ class FileChange(msgspec.Struct, frozen=True):
 
     Attributes:
         kind: ``substitutes`` (substitutions in it), ``replace`` (texts in it by others), ``names`` (values of
-            parameters by their name or path), ``values`` (values by others) or ``root`` (all is put below a key).
+            parameters by their name or path), ``keys`` (keys by others), ``values`` (values by others) or ``root``
+            (all is put below a key).
         pairs: what is replaced, and by what.
         value: of ``root``.
         numbers: whether what is put in is made a number where it looks like one.
@@ -33,7 +34,7 @@ class FileChange(msgspec.Struct, frozen=True):
     """
 
     kind: str
-    pairs: tuple[tuple[str, Value], ...] = ()
+    pairs: tuple[tuple[Value, Value], ...] = ()
     value: Value = ""
     numbers: bool = False
     condition: Value = "true"
@@ -61,9 +62,10 @@ class Action(msgspec.Struct, frozen=True):
         kind: ``argument``, ``set``, ``environment`` (a variable is changed, ``*`` for all), ``include``, ``group``,
             ``namespace``, ``parameter``, ``remap``, ``node``, ``lifecycle``, ``container``, ``component``, ``load``,
             ``process``, ``sequence`` (its children, in the scope around it), ``call`` (children are made when it is
-            visited), ``nothing`` or ``unknown``.
+            visited), ``loop`` (its children are visited once a turn), ``nothing`` or ``unknown``.
         evidence: where it is written.
-        values: by name, as given: ``name``, ``default``, ``package``, ``executable``, ``namespace``, ``plugin`` …
+        values: by name, as given: ``name``, ``default``, ``package``, ``executable``, ``namespace``, ``plugin`` …; of a
+            ``loop`` what it is ``over``: sets of values, or a number where it has the ``name`` of the index.
         children: of groups and sequences; components of a container; arguments of an include as ``set``.
         condition: of it.
         parameters: of nodes and ``parameter``.

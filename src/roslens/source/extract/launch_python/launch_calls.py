@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from roslens.source.extract.domain.abstract_value import Names, Value
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Names, Obj, Value
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.calls import Calls
-from roslens.source.extract.ir.program import Call, Member, Name
+from roslens.source.extract.ir.program import Call, Expression, Member, Name
 from roslens.source.extract.launch_python.deferred import Deferred, resolve
-from roslens.source.extract.launch_python.launch_file_reads import READS, Opened, read
-from roslens.source.extract.launch_python.launch_values import Made, as_value, lifted, plain
+from roslens.source.extract.launch_python.file_changes import stands_for
+from roslens.source.extract.launch_python.launch_file_reads import PATH_READS, READS, Opened, read
+from roslens.source.extract.launch_python.launch_functions import (
+    FUNCTIONS,
+    Bound,
+    Calling,
+    Partial,
+    Shape,
+    call_with_functions,
+)
+from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import kept
-from roslens.source.extract.launch_python.launch_words import ACTIONS, call_known, call_method, is_known
+from roslens.source.extract.launch_python.launch_words import ACTIONS, call_known, call_method, is_at_once, is_known
 from roslens.source.extract.launch_python.visit import Visit
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.transfer.context import Context
@@ -32,7 +43,20 @@ class LaunchCalls(Calls):
         """Return the result of a call."""
         if expression.function == _STR and len(expression.arguments) == 1 and "str" not in self.ctx.state.frame.names:
             return lifted(as_value(self.ctx.value(expression.arguments[0])))
+        held = self._held(expression.function)
+        if held is not None:
+            arguments, keywords = self._arguments(expression)
+            return self.applied(held, expression, arguments, keywords, ())
         return super().called(expression)
+
+    def _held(self, function: Expression) -> Value:
+        """Return what a name of the file stands for, where calling that has a meaning of its own."""
+        match function:
+            case Name(name=name) if name not in self.ctx.state.frame.names:
+                found = self.ctx.expressions.defined(name)
+            case _:
+                return None
+        return found if isinstance(found, Partial | Shape | Bound) else None
 
     def outer(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
@@ -45,14 +69,46 @@ class LaunchCalls(Calls):
             first = arguments[0] if arguments else None
             if last == "LaunchDescription" and isinstance(first, list):
                 arguments = [list(first), *arguments[1:]]
-            place = Evidence(self.ctx.state.frame.path, expression.line, expression.column)
-            return Made(last, place, list(arguments), given, tuple(dict.fromkeys(self.ctx.state.conditions)))
+            return self._made(last, expression, arguments, given)
+        if name in FUNCTIONS:
+            return call_with_functions(name, self._calling(expression, arguments, keywords))
         if name not in READS and not is_known(name):
             return super().outer(name, expression, arguments, keywords, templates)
         positional = [plain(one) for one in arguments]
         if name in READS:
             return lifted(read(name, positional, self.ctx.state.frame.path, self.visit.files, self.visit.scope))
-        return lifted(call_known(name, positional, {one: plain(value) for one, value in given.items()}))
+        found = lifted(call_known(name, positional, {one: plain(value) for one, value in given.items()}))
+        return self.visit.at_once(found) if is_at_once(name) else found
+
+    def _made(self, name: str, expression: Call, arguments: list[Value], given: Names) -> Made:
+        """Return an object of a class of launch."""
+        place = Evidence(self.ctx.state.frame.path, expression.line, expression.column)
+        made = Made(name, place, list(arguments), given, tuple(dict.fromkeys(self.ctx.state.conditions)))
+        return msgspec.structs.replace(made, stands_for=stands_for(made)) if name in PARAMETER_FILES else made
+
+    def _calling(self, expression: Call, arguments: list[Value], keywords: Names) -> Calling:
+        def apply(of: Value, given: list[Value], named: Names) -> Value:
+            return self.applied(of, expression, given, named, ())
+
+        return Calling(self.ctx, self.ctx.index.memo.text(expression), apply, arguments, keywords)
+
+    def applied(
+        self, of: Value, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]
+    ) -> Value:
+        """Call a value: a function or class of the workspace or of a library, or one of which arguments are given."""
+        match of:
+            case Partial():
+                inside = (expression, [*of.arguments, *arguments], {**of.keywords, **keywords}, templates)
+                return self.applied(of.function, *inside)
+            case Shape():
+                return of.make(arguments, keywords)
+            case Bound():
+                function = Member(Name(""), of.name)
+                return self.plain_method(expression, function, of.of, arguments, keywords)
+            case Callable():
+                # What is called by a function of a library has other arguments than that.
+                return self.ctx.call(Invocation(of, arguments, keywords))
+        return super().applied(of, expression, arguments, keywords, templates)
 
     def plain_method(
         self, expression: Call, function: Member, of: Value, arguments: list[Value], keywords: Names
@@ -71,6 +127,10 @@ class LaunchCalls(Calls):
                 added = arguments[0] if name == "extend" and arguments and isinstance(arguments[0], list) else arguments
                 arguments = [[kept(self.ctx, one) for one in added]]
                 return super().plain_method(expression, Member(function.of, "extend"), of, arguments, keywords)
+            case Obj() if name == "perform_substitution" and arguments:
+                return lifted(self._resolved(as_value(plain(arguments[0]))))
+            case Text() | Deferred() if name in PATH_READS:
+                return lifted(self._read_path(name, as_value(plain(of)), arguments))
             case list() | dict() if name == "copy":
                 return of.copy()
             case dict() if name in ("get", "pop") and len(arguments) == 1:
@@ -80,6 +140,10 @@ class LaunchCalls(Calls):
                 written = self.ctx.index.memo.text(expression.function)
                 return lifted(call_method(plain(of), name, [plain(one) for one in arguments], given, written))
         return super().plain_method(expression, function, of, arguments, keywords)
+
+    def _read_path(self, name: str, path: Deferred | Text | str, arguments: list[Value]) -> object:
+        positional = [path, *(plain(one) for one in arguments)]
+        return read(PATH_READS[name], positional, self.ctx.state.frame.path, self.visit.files, self.visit.scope)
 
     def _resolved(self, value: Deferred | Text | str) -> Deferred | Text | str:
         return value if self.visit.scope is None else resolve(value, self.visit.scope)

@@ -11,14 +11,17 @@ from roslens.source.extract.ir.program import Expression, Format, Item, Mapping,
 from roslens.source.extract.ir.program import Sequence as Listed
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_python.launch_action import text
+from roslens.source.extract.launch_python.launch_functions import Bound
+from roslens.source.extract.launch_python.launch_paths import CONSTANTS, member_of_path
 from roslens.source.extract.launch_python.launch_values import Made, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import either, kept
 from roslens.source.extract.launch_python.launch_weight import bounded
 from roslens.source.extract.launch_python.visit import Visit
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.spread_lists import spread_out
 
+_MOST_TIMES = 100
 _PLAIN = (str, bool, int, float, list, dict, type(None))
 
 
@@ -33,7 +36,9 @@ class LaunchExpressions(Expressions):
     def outside(self, name: str) -> Value:
         """Return what a name means that is not of the file."""
         if name == "__file__":
-            return Deferred("file")
+            return Text.of(self.ctx.state.frame.path)
+        if name in CONSTANTS:
+            return Text.of(CONSTANTS[name])
         return Text.of("launch") if name == "__name__" else super().outside(name)
 
     def member(self, expression: Member) -> Value:
@@ -44,8 +49,19 @@ class LaunchExpressions(Expressions):
 
     def member_of(self, of: Value, name: str) -> Value:
         """Return a member of a value by name."""
-        if not isinstance(of, Class):
-            return super().member_of(of, name)
+        match of:
+            case Text() | Deferred():
+                found = member_of_path(of, name)
+                return super().member_of(of, name) if found is None else lifted(found)
+            case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
+                return Bound(of, name)
+            case list() if name in ("append", "extend"):
+                return Bound(of, name)
+            case Class():
+                return self._member_of_class(of, name)
+        return super().member_of(of, name)
+
+    def _member_of_class(self, of: Class, name: str) -> Value:
         # An external class may define what a member means: ``Enum``.
         for one in self.ctx.index.chain(of.defined) if not self.ctx.index.outer_bases(of.defined) else ():
             found = super().member_of(Class(one), name)
@@ -67,7 +83,7 @@ class LaunchExpressions(Expressions):
         for key, value in expression.items:
             inner = self.value(value)
             if isinstance(key, Opaque) and key.text == "**":
-                found.update(inner if isinstance(inner, dict) else {})
+                found.update(inner if isinstance(inner, dict) else {unknown("an unknown key"): inner})
                 continue
             name: Any = self.value(key)
             name = text(*map(as_value, name)) if isinstance(name, list) else name
@@ -82,7 +98,7 @@ class LaunchExpressions(Expressions):
 
     def _piece(self, expression: Expression) -> Text:
         value = self.visit.performed(self.value(expression))
-        if isinstance(value, Deferred):
+        if isinstance(value, Deferred) and value.kind != "environment":
             value = Unknown(f"a substitution in an f-string: {self.ctx.index.memo.text(expression)}")
         found = as_value(value)
         if isinstance(found, Deferred):
@@ -114,7 +130,14 @@ class LaunchExpressions(Expressions):
     def computed(self, operator: str, values: list[Value], expression: Operation) -> Value:
         """Return what an operator makes of values: ``/`` joins paths."""
         if operator == "/" and any(isinstance(one, Deferred | Text) for one in values):
-            return Deferred("path", tuple(map(as_value, values)))
+            return self.visit.at_once(Deferred("path", tuple(as_value(plain(one)) for one in values)))
+        match operator, values:
+            case "|", [dict() as one, dict() as other]:
+                return bounded({**one, **other})
+            case "*", [list() as several, int() as times] if times <= _MOST_TIMES:
+                return bounded(several * times)
+            case "*", [Text(known=str(written)), int() as times] if times <= _MOST_TIMES:
+                return Text.of(written * times)
         values = [self.visit.performed(one) for one in values]
         compare = _COMPARE.get(operator)
         if compare is None or len(values) != 2:
@@ -156,6 +179,9 @@ class _NoFiles:
 
     def content(self, path: str) -> bytes | None:  # noqa: ARG002 - there is none
         return None
+
+    def listing(self, folder: str) -> tuple[str, ...]:  # noqa: ARG002 - there are none
+        return ()
 
 
 _NO_FILES = _NoFiles()

@@ -1,21 +1,28 @@
-"""What a launch file in Python reads of other files: YAML of the workspace, by ``open`` and ``yaml.safe_load``."""
+"""What a launch file in Python reads of other files: YAML and JSON of the workspace, and which files there are."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import json
+from fnmatch import fnmatchcase
+from typing import Any
 
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
 from roslens.source.extract.domain.abstract_value import Foreign, Unknown
+from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_python.launch_values import as_value
 from roslens.source.extract.symbolic.text import Text
 
-if TYPE_CHECKING:
-    from roslens.source.extract.facts.files import Files
-
 _LOADS = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load", "yaml.unsafe_load"})
 _OPENS = frozenset({"open", "io.open"})
-READS = _LOADS | _OPENS
+_JSON = frozenset({"json.loads", "json.load"})
+_FOUND = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists"})
+_GLOBS = frozenset({"glob.glob", "glob.iglob"})
+_PATH_GLOBS = {"pathlib.glob": "", "pathlib.rglob": "**/"}
+READS = _LOADS | _OPENS | _JSON | _GLOBS | _FOUND
+PATH_READS = {"open": "open", "read_text": "open", "read_bytes": "open", "exists": "os.path.exists",
+              "is_file": "os.path.isfile", "glob": "pathlib.glob", "rglob": "pathlib.rglob"}  # fmt: skip
+"""What methods of paths do, as functions that read."""
 _MOST_BYTES = 1_000_000
 
 
@@ -29,7 +36,7 @@ def read(function: str, positional: list[Any], path: str, files: Files | None, s
     """Return what opening or loading a file gives.
 
     Args:
-        function: one of ``READS``.
+        function: one of ``READS``, or of those that ``PATH_READS`` has.
         positional: its arguments.
         path: of the launch file.
         files: of the workspace.
@@ -39,13 +46,46 @@ def read(function: str, positional: list[Any], path: str, files: Files | None, s
     first = positional[0] if positional else None
     if files is None or first is None:
         return reason
+    if function in _LOADS or function in _JSON:
+        content = _content(first, files)
+        return reason if content is None or len(content) > _MOST_BYTES else _loaded(function, content, reason)
+    if not isinstance(first, str | Text | Deferred):
+        return reason
+    found = resolve(as_value(first), scope or Scope(files, {}, {}, path)).known
+    if found is None:
+        return reason
     if function in _OPENS:
-        if not isinstance(first, str | Text | Deferred):
-            return reason
-        found = resolve(as_value(first), scope or Scope(files, {}, {}, path)).known
-        return reason if found is None or files.content(found) is None else Opened(found)
-    content = _content(first, files)
-    return reason if content is None or len(content) > _MOST_BYTES else _loaded(content, reason)
+        return reason if files.content(found) is None else Opened(found)
+    if function in _FOUND:
+        # What is not in the workspace may be made when it is built.
+        return reason if files.content(found) is None else True
+    return _matching(function, found, positional[1:], files)
+
+
+def _matching(function: str, path: str, rest: list[Any], files: Files) -> Any:
+    """Return the files of the workspace that match a pattern, in the order of their names; that of ``glob`` is open."""
+    pattern = path
+    if function in _PATH_GLOBS:
+        if not rest or not isinstance(rest[0], str):
+            return Unknown(f"result of {function}()")
+        pattern = f"{path}/{_PATH_GLOBS[function]}{rest[0]}"
+    folder = joined("", pattern[: _first_sign(pattern)].rpartition("/")[0])
+    found = [one for one in files.listing(folder) if _matches(one.split("/"), joined("", pattern).split("/"))]
+    return sorted(found) or Unknown(f"files that match {pattern}, of which the workspace has none")
+
+
+def _first_sign(pattern: str) -> int:
+    return next((place for place, sign in enumerate(pattern) if sign in "*?["), len(pattern))
+
+
+def _matches(pieces: list[str], pattern: list[str]) -> bool:
+    """Whether a path matches a pattern, in which ``**`` stands for any number of folders."""
+    if not pattern or not pieces:
+        return not pattern and not pieces
+    if pattern[0] == "**" and len(pattern) > 1:
+        return _matches(pieces, pattern[1:]) or _matches(pieces[1:], pattern)
+    hidden = pieces[0].startswith(".") and not pattern[0].startswith(".")
+    return not hidden and fnmatchcase(pieces[0], pattern[0]) and _matches(pieces[1:], pattern[1:])
 
 
 def _content(first: Any, files: Files) -> bytes | None:
@@ -54,10 +94,10 @@ def _content(first: Any, files: Files) -> bytes | None:
     return first.encode() if isinstance(first, str) else None
 
 
-def _loaded(content: bytes, reason: Unknown) -> Any:
+def _loaded(function: str, content: bytes, reason: Unknown) -> Any:
     try:
-        return _plain(load_yaml(content))
-    except (UnsafeYamlError, RecursionError):
+        return _plain(json.loads(content) if function in _JSON else load_yaml(content))
+    except (UnsafeYamlError, RecursionError, ValueError):
         return reason
 
 

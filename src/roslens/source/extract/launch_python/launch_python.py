@@ -16,9 +16,12 @@ from roslens.source.extract.domain.abstract_value import Callable, Named, Unknow
 from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
-from roslens.source.extract.launch_python.deferred import Deferred, Scope, Value
+from roslens.source.extract.launch_python.deferred import Deferred, Scope, Value, resolve
+from roslens.source.extract.launch_python.file_changes import condition_of, rewritten_file
 from roslens.source.extract.launch_python.launch_action import Action, Parameter
-from roslens.source.extract.launch_python.launch_parts import changes_of, condition_of, name_of, pairs_of, type_of
+from roslens.source.extract.launch_python.launch_context import context_of, keep_configurations
+from roslens.source.extract.launch_python.launch_functions import Partial
+from roslens.source.extract.launch_python.launch_parts import name_of, pairs_of, type_of
 from roslens.source.extract.launch_python.launch_program import LaunchProgram
 from roslens.source.extract.launch_python.launch_values import (
     PARAMETER_FILES,
@@ -30,6 +33,7 @@ from roslens.source.extract.launch_python.launch_values import (
     plain,
     shown,
 )
+from roslens.source.extract.launch_python.turns import turns_over, turns_up_to
 from roslens.source.extract.parameters.ros2_values import type_of_list
 from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import And, Conditions, Text
@@ -228,23 +232,53 @@ class _Conversion:
         return Action("sequence", made.evidence, children=tuple(children), note=_EVENTS.get(made.name, made.name))
 
     def function(self, made: Visited) -> Action:
-        function = made.argument(0, "function")
         given, named = made.named.get("args") or [], made.named.get("kwargs") or {}
 
         def make(scope: Scope) -> tuple[Action, ...]:
-            if not isinstance(function, Callable):
-                reason = "it calls a function that is not in this file"
-                return (Action("unknown", made.evidence, {"text": "OpaqueFunction"}, note=reason),)
-            try:
-                context = Unknown("the launch context")
-                arguments = [context, *map(lifted, given)]
-                keywords = {one: lifted(value) for one, value in named.items()}
-                returned = self._program.run(function, arguments, keywords, scope)
-                return tuple(self.all(returned, made.evidence))
-            except (BudgetExceededError, RecursionError):
-                return (Action("unknown", made.evidence, {"text": "OpaqueFunction"}, note="it takes too many steps"),)
+            context = context_of(scope)
+            arguments = [context, *map(lifted, given)] if isinstance(given, list) else [context]
+            keywords = {one: lifted(value) for one, value in named.items()} if isinstance(named, dict) else {}
+            found = self._called(made, made.argument(0, "function"), arguments, keywords, scope)
+            keep_configurations(context, scope)
+            return found
 
         return Action("call", made.evidence, make=make)
+
+    def loop(self, made: Visited) -> Action:
+        counts = made.name == "ForLoop"
+        over = as_value(made.argument(0, "length" if counts else "input_values"))
+
+        def make(scope: Scope) -> tuple[Action, ...]:
+            value = resolve(over, scope)
+            turns = turns_up_to(value, "i") if counts else turns_over(value)
+            if turns is None:
+                reason = f"it is unknown how often it starts what is in it: {value}"
+                return (Action("unknown", made.evidence, {"text": made.name}, note=reason),)
+            function = made.named.get("function")
+            return tuple(
+                action
+                for turn in turns
+                for action in self._called(made, function, [], {n: lifted(one) for n, one in turn.items()}, scope)
+            )
+
+        return Action("call", made.evidence, make=make)
+
+    def _called(
+        self, made: Visited, function: Any, arguments: list[Any], keywords: dict[str, Any], scope: Scope
+    ) -> tuple[Action, ...]:
+        """Return the actions of what a function returns that is called when an action is visited."""
+        given: list[Any] = []
+        while isinstance(function, Partial):
+            given, keywords = [*function.arguments, *given], {**function.keywords, **keywords}
+            function = function.function
+        if not isinstance(function, Callable):
+            reason = "it calls a function that is not in this file"
+            return (Action("unknown", made.evidence, {"text": made.name}, note=reason),)
+        try:
+            returned = self._program.run(function, [*given, *arguments], keywords, scope)
+            return tuple(self.all(returned, made.evidence))
+        except (BudgetExceededError, RecursionError):
+            return (Action("unknown", made.evidence, {"text": made.name}, note="it takes too many steps"),)
 
     def environment(self, made: Visited) -> Action:
         return Action("environment", made.evidence, {"name": as_value(made.argument(0, "name") or "*")})
@@ -261,18 +295,13 @@ class _Conversion:
             if isinstance(one, dict):
                 for name, value in one.items():
                     yield from self._parameter(name, value, made.evidence)
-            elif isinstance(one, list):
+            elif isinstance(one, list) and any(isinstance(item, dict | list | Made) for item in one):
                 yield from self._given(one, made)
             elif isinstance(one, Made) and one.name in PARAMETER_FILES:
-                yield self._file(one, made.evidence)
+                file, changes = rewritten_file(one)
+                yield Parameter(made.evidence, file=file, changes=changes)
             elif one is not None:
                 yield Parameter(made.evidence, file=as_value(one))
-
-    def _file(self, made: Made, evidence: Evidence) -> Parameter:
-        source = made.argument(0, "param_file", "source_file")
-        inner = self._file(source, evidence) if isinstance(source, Made) and source.name in PARAMETER_FILES else None
-        file = as_value(source) if inner is None else inner.file
-        return Parameter(evidence, file=file, changes=(*(inner.changes if inner else ()), *changes_of(made)))
 
     def _parameter(self, name: Any, value: Any, evidence: Evidence) -> Iterator[Parameter]:
         if isinstance(value, dict):
@@ -310,6 +339,7 @@ _NODES = {
     "LifecycleNode": "lifecycle",
     "ComposableNodeContainer": "container",
     "ComposableNode": "component",
+    "ComposableLifecycleNode": "component",
     "LoadComposableNodes": "load",
 }
 _EVENTS = {
@@ -322,6 +352,7 @@ _EVENTS = {
 }
 _MAKERS: dict[str, Function1[[_Conversion, Visited], Action]] = {
     "DeclareLaunchArgument": _Conversion.argument,
+    "DeclareBooleanLaunchArgument": _Conversion.argument,
     "SetLaunchConfiguration": _Conversion.setting,
     "UnsetLaunchConfiguration": _Conversion.unsetting,
     "IncludeLaunchDescription": _Conversion.include,
@@ -338,6 +369,8 @@ _MAKERS: dict[str, Function1[[_Conversion, Visited], Action]] = {
     "RosTimer": _Conversion.sequence,
     "RegisterEventHandler": _Conversion.handler,
     "OpaqueFunction": _Conversion.function,
+    "ForEach": _Conversion.loop,
+    "ForLoop": _Conversion.loop,
     **dict.fromkeys(_NODES, _Conversion.node),
     **dict.fromkeys(_EVENTS, _Conversion.event),
     **dict.fromkeys(
@@ -346,9 +379,9 @@ _MAKERS: dict[str, Function1[[_Conversion, Visited], Action]] = {
         _Conversion.environment,
     ),
     **dict.fromkeys(
-        ("LogInfo", "PushEnvironment", "Shutdown", "EmitEvent", "ResetLaunchConfigurations", "PushLaunchConfigurations",
-         "PopLaunchConfigurations", "SetROSLogDir", "UnregisterEventHandler",
-         "ReadyToTest"),
+        ("LogInfo", "Log", "LogDebug", "LogWarning", "LogError", "PushEnvironment", "Shutdown", "EmitEvent",
+         "ResetLaunchConfigurations", "PushLaunchConfigurations", "PopLaunchConfigurations", "SetROSLogDir",
+         "UnregisterEventHandler", "ReadyToTest"),
         _Conversion.nothing,
     ),
 }  # fmt: skip

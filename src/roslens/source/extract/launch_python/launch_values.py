@@ -31,6 +31,7 @@ class Made(Foreign, frozen=True, eq=False):
         positional: arguments by position; what is added to a description later stands behind them.
         named: arguments by name.
         conditions: around it that are open.
+        stands_for: the path that it comes to, where it is a copy of a file.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Made(Foreign, frozen=True, eq=False):
     positional: list[Value] = msgspec.field(default_factory=list)
     named: dict[str, Value] = msgspec.field(default_factory=dict)
     conditions: Conditions = ()
+    stands_for: Deferred | None = None
 
     def argument(self, place: int, *names: str) -> Value:
         """Return an argument by position or the first of its names; None where it is not given."""
@@ -155,9 +157,7 @@ def _of_others(found: Plain) -> Written:
         case Guarded():
             return as_value(found.value)
         case Made():
-            if found.name in PARAMETER_FILES:
-                return Deferred("rewritten", (as_value(found.argument(0, "param_file", "source_file")),))
-            return unknown_value(f"a {found.name}")
+            return unknown_value(f"a {found.name}") if found.stands_for is None else found.stands_for
         case Named():
             return unknown_value(f"the name {found.name}")
         case Class() | Obj():

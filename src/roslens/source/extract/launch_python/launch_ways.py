@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import msgspec
+
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame, Held
 from roslens.source.extract.domain.frame import join as join_names
@@ -33,7 +35,7 @@ class LaunchFrame(Frame):
             case list() if open_:
                 return list(value)
             case Made() if open_:
-                return Made(value.name, value.evidence, list(value.positional), value.named, value.conditions)
+                return msgspec.structs.replace(value, positional=list(value.positional))
         return value
 
     def join(self, other: Held, condition: Condition) -> None:

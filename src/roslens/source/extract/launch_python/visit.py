@@ -30,3 +30,13 @@ class Visit:
         if not isinstance(value, Deferred | Text) or self.scope is None:
             return value
         return resolve(value, self.scope)
+
+    def at_once(self, value: Value) -> Value:
+        """Return a path that is made of texts as what it comes to when the file is read."""
+        if self.files is None or not isinstance(value, Deferred) or not all(map(_is_text, value.parts)):
+            return value
+        return resolve(value, Scope(self.files, {}, {}, self.path))
+
+
+def _is_text(value: Value) -> bool:
+    return isinstance(value, str | Text)

@@ -137,6 +137,32 @@ class NotSet(_Reason, frozen=True, tag="not set"):
         return f"{self.what}, which is not set"
 
 
+class InstalledAt(_Reason, frozen=True, tag="installed at"):
+    """The folder into which a package is installed."""
+
+    package: str
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"folder into which {self.package} is installed"
+
+
+class RewrittenFile(_Reason, frozen=True, tag="rewritten file"):
+    """The path of a copy of a file that a launch file makes when it starts.
+
+    Attributes:
+        of: the path of the file.
+        number: of the changes that are made to it, in one evaluation of a launch file.
+    """
+
+    of: str
+    number: int
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"a rewritten copy of {self.of}"
+
+
 class OfMany(_Reason, frozen=True, tag="of many"):
     """One of so many texts that they are not distinguished, or what is made of it."""
 
@@ -149,7 +175,7 @@ class OfMany(_Reason, frozen=True, tag="of many"):
 
 Reason = (
     str | OfNode | OfParameter | OfHandle | OfController | EachOf | ItemOf | PartOf | OfEnvironment | RandomEnd | NotSet
-    | OfMany
+    | InstalledAt | RewrittenFile | OfMany
 )  # fmt: skip
 """Why something is unknown; nothing depends on the content of plain text."""
 

@@ -1,7 +1,7 @@
 """A Python file as a program with more information than stored ones.
 
 It knows where each of its expressions stands, and what is spread out in a list: ``[*first, last]`` has the operation
-``*`` of ``first``.
+``*`` of ``first``. Tables are joined by ``|``, and a generator is a function that returns the list of what it yields.
 """
 
 from __future__ import annotations
@@ -9,7 +9,21 @@ from __future__ import annotations
 import msgspec
 from tree_sitter import Node
 
-from roslens.source.extract.ir.program import NO_EXCEPTION, Branch, Expression, Operation, Program, Statement
+from roslens.source.extract.ir.program import (
+    NO_EXCEPTION,
+    Assign,
+    Branch,
+    Call,
+    Expression,
+    Literal,
+    Member,
+    Name,
+    Operation,
+    Program,
+    Return,
+    Sequence,
+    Statement,
+)
 from roslens.source.extract.lowering.python.python_program import lower_python
 from roslens.source.extract.lowering.python.python_program_statements import Statements
 from roslens.source.syntax.python_tree import parse_tree, with_line_feeds
@@ -44,12 +58,19 @@ class Places:
         return None if found is None else found[1]
 
 
+_YIELDED = Name("#yielded")
+"""The list of what a generator yields: it is evaluated as a function that returns them all."""
+
+
 class _Located(Statements):
+    operators = Statements.operators | {"|"}
+
     def __init__(self, source: bytes, places: Places, *, handlers: bool) -> None:
         super().__init__(source)
         self._places = places
         self._handlers = handlers
         self._listing = False
+        self._yields = False
 
     def expression(self, node: Node) -> Expression:
         # What is written twice is two expressions here.
@@ -77,6 +98,26 @@ class _Located(Statements):
         if not self._listing or not self._starred(node):
             return super()._item(node)
         return Operation("*", (self.expression(node.children[-1] if node.type == "list_splat" else node),))
+
+    def _yielded(self, node: Node) -> Expression:
+        """Return the call that adds a value to the list of those that a generator yields."""
+        self._yields = True
+        values = self.parts(node)
+        several = any(child.type == "from" for child in node.children)
+        given = self.expression(values[0]) if values else Literal(None)
+        line, start = self.line(node), node.start_byte
+        return Call(Member(_YIELDED, "extend" if several else "append"), (given,), line=line,
+                    column=start - self._starts[line - 1] + 1)  # fmt: skip
+
+    def _on_function(self, node: Node) -> None:
+        outer, self._yields = self._yields, False
+        index = len(self.functions)
+        super()._on_function(node)
+        found = self.functions[index]
+        if self._yields and found is not None:
+            body = (Assign(_YIELDED, Sequence(()), line=found.line), *found.body, Return(_YIELDED, found.line))
+            self.functions[index] = msgspec.structs.replace(found, body=body)
+        self._yields = outer
 
     def _on_try(self, node: Node) -> None:
         super()._on_try(node)

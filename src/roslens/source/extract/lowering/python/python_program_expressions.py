@@ -95,7 +95,7 @@ _HANDLERS = {
     "lambda": "function_without_name",
     "named_expression": "named",
     "as_pattern": "as_pattern",
-    "yield": "opaque",
+    "yield": "yielded",
     "ellipsis": "text_only",
     "slice": "opaque",
 }
@@ -118,7 +118,13 @@ _TUPLE, _PARENTHESES = _kind("tuple"), _kind("parenthesized_expression")
 
 
 class Expressions(Made):
-    """Lowers the expressions of one file."""
+    """Lowers the expressions of one file.
+
+    Attributes:
+        operators: those of two values that are kept; what others come to is opaque.
+    """
+
+    operators = _KEPT_OPERATORS
 
     def __init__(self, source: bytes) -> None:
         """Begin with the source that was parsed."""
@@ -233,7 +239,9 @@ class Expressions(Made):
 
     def _call(self, node: Node) -> Expression:
         children = node.children
-        function = self.expression(children[0])
+        # ``*f()`` may be a call of ``*f`` to the parser.
+        called = children[0]
+        function = self.expression(called.children[-1] if called.kind_id == _SPLAT else called)
         arguments: list[Expression] = []
         keywords: list[tuple[str, Expression]] = []
         given = children[-1]
@@ -285,7 +293,7 @@ class Expressions(Made):
     def _binary(self, node: Node) -> Expression:
         children = node.children
         operator = self.text(children[1]) if len(children) == 3 else ""
-        if operator not in _KEPT_OPERATORS:
+        if operator not in self.operators:
             return self._opaque(node)
         left, right = self.expression(children[0]), self.expression(children[2])
         if operator == "%" and isinstance(left, Literal) and isinstance(left.value, str):
@@ -351,6 +359,10 @@ class Expressions(Made):
             return self._opaque(node)
         then, condition, otherwise = map(self.expression, parts)
         return Operation("?:", (condition, then, otherwise))
+
+    def _yielded(self, node: Node) -> Expression:
+        """Return what stands for the value that the caller of a generator sends it: it is not known."""
+        return self._opaque(node)
 
     # Displays
 

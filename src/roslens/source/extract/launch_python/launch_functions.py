@@ -1,0 +1,327 @@
+"""What functions of Python come to that are given functions and lists: ``map``, ``partial``, ``reduce``, ``chain``.
+
+Items of a list that are there under a condition keep it, and what is not known stays in its place among the others.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable as Function1
+from typing import TypeAlias
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Foreign, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.guarded import Guarded, guarded, in_place_of, is_counted, unguarded
+from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.domain.unknown_lists import each_of
+from roslens.source.extract.launch_python.launch_values import Made, plain
+from roslens.source.extract.symbolic.text import Text, Written
+from roslens.source.extract.transfer.context import Context
+
+_MOST_ITEMS = 1_000
+
+
+class Partial(Foreign, frozen=True, eq=False):
+    """A function of which some arguments are given: ``functools.partial(Node, package="p")``."""
+
+    function: Value
+    arguments: list[Value]
+    keywords: dict[str, Value]
+
+
+class Bound(Foreign, frozen=True, eq=False):
+    """A method of a value that is no object of a class of the workspace: ``description.add_action``."""
+
+    of: Value
+    name: str
+
+
+class Shape(Foreign, frozen=True, eq=False):
+    """A class that ``collections.namedtuple`` makes."""
+
+    name: str
+    fields: tuple[str, ...]
+    defaults: list[Value] = msgspec.field(default_factory=list)
+
+    def make(self, arguments: list[Value], keywords: Names) -> Value:
+        """Return an object of it."""
+        first = len(self.fields) - len(self.defaults)
+        values: dict[str, Value] = dict(zip(self.fields[first:], self.defaults, strict=True))
+        values |= dict(zip(self.fields, arguments, strict=False))
+        return Obj(self.name, None, values | keywords)
+
+
+class Calling(msgspec.Struct, frozen=True, eq=False):
+    """A call of a function that is given others.
+
+    Attributes:
+        ctx: the evaluation.
+        written: the call, as the file has it.
+        apply: calls a value.
+        arguments: values by position.
+        keywords: values by name.
+    """
+
+    ctx: Context
+    written: str
+    apply: Function1[[Value, list[Value], Names], Value]
+    arguments: list[Value]
+    keywords: Names
+
+    def items(self, value: Value) -> list[Value] | None:
+        """Return the items of a list; None where they are unknown."""
+        known = self.ctx.items(value)
+        if known is None and isinstance(value, Text) and value.known is not None:
+            return [Text.of(sign) for sign in value.known]
+        return known
+
+    def spread(self, value: Value) -> list[Value]:
+        """Return the items of a list; one value stands for those that are unknown."""
+        known = self.items(value)
+        return [Unknown(f"each of {self.written}")] if known is None else known
+
+
+_Word: TypeAlias = Function1[[Calling], Value]
+
+
+def call_with_functions(name: str, calling: Calling) -> Value:
+    """Return what a call of one of :data:`FUNCTIONS` comes to; unknown where its arguments are of other kinds."""
+    try:
+        return FUNCTIONS[name](calling)
+    except (TypeError, ValueError, IndexError):
+        return Unknown(f"result of {name}()")
+
+
+def _partial(calling: Calling) -> Value:
+    function, *given = calling.arguments
+    return Partial(function, given, dict(calling.keywords))
+
+
+def _map(calling: Calling) -> Value:
+    function, *lists = calling.arguments
+    known = [calling.items(one) for one in lists]
+    rows = [one for one in known if one is not None]
+    if len(rows) < len(lists):
+        return _for_all(calling, function, [each_of(one) for one in lists])
+    if len(rows) == 1:
+        return [_mapped(calling, function, one) for one in rows[0]]
+    return [calling.apply(function, list(one), {}) for one in zip(*rows, strict=False)]
+
+
+def _mapped(calling: Calling, function: Value, item: Value) -> Value:
+    if not isinstance(item, Guarded):
+        return calling.apply(function, [item], {})
+    here = len(calling.ctx.state.conditions)
+    calling.ctx.state.under(item.condition, item.test)
+    found = calling.apply(function, [item.value], {})
+    del calling.ctx.state.conditions[here:]
+    return in_place_of(item, found)
+
+
+def _for_all(calling: Calling, function: Value, items: list[Value]) -> Value:
+    """Return a list with what a function makes of each item of lists that are unknown."""
+    here = len(calling.ctx.state.conditions)
+    condition = Written(f"there is any of {calling.written}")
+    calling.ctx.state.under(condition)
+    found = calling.apply(function, items, {})
+    del calling.ctx.state.conditions[here:]
+    return [Guarded(found, condition)]
+
+
+def _filter(calling: Calling) -> Value:
+    function, over = calling.arguments
+    found: list[Value] = []
+    for one in calling.spread(over):
+        value = unguarded(one)
+        holds = calling.ctx.truth(value if function is None else calling.apply(function, [value], {}))
+        if holds is None:
+            found += guarded([one], Written(f"{calling.written} has {_named(value)}"), None)
+        elif holds:
+            found.append(one)
+    return found
+
+
+def _named(value: Value) -> str:
+    match value:
+        case Text():
+            return str(value)
+        case Made():
+            return f"the {value.name} of line {value.evidence.line}"
+    return "it"
+
+
+def _chain(calling: Calling) -> Value:
+    return [item for one in calling.arguments for item in calling.spread(one)]
+
+
+def _chain_of(calling: Calling) -> Value:
+    found: list[Value] = []
+    for one in calling.spread(calling.arguments[0]):
+        inner = calling.spread(unguarded(one))
+        found += guarded(inner, one.condition, one.test) if isinstance(one, Guarded) else inner
+    return found
+
+
+def _sum(calling: Calling) -> Value:
+    items = calling.spread(calling.arguments[0])
+    start = calling.keywords.get("start", calling.arguments[1] if len(calling.arguments) > 1 else 0)
+    if isinstance(start, list):
+        inner = Calling(calling.ctx, calling.written, calling.apply, [[start, *items]], {})
+        return _chain_of(inner)
+    whole: Value = start
+    for one in items:
+        whole = calling.ctx.expressions.sum(whole, one)
+    return whole
+
+
+def _reduce(calling: Calling) -> Value:
+    function, over, *first = calling.arguments
+    items = calling.spread(over)
+    if not is_counted(items):
+        raise ValueError
+    whole, *rest = [*first, *items]
+    for one in rest:
+        whole = calling.apply(function, [whole, one], {})
+    return whole
+
+
+def _next(calling: Calling) -> Value:
+    over, *default = calling.arguments
+    items = calling.items(over)
+    if items is None or (items and isinstance(items[0], Guarded)):
+        return Unknown(f"result of {calling.written}()")
+    if not items:
+        return default[0] if default else Unknown(f"result of {calling.written}()")
+    if isinstance(over, list):
+        calling.ctx.state.store.items(over)
+        return over.pop(0)
+    return items[0]
+
+
+def _iter(calling: Calling) -> Value:
+    return list(calling.spread(calling.arguments[0]))
+
+
+def _sorted(calling: Calling) -> Value:
+    items = calling.items(calling.arguments[0])
+    if items is None or not is_counted(items):
+        raise ValueError
+    key, reverse = calling.keywords.get("key"), calling.keywords.get("reverse", False)
+    keys = [plain(one if key is None else calling.apply(key, [one], {})) for one in items]
+    if not isinstance(reverse, bool) or not all(map(_is_comparable, keys)):
+        raise ValueError
+    order = sorted(range(len(items)), key=keys.__getitem__, reverse=reverse)
+    return [items[place] for place in order]
+
+
+def _extreme(calling: Calling, last: int) -> Value:
+    over = calling.arguments[0] if len(calling.arguments) == 1 else list(calling.arguments)
+    keywords = {"key": calling.keywords["key"]} if "key" in calling.keywords else {}
+    found = _sorted(Calling(calling.ctx, calling.written, calling.apply, [over], keywords))
+    return found[last] if isinstance(found, list) and found else calling.keywords.get("default")
+
+
+def _is_comparable(value: object) -> bool:
+    return all(map(_is_comparable, value)) if isinstance(value, list) else isinstance(value, str | int | float)
+
+
+def _product(calling: Calling) -> Value:
+    lists = [calling.spread(one) for one in calling.arguments]
+    repeat = calling.keywords.get("repeat", 1)
+    if not isinstance(repeat, int) or not all(map(is_counted, lists)):
+        raise ValueError
+    return [list(one) for one in itertools.islice(itertools.product(*lists, repeat=repeat), _MOST_ITEMS)]
+
+
+def _repeat(calling: Calling) -> Value:
+    value, times = calling.arguments
+    if not isinstance(times, int) or times > _MOST_ITEMS:
+        raise ValueError
+    return [value] * times
+
+
+def _slice(calling: Calling) -> Value:
+    over, *bounds = calling.arguments
+    items = calling.items(over)
+    if items is None or not is_counted(items):
+        raise ValueError
+    return list(itertools.islice(items, *(None if one is None else _number(one) for one in bounds)))
+
+
+def _number(value: Value) -> int:
+    if not isinstance(value, int):
+        raise TypeError
+    return value
+
+
+def _added(calling: Calling) -> Value:
+    one, other = calling.arguments
+    return calling.ctx.expressions.sum(one, other)
+
+
+def _or(calling: Calling) -> Value:
+    match calling.arguments:
+        case [dict() as one, dict() as other]:
+            return {**one, **other}
+    raise ValueError
+
+
+def _shape(calling: Calling) -> Value:
+    name, fields = (plain(one) for one in calling.arguments[:2])
+    names = fields.replace(",", " ").split() if isinstance(fields, str) else fields
+    defaults = calling.keywords.get("defaults", [])
+    if not isinstance(names, list) or not isinstance(defaults, list) or len(defaults) > len(names):
+        raise TypeError
+    return Shape(str(name), tuple(map(str, names)), defaults)
+
+
+def _all(calling: Calling) -> Value:
+    return _truths(calling, stops=False)
+
+
+def _any(calling: Calling) -> Value:
+    return _truths(calling, stops=True)
+
+
+def _truths(calling: Calling, *, stops: bool) -> Value:
+    items = calling.items(calling.arguments[0])
+    if items is None:
+        raise ValueError
+    holds = [None if isinstance(one, Guarded) else calling.ctx.truth(one) for one in items]
+    if stops in holds:
+        return stops
+    return Unknown(calling.written) if None in holds else not stops
+
+
+def _with_keys(calling: Calling) -> Value:
+    keys, *value = calling.arguments
+    return {hashable(one): value[0] if value else None for one in calling.spread(keys)}
+
+
+FUNCTIONS: dict[str, _Word] = {
+    "functools.partial": _partial,
+    "map": _map,
+    "filter": _filter,
+    "itertools.chain": _chain,
+    "itertools.chain.from_iterable": _chain_of,
+    "sum": _sum,
+    "functools.reduce": _reduce,
+    "next": _next,
+    "iter": _iter,
+    "sorted": _sorted,
+    "min": lambda calling: _extreme(calling, 0),
+    "max": lambda calling: _extreme(calling, -1),
+    "any": _any,
+    "all": _all,
+    "itertools.product": _product,
+    "itertools.repeat": _repeat,
+    "itertools.islice": _slice,
+    "operator.add": _added,
+    "operator.concat": _added,
+    "operator.iadd": _added,
+    "operator.or_": _or,
+    "collections.namedtuple": _shape,
+    "dict.fromkeys": _with_keys,
+}
+"""By whole names."""

@@ -200,8 +200,7 @@ class Calls:
     def construct_outer(self, thing: Obj, name: str, arguments: list[Value], keywords: Names) -> None:
         """Construct a base of an object that is outside of the workspace."""
         ctx = self.ctx
-        known = find_outer(ctx, name)
-        if known is not None:
+        if (known := find_outer(ctx, name)) is not None:
             known(ctx, thing, CallSite(name, arguments, keywords, (), (), ctx.state.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Value:

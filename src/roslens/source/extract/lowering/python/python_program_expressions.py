@@ -361,7 +361,6 @@ class Expressions(Made):
         return Operation("?:", (condition, then, otherwise))
 
     def _yielded(self, node: Node) -> Expression:
-        """Return what stands for the value that the caller of a generator sends it: it is not known."""
         return self._opaque(node)
 
     # Displays

@@ -66,9 +66,10 @@ class ParameterFiles:
     def of_copy(self, path: Text, changes: Iterable[FileChange], scope: Scope) -> tuple[Text, tuple[FileChange, ...]]:
         """Return the file that a path leads to, with all that is done to it: the path may be that of a changed copy."""
         found = tuple(changes)
-        while (hole := path.only) is not None and isinstance(hole.reason, RewrittenFile):
-            path, *texts = scope.rewritten[hole.reason.number]
-            found = (*read_changes(tuple(texts)), *found)
+        match path.parts:
+            case (Hole(reason=RewrittenFile(number=number)),):
+                of, *texts = scope.rewritten[number]
+                return self.of_copy(of, (*read_changes(tuple(texts)), *found), scope)
         return path, found
 
     def _parsed(self, path: str, content: bytes) -> list[Setting]:

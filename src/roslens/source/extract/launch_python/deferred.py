@@ -193,8 +193,11 @@ def _turn(parts: list[Text], scope: Scope) -> Text:
 def _rewritten(parts: list[Text], scope: Scope) -> Text:
     """Return the path of a copy of a file, which is known by the changes that are made to it."""
     of = parts[0]
-    if len(parts) == 1 or (of.known is None and not (of.only and isinstance(of.only.reason, RewrittenFile))):
-        return of
+    match of.parts:
+        case (str(),) | (Hole(reason=RewrittenFile()),) if len(parts) > 1:
+            pass
+        case _:
+            return of
     found = tuple(parts)
     if found not in scope.rewritten:
         scope.rewritten.append(found)

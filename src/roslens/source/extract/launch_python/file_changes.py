@@ -8,19 +8,18 @@ along: as texts, which come to what holds where the copy is made.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.launch_python.deferred import Deferred, Value
 from roslens.source.extract.launch_python.launch_action import Condition, FileChange
-from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, as_value
+from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, Plain, as_value
 from roslens.source.extract.symbolic.text import Text
 
 _FIELDS = 6
 """Texts of a change before its pairs: kind, root, whether of numbers, condition, what it must be, count of pairs."""
 
 
-def condition_of(found: Any) -> Condition:
+def condition_of(found: Plain) -> Condition:
     """Return when an action is visited, by its argument ``condition``."""
     match found:
         case Made() if found.name in ("IfCondition", "UnlessCondition"):
@@ -29,15 +28,18 @@ def condition_of(found: Any) -> Condition:
             name = Deferred("configuration", (as_value(found.argument(0, "launch_configuration_name")),))
             value = Deferred("equals", (name, as_value(found.argument(1, "expected_value"))))
             return Condition(value, found.name == "LaunchConfigurationEquals")
-    return Condition(as_value(found if not isinstance(found, Made) else Unknown(f"a {found.name}")))
+        case Made():
+            return Condition(as_value(Unknown(f"a {found.name}")))
+    return Condition(as_value(found))
 
 
 def rewritten_file(made: Made) -> tuple[Value, tuple[FileChange, ...]]:
     """Return the file that a copy is made of, and what is done to it in order."""
     source = made.argument(0, "param_file", "source_file")
-    if isinstance(source, Made) and source.name in PARAMETER_FILES:
-        file, before = rewritten_file(source)
-        return file, (*before, *_changes(made))
+    match source:
+        case Made() if source.name in PARAMETER_FILES:
+            file, before = rewritten_file(source)
+            return file, (*before, *_changes(made))
     return as_value(source), tuple(_changes(made))
 
 
@@ -61,11 +63,14 @@ def _changes(made: Made) -> Iterator[FileChange]:
         yield FileChange("substitutes")
 
 
-def _texts(found: Any) -> tuple[tuple[Value, Value], ...]:
+def _texts(found: Plain) -> tuple[tuple[Value, Value], ...]:
     """Return what is replaced and by what; one that is unknown stands for all that may be replaced."""
-    if isinstance(found, dict):
-        return tuple((as_value(key), as_value(value)) for key, value in found.items())
-    return () if found is None or isinstance(found, bool) else ((as_value(found), as_value(found)),)
+    match found:
+        case dict():
+            return tuple((as_value(key), as_value(value)) for key, value in found.items())
+        case None | bool():
+            return ()
+    return ((as_value(found), as_value(found)),)
 
 
 def written_changes(changes: tuple[FileChange, ...]) -> tuple[Value, ...]:

@@ -56,7 +56,10 @@ class LaunchCalls(Calls):
                 found = self.ctx.expressions.defined(name)
             case _:
                 return None
-        return found if isinstance(found, Partial | Shape | Bound) else None
+        match found:
+            case Partial() | Shape() | Bound():
+                return found
+        return None
 
     def outer(
         self, name: str, expression: Call, arguments: list[Value], keywords: Names, templates: tuple[str, ...]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.source.extract.domain.abstract_value import Obj, Table
+from roslens.source.extract.domain.kinds import table_of
 from roslens.source.extract.launch_python.deferred import Scope
 from roslens.source.extract.symbolic.text import Text
 
@@ -17,8 +18,7 @@ def context_of(scope: Scope) -> Obj:
 
 def keep_configurations(context: Obj, scope: Scope) -> None:
     """Let launch configurations be what a function made them."""
-    held = context.fields.get(_TABLE)
-    for name, value in held.items() if isinstance(held, dict) else ():
+    for name, value in table_of(context.fields.get(_TABLE)).items():
         match name, value:
             case Text(known=str(known)), Text():
                 scope.configurations[known] = value

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 from fnmatch import fnmatchcase
-from typing import Any
 
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
 from roslens.source.extract.domain.abstract_value import Foreign, Unknown
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
-from roslens.source.extract.launch_python.launch_values import as_value
+from roslens.source.extract.launch_python.launch_values import Plain, as_value
 from roslens.source.extract.symbolic.text import Text
 
 _LOADS = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load", "yaml.unsafe_load"})
@@ -32,7 +31,7 @@ class Opened(Foreign, frozen=True):
     path: str
 
 
-def read(function: str, positional: list[Any], path: str, files: Files | None, scope: Scope | None) -> Any:
+def read(function: str, positional: list[Plain], path: str, files: Files | None, scope: Scope | None) -> Plain:
     """Return what opening or loading a file gives.
 
     Args:
@@ -43,32 +42,39 @@ def read(function: str, positional: list[Any], path: str, files: Files | None, s
         scope: of the action that is visited; None while the file is read.
     """
     reason = Unknown(f"result of {function}()")
-    first = positional[0] if positional else None
-    if files is None or first is None:
+    if files is None or not positional:
         return reason
+    first, *rest = positional
     if function in _LOADS or function in _JSON:
         content = _content(first, files)
         return reason if content is None or len(content) > _MOST_BYTES else _loaded(function, content, reason)
-    if not isinstance(first, str | Text | Deferred):
-        return reason
-    found = resolve(as_value(first), scope or Scope(files, {}, {}, path)).known
-    if found is None:
-        return reason
-    if function in _OPENS:
-        return reason if files.content(found) is None else Opened(found)
-    if function in _FOUND:
-        # What is not in the workspace may be made when it is built.
-        return reason if files.content(found) is None else True
-    return _matching(function, found, positional[1:], files)
+    match first:
+        case str() | Text() | Deferred():
+            found = resolve(as_value(first), scope or Scope(files, {}, {}, path)).known
+            return reason if found is None else _of_path(function, found, rest, files)
+    return reason
 
 
-def _matching(function: str, path: str, rest: list[Any], files: Files) -> Any:
+def _of_path(function: str, path: str, rest: list[Plain], files: Files) -> Plain:
+    """Return what a function gives that is asked for a path."""
+    there = files.content(path) is not None
+    if function in _OPENS and there:
+        return Opened(path)
+    if function in _FOUND and there:
+        return True
+    # What is not in the workspace may be made when it is built.
+    return Unknown(f"result of {function}()") if function in _OPENS | _FOUND else _matching(function, path, rest, files)
+
+
+def _matching(function: str, path: str, rest: list[Plain], files: Files) -> Plain:
     """Return the files of the workspace that match a pattern, in the order of their names; that of ``glob`` is open."""
     pattern = path
     if function in _PATH_GLOBS:
-        if not rest or not isinstance(rest[0], str):
-            return Unknown(f"result of {function}()")
-        pattern = f"{path}/{_PATH_GLOBS[function]}{rest[0]}"
+        match rest:
+            case [str(below), *_]:
+                pattern = f"{path}/{_PATH_GLOBS[function]}{below}"
+            case _:
+                return Unknown(f"result of {function}()")
     folder = joined("", pattern[: _first_sign(pattern)].rpartition("/")[0])
     found = [one for one in files.listing(folder) if _matches(one.split("/"), joined("", pattern).split("/"))]
     return sorted(found) or Unknown(f"files that match {pattern}, of which the workspace has none")
@@ -88,20 +94,23 @@ def _matches(pieces: list[str], pattern: list[str]) -> bool:
     return not hidden and fnmatchcase(pieces[0], pattern[0]) and _matches(pieces[1:], pattern[1:])
 
 
-def _content(first: Any, files: Files) -> bytes | None:
-    if isinstance(first, Opened):
-        return files.content(first.path)
-    return first.encode() if isinstance(first, str) else None
+def _content(first: Plain, files: Files) -> bytes | None:
+    match first:
+        case Opened():
+            return files.content(first.path)
+        case str():
+            return first.encode()
+    return None
 
 
-def _loaded(function: str, content: bytes, reason: Unknown) -> Any:
+def _loaded(function: str, content: bytes, reason: Unknown) -> Plain:
     try:
         return _plain(json.loads(content) if function in _JSON else load_yaml(content))
     except (UnsafeYamlError, RecursionError, ValueError):
         return reason
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Plain) -> Plain:
     match value:
         case dict():
             return {
@@ -110,4 +119,6 @@ def _plain(value: Any) -> Any:
             }
         case list():
             return [_plain(one) for one in value]
-    return value if isinstance(value, str | int | float | bool | None) else str(value)
+        case str() | int() | float() | bool() | None:
+            return value
+    return str(value)

@@ -15,7 +15,7 @@ from roslens.source.extract.domain.abstract_value import Foreign, Names, Obj, Un
 from roslens.source.extract.domain.guarded import Guarded, guarded, in_place_of, is_counted, unguarded
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import each_of
-from roslens.source.extract.launch_python.launch_values import Made, plain
+from roslens.source.extract.launch_python.launch_values import Made, Plain, plain
 from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.transfer.context import Context
 
@@ -71,10 +71,10 @@ class Calling(msgspec.Struct, frozen=True, eq=False):
 
     def items(self, value: Value) -> list[Value] | None:
         """Return the items of a list; None where they are unknown."""
-        known = self.ctx.items(value)
-        if known is None and isinstance(value, Text) and value.known is not None:
-            return [Text.of(sign) for sign in value.known]
-        return known
+        match value:
+            case Text(known=str(known)):
+                return [Text.of(sign) for sign in known]
+        return self.ctx.items(value)
 
     def spread(self, value: Value) -> list[Value]:
         """Return the items of a list; one value stands for those that are unknown."""
@@ -110,8 +110,11 @@ def _map(calling: Calling) -> Value:
 
 
 def _mapped(calling: Calling, function: Value, item: Value) -> Value:
-    if not isinstance(item, Guarded):
-        return calling.apply(function, [item], {})
+    match item:
+        case Guarded():
+            pass
+        case _:
+            return calling.apply(function, [item], {})
     here = len(calling.ctx.state.conditions)
     calling.ctx.state.under(item.condition, item.test)
     found = calling.apply(function, [item.value], {})
@@ -159,16 +162,20 @@ def _chain_of(calling: Calling) -> Value:
     found: list[Value] = []
     for one in calling.spread(calling.arguments[0]):
         inner = calling.spread(unguarded(one))
-        found += guarded(inner, one.condition, one.test) if isinstance(one, Guarded) else inner
+        match one:
+            case Guarded():
+                found += guarded(inner, one.condition, one.test)
+            case _:
+                found += inner
     return found
 
 
 def _sum(calling: Calling) -> Value:
     items = calling.spread(calling.arguments[0])
     start = calling.keywords.get("start", calling.arguments[1] if len(calling.arguments) > 1 else 0)
-    if isinstance(start, list):
-        inner = Calling(calling.ctx, calling.written, calling.apply, [[start, *items]], {})
-        return _chain_of(inner)
+    match start:
+        case list():
+            return _chain_of(Calling(calling.ctx, calling.written, calling.apply, [[start, *items]], {}))
     whole: Value = start
     for one in items:
         whole = calling.ctx.expressions.sum(whole, one)
@@ -189,13 +196,15 @@ def _reduce(calling: Calling) -> Value:
 def _next(calling: Calling) -> Value:
     over, *default = calling.arguments
     items = calling.items(over)
-    if items is None or (items and isinstance(items[0], Guarded)):
-        return Unknown(f"result of {calling.written}()")
-    if not items:
-        return default[0] if default else Unknown(f"result of {calling.written}()")
-    if isinstance(over, list):
-        calling.ctx.state.store.items(over)
-        return over.pop(0)
+    match items:
+        case []:
+            return default[0] if default else Unknown(f"result of {calling.written}")
+        case None | [Guarded(), *_]:
+            return Unknown(f"result of {calling.written}")
+    match over:
+        case list():
+            calling.ctx.state.store.items(over)
+            return over.pop(0)
     return items[0]
 
 
@@ -209,7 +218,7 @@ def _sorted(calling: Calling) -> Value:
         raise ValueError
     key, reverse = calling.keywords.get("key"), calling.keywords.get("reverse", False)
     keys = [plain(one if key is None else calling.apply(key, [one], {})) for one in items]
-    if not isinstance(reverse, bool) or not all(map(_is_comparable, keys)):
+    if type(reverse) is not bool or not all(map(_is_comparable, keys)):
         raise ValueError
     order = sorted(range(len(items)), key=keys.__getitem__, reverse=reverse)
     return [items[place] for place in order]
@@ -218,27 +227,32 @@ def _sorted(calling: Calling) -> Value:
 def _extreme(calling: Calling, last: int) -> Value:
     over = calling.arguments[0] if len(calling.arguments) == 1 else list(calling.arguments)
     keywords = {"key": calling.keywords["key"]} if "key" in calling.keywords else {}
-    found = _sorted(Calling(calling.ctx, calling.written, calling.apply, [over], keywords))
-    return found[last] if isinstance(found, list) and found else calling.keywords.get("default")
+    match _sorted(Calling(calling.ctx, calling.written, calling.apply, [over], keywords)):
+        case [_, *_] as found:
+            return found[last]
+    return calling.keywords.get("default")
 
 
-def _is_comparable(value: object) -> bool:
-    return all(map(_is_comparable, value)) if isinstance(value, list) else isinstance(value, str | int | float)
+def _is_comparable(value: Plain) -> bool:
+    match value:
+        case list():
+            return all(map(_is_comparable, value))
+        case str() | int() | float():
+            return True
+    return False
 
 
 def _product(calling: Calling) -> Value:
     lists = [calling.spread(one) for one in calling.arguments]
-    repeat = calling.keywords.get("repeat", 1)
-    if not isinstance(repeat, int) or not all(map(is_counted, lists)):
+    repeat = _number(calling.keywords.get("repeat", 1))
+    if not all(map(is_counted, lists)):
         raise ValueError
     return [list(one) for one in itertools.islice(itertools.product(*lists, repeat=repeat), _MOST_ITEMS)]
 
 
 def _repeat(calling: Calling) -> Value:
     value, times = calling.arguments
-    if not isinstance(times, int) or times > _MOST_ITEMS:
-        raise ValueError
-    return [value] * times
+    return [value] * min(_number(times), _MOST_ITEMS)
 
 
 def _slice(calling: Calling) -> Value:
@@ -250,9 +264,10 @@ def _slice(calling: Calling) -> Value:
 
 
 def _number(value: Value) -> int:
-    if not isinstance(value, int):
-        raise TypeError
-    return value
+    match value:
+        case int():
+            return value
+    raise TypeError
 
 
 def _added(calling: Calling) -> Value:
@@ -269,11 +284,16 @@ def _or(calling: Calling) -> Value:
 
 def _shape(calling: Calling) -> Value:
     name, fields = (plain(one) for one in calling.arguments[:2])
-    names = fields.replace(",", " ").split() if isinstance(fields, str) else fields
-    defaults = calling.keywords.get("defaults", [])
-    if not isinstance(names, list) or not isinstance(defaults, list) or len(defaults) > len(names):
-        raise TypeError
-    return Shape(str(name), tuple(map(str, names)), defaults)
+    match fields, calling.keywords.get("defaults", []):
+        case str(), list() as defaults:
+            names = fields.replace(",", " ").split()
+        case list(), list() as defaults:
+            names = [str(one) for one in fields]
+        case _:
+            raise TypeError
+    if len(defaults) > len(names):
+        raise ValueError
+    return Shape(str(name), tuple(names), defaults)
 
 
 def _all(calling: Calling) -> Value:
@@ -288,7 +308,7 @@ def _truths(calling: Calling, *, stops: bool) -> Value:
     items = calling.items(calling.arguments[0])
     if items is None:
         raise ValueError
-    holds = [None if isinstance(one, Guarded) else calling.ctx.truth(one) for one in items]
+    holds = [None if type(one) is Guarded else calling.ctx.truth(one) for one in items]
     if stops in holds:
         return stops
     return Unknown(calling.written) if None in holds else not stops

@@ -6,12 +6,11 @@ A path of a package is the folder that its source is in: what is installed below
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.launch_action import text
-from roslens.source.extract.launch_python.launch_values import as_value
+from roslens.source.extract.launch_python.launch_values import Plain, as_value
 from roslens.source.extract.symbolic.text import Text, said, unknown
 
 CONSTANTS = {
@@ -26,24 +25,25 @@ CONSTANTS = {
 _MOST_PARENTS = 20
 
 
-def member_of_path(of: Text | Deferred, name: str) -> Any:
+def member_of_path(of: Text | Deferred, name: str) -> Plain:
     """Return a member of a path; None where a path has none of that name."""
     if name == "parent":
         return parent(of)
     if name == "parents":
         found = [parent(of)]
-        while len(found) < _MOST_PARENTS and (isinstance(found[-1], Deferred) or "/" in str(found[-1])):
+        for _ in range(_MOST_PARENTS):
             found.append(parent(found[-1]))
         return found
     part = _PARTS.get(name)
-    if part is None:
-        return None
-    if isinstance(of, Deferred):
-        return Unknown(f"{name} of a path")
+    match of:
+        case _ if part is None:
+            return None
+        case Deferred():
+            return Unknown(f"{name} of a path")
     return _of_last(of, part)
 
 
-def path_method(of: Any, name: str, positional: list[Any]) -> Any:
+def path_method(of: Plain, name: str, positional: list[Plain]) -> Plain:
     """Return what a method of a path returns; None where a path has none of that name, or nothing is known of it."""
     match name, positional:
         case (("as_posix" | "resolve" | "absolute" | "expanduser" | "__str__" | "__fspath__"), _):
@@ -62,12 +62,12 @@ def path_method(of: Any, name: str, positional: list[Any]) -> Any:
     return None
 
 
-def join(*values: Any) -> Deferred:
+def join(*values: Plain) -> Deferred:
     """Return paths one below the other, as ``os.path.join`` has them."""
     return Deferred("path", tuple(as_value(one) for one in values))
 
 
-def parent(value: Any) -> Any:
+def parent(value: Plain) -> Plain:
     """Return the folder of a path.
 
     Raises:
@@ -87,7 +87,7 @@ def parent(value: Any) -> Any:
     raise ValueError
 
 
-def base_name(value: Any) -> Any:
+def base_name(value: Plain) -> Plain:
     """Return the last part of a path.
 
     Raises:
@@ -96,7 +96,7 @@ def base_name(value: Any) -> Any:
     return _of_last(_text(value), lambda last: last)
 
 
-def split_path(value: Any) -> Any:
+def split_path(value: Plain) -> Plain:
     """Return a path without its last part, and that.
 
     Raises:
@@ -105,7 +105,7 @@ def split_path(value: Any) -> Any:
     return [parent(value), base_name(value)]
 
 
-def split_ending(value: Any) -> Any:
+def split_ending(value: Plain) -> Plain:
     """Return a path without the ending of its last part, and that.
 
     Raises:
@@ -118,7 +118,7 @@ def split_ending(value: Any) -> Any:
     return [Text.of(*path.before, path.tail.removesuffix(ending.known)), ending]
 
 
-def _text(value: Any) -> Text:
+def _text(value: Plain) -> Text:
     match value:
         case str():
             return Text.of(value)
@@ -133,7 +133,7 @@ def _of_last(path: Text, part: Callable[[str], str]) -> Text:
     return Text.of(part(last.rpartition("/")[2])) if "/" in last or path.known else unknown(said("a part of ", path))
 
 
-def _replaced_end(of: Any, change: Callable[[str], str]) -> Any:
+def _replaced_end(of: Plain, change: Callable[[str], str]) -> Plain:
     match of:
         case str() | Text():
             last = _of_last(_text(of), lambda one: one).known
@@ -155,7 +155,7 @@ _PARTS: dict[str, Callable[[str], str]] = {
     "stem": _stem,
     "suffix": _suffix,
 }
-PATHS: dict[str, Callable[..., Any]] = {
+PATHS: dict[str, Callable[..., Plain]] = {
     "os.path.join": join,
     "os.path.dirname": parent,
     "os.path.basename": base_name,

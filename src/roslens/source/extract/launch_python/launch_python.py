@@ -27,6 +27,7 @@ from roslens.source.extract.launch_python.launch_values import (
     PARAMETER_FILES,
     Either,
     Made,
+    Plain,
     Visited,
     as_value,
     lifted,
@@ -236,8 +237,8 @@ class _Conversion:
 
         def make(scope: Scope) -> tuple[Action, ...]:
             context = context_of(scope)
-            arguments = [context, *map(lifted, given)] if isinstance(given, list) else [context]
-            keywords = {one: lifted(value) for one, value in named.items()} if isinstance(named, dict) else {}
+            arguments = [context, *map(lifted, given)]
+            keywords = {one: lifted(value) for one, value in named.items()}
             found = self._called(made, made.argument(0, "function"), arguments, keywords, scope)
             keep_configurations(context, scope)
             return found
@@ -264,11 +265,11 @@ class _Conversion:
         return Action("call", made.evidence, make=make)
 
     def _called(
-        self, made: Visited, function: Any, arguments: list[Any], keywords: dict[str, Any], scope: Scope
+        self, made: Visited, function: Plain, arguments: list[Plain], keywords: dict[str, Plain], scope: Scope
     ) -> tuple[Action, ...]:
         """Return the actions of what a function returns that is called when an action is visited."""
-        given: list[Any] = []
-        while isinstance(function, Partial):
+        given: list[Plain] = []
+        while type(function) is Partial:
             given, keywords = [*function.arguments, *given], {**function.keywords, **keywords}
             function = function.function
         if not isinstance(function, Callable):
@@ -295,7 +296,7 @@ class _Conversion:
             if isinstance(one, dict):
                 for name, value in one.items():
                     yield from self._parameter(name, value, made.evidence)
-            elif isinstance(one, list) and any(isinstance(item, dict | list | Made) for item in one):
+            elif isinstance(one, list) and any(type(item) in _PARTS_OF_PARAMETERS for item in one):
                 yield from self._given(one, made)
             elif isinstance(one, Made) and one.name in PARAMETER_FILES:
                 file, changes = rewritten_file(one)
@@ -334,6 +335,8 @@ def _parts(condition: Formula) -> Conditions:
     return condition.of if isinstance(condition, And) else (condition,)
 
 
+_PARTS_OF_PARAMETERS = frozenset({dict, list, Made})
+"""What a list of parameters has in it that is no part of a path."""
 _NODES = {
     "Node": "node",
     "LifecycleNode": "lifecycle",

@@ -5,15 +5,14 @@ The sets are parted by semicolons (``launch/actions/for_loop.py``); each is a ta
 
 from __future__ import annotations
 
-from typing import Any
-
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
+from roslens.source.extract.launch_python.launch_values import Plain
 from roslens.source.extract.symbolic.text import Text
 
 MOST_TURNS = 200
 
 
-def turns_over(values: Text) -> list[dict[str, Any]] | None:
+def turns_over(values: Text) -> list[dict[str, Plain]] | None:
     """Return what each turn over sets of values gets; None where that is not known."""
     known = values.known
     if known is None:
@@ -23,11 +22,19 @@ def turns_over(values: Text) -> list[dict[str, Any]] | None:
         found = [load_yaml(piece.strip().encode()) for piece in pieces[:MOST_TURNS]]
     except (UnsafeYamlError, RecursionError):
         return None
-    turns = [{str(name): value for name, value in one.items()} for one in found if isinstance(one, dict)]
-    return turns if len(turns) == len([one for one in found if one is not None]) else None
+    turns = []
+    for one in found:
+        match one:
+            case dict():
+                turns.append({str(name): value for name, value in one.items()})
+            case None:
+                pass
+            case _:
+                return None
+    return turns
 
 
-def turns_up_to(length: Text, name: str) -> list[dict[str, Any]] | None:
+def turns_up_to(length: Text, name: str) -> list[dict[str, Plain]] | None:
     """Return what each of so many turns gets; None where it is not known how many there are."""
     known = length.known
     try:

@@ -33,10 +33,7 @@ class Visit:
 
     def at_once(self, value: Value) -> Value:
         """Return a path that is made of texts as what it comes to when the file is read."""
-        if self.files is None or not isinstance(value, Deferred) or not all(map(_is_text, value.parts)):
-            return value
-        return resolve(value, Scope(self.files, {}, {}, self.path))
-
-
-def _is_text(value: Value) -> bool:
-    return isinstance(value, str | Text)
+        match value:
+            case Deferred() if self.files is not None and not any(type(part) is Deferred for part in value.parts):
+                return resolve(value, Scope(self.files, {}, {}, self.path))
+        return value

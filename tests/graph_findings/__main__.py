@@ -116,7 +116,7 @@ def _page(_options: argparse.Namespace) -> int:
     PAGE.write_text(page(samples()), "utf-8")
     native = samples(NATIVE_TABLES)
     RULES_PAGE.write_text(rules_page(native), "utf-8")
-    MEASURED.write_text(measured(native), "utf-8")
+    MEASURED.write_text(measured(native, samples()), "utf-8")
     return 0
 
 

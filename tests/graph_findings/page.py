@@ -197,9 +197,14 @@ def totals(found: Mapping[str, Sample]) -> dict[str, tuple[int, int]]:
     return sums
 
 
-def measured(found: Mapping[str, Sample]) -> str:
-    """Return the data of rules: how many findings were true of how many read, where nothing was tuned to them."""
-    lines = [f'"{rule}" = [{true}, {read}]' for rule, (true, read) in sorted(totals(found).items()) if read]
+def measured(*every: Mapping[str, Sample]) -> str:
+    """Return the data of rules: how many findings were true of how many read, where nothing was tuned to them.
+
+    Args:
+        every: the samples of coding rules, and those of rules of the graph.
+    """
+    counts = {rule: count for found in every for rule, count in totals(found).items()}
+    lines = [f'"{rule}" = [{true}, {read}]' for rule, (true, read) in sorted(counts.items()) if read]
     return "\n".join(("# Findings that were true, and that were read: `make graph-findings` writes it.", *lines)) + "\n"
 
 

@@ -16,6 +16,7 @@ from roslens.judge.ranges.rate import rate
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, Severity, fingerprint
 from roslens.model.verdict import State
+from roslens.model.weight.consequence import Certainty, Consequence
 
 CC = "cyclomatic_complexity"
 
@@ -59,6 +60,8 @@ def test_a_finding_carries_everything():
         bound=15,
         model="ros",
         breach="cyclomatic complexity 23 (limit 15, 1.5 x)",
+        consequence=Consequence.HARD_TO_MAINTAIN,
+        certainty=Certainty.PROVEN,
     )
     assert finding.rule in {rule.id for rule in rules_of(ROS)}
 

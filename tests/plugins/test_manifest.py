@@ -4,8 +4,9 @@ import msgspec
 import pytest
 
 from roslens.model.entity import EntityKind
-from roslens.model.finding import RuleInfo
+from roslens.model.finding import RuleInfo, Severity
 from roslens.model.quantity import Quantity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.plugins.manifest import check_manifest, hooks_of, read_manifest
 from roslens.plugins.points import Manifest, Option
 
@@ -97,5 +98,38 @@ def test_what_has_no_manifest_is_told(plugin, expected):
 
 
 def test_hooks_are_what_can_be_called():
-    assert read_manifest(Plugin()) == GOOD
+    read = read_manifest(Plugin())
+    assert isinstance(read, Manifest)
+    assert msgspec.structs.replace(read, rules=GOOD.rules) == GOOD
     assert hooks_of(Plugin()) == ("analyse_file",)
+
+
+@pytest.mark.parametrize(
+    ("declared", "severity", "weight"),
+    [
+        ({"severity": Severity.NOTE}, Severity.NOTE, (Consequence.HARD_TO_MAINTAIN, Certainty.LIKELY)),
+        ({}, Severity.WARNING, (Consequence.MAY_BE_WRONG, Certainty.LIKELY)),
+        ({"severity": Severity.ERROR}, Severity.ERROR, (Consequence.WRONG, Certainty.PROVEN)),
+        (
+            {"severity": Severity.ERROR, "consequence": Consequence.STYLE, "certainty": Certainty.PROVEN},
+            Severity.NOTE,
+            (Consequence.STYLE, Certainty.PROVEN),
+        ),
+        (
+            {"consequence": Consequence.WRONG, "certainty": Certainty.HEURISTIC, "unproven": True},
+            Severity.NOTE,
+            (Consequence.WRONG, Certainty.HEURISTIC),
+        ),
+        (
+            {"severity": Severity.NOTE, "consequence": Consequence.WRONG},
+            Severity.NOTE,
+            (Consequence.HARD_TO_MAINTAIN, Certainty.LIKELY),
+        ),
+    ],
+)
+def test_a_rule_has_the_severity_that_follows_from_its_weight(declared, severity, weight):
+    plugin = type("P", (), {})()
+    plugin.manifest = msgspec.structs.replace(GOOD, rules=(RuleInfo("mine.a", "A", "An a.", **declared),))
+    read = read_manifest(plugin)
+    assert isinstance(read, Manifest)
+    assert (read.rules[0].severity, read.rules[0].weight) == (severity, weight)

@@ -26,15 +26,15 @@ def test_findings(view):
     write_findings(view, stream)
     assert stream.getvalue() == (
         "rule,severity,message,package,path,line,column,end_line,end_column,entity,tags,tool,fingerprint,gated,"
-        "model,quantity,value,bound\r\n"
+        "model,quantity,value,bound,consequence,certainty\r\n"
         'ros.cyclomatic_complexity,warning,"cyclomatic complexity 17, at most 15 allowed",drive,'
         "src/drive/src/drive.cpp,12,1,60,1,"
         "function:src/drive/src/drive.cpp#drive::Drive::update(const Twist &),complexity metrics ros,ros,"
-        "0e6749020c371696,yes,ros,cyclomatic_complexity,17,15\r\n"
+        "0e6749020c371696,yes,ros,cyclomatic_complexity,17,15,may be wrong at run time,likely\r\n"
         'style.tabs,note,"a tab, ""quoted""",drive,src/drive/test/test_drive.cpp,3,1,3,1,'
-        "file:src/drive/test/test_drive.cpp,style,style,ffffffffffffffff,no,,,,\r\n"
+        "file:src/drive/test/test_drive.cpp,style,style,ffffffffffffffff,no,,,,,hard to maintain,likely\r\n"
         "manifest.cycle,error,drive -> arm -> drive,,,0,0,0,0,package:drive,dependencies,workspace,"
-        "eeeeeeeeeeeeeeee,yes,,,,\r\n"
+        "eeeeeeeeeeeeeeee,yes,,,,,wrong at run time,proven\r\n"
     )
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from roslens.model.errors import StoreError
 from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.store.migrate import APPLICATION_ID, SCHEMA, migrate
 from roslens.store.runs import Store
 
@@ -100,6 +101,8 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         assert msgspec.structs.replace(view.header, repositories=(), graphs=None) == sample.header()
         assert [package.name for package in view.packages()] == ["arm", "drive"]
         assert [finding.severity for finding in view.findings()] == [Severity.WARNING, Severity.NOTE, Severity.ERROR]
+        worst = list(view.findings())[-1] if dump.stem >= "schema_0011" else None
+        assert worst is None or worst.weight == (Consequence.WRONG, Certainty.PROVEN)
         entities = [msgspec.structs.replace(one, values={**one.values}) for one in view.package("drive").entities]
         for one in entities:
             one.values.pop("revisions", None)

@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-from enum import Enum
 from hashlib import blake2b
 from math import inf, isnan
 
 import msgspec
 
 from roslens.model.edit import Edit
+from roslens.model.weight.consequence import Certainty, Consequence, supposed
+from roslens.model.weight.severity import Severity
+
+__all__ = ["MOST_EXCESS", "Finding", "RuleInfo", "Severity", "fingerprint"]
 
 MOST_EXCESS = 1e9
 """What is further beyond its bound is not distinguished, so that infinite values have a number too."""
-
-
-class Severity(str, Enum):
-    """How much a finding matters, from least to most."""
-
-    NOTE = "note"
-    WARNING = "warning"
-    ERROR = "error"
-
-    @property
-    def rank(self) -> int:
-        """0 for note, 1 for warning, 2 for error."""
-        return ("note", "warning", "error").index(self.value)
 
 
 class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a rule is about; everything ``roslens explain`` and the rules page show.
 
     ``precision`` is the share of its findings that were true when a sample was read; 0 where nobody did. ``fix`` says
-    what ``roslens check --fix`` does about them; empty where it does nothing.
+    what ``roslens check --fix`` does about them; empty where it does nothing. ``consequence`` and ``certainty`` are
+    what the severity follows from; None where its tool declares none. ``unproven`` is a heuristic rule that nobody has
+    confirmed on repositories that it was not written for.
     """
 
     id: str
@@ -46,6 +38,14 @@ class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     url: str = ""
     precision: float = 0.0
     fix: str = ""
+    consequence: Consequence | None = None
+    certainty: Certainty | None = None
+    unproven: bool = False
+
+    @property
+    def weight(self) -> tuple[Consequence, Certainty]:
+        """Consequence and certainty; what its severity lets suppose where its tool declares none."""
+        return _weight(self.consequence, self.certainty, self.severity)
 
 
 class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -59,7 +59,8 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     ``edits`` mend it without a change of what the code does otherwise; none where that takes a person.
     ``doubts`` are the reasons why it may be none; they stand at the end of the message too. ``breach`` of one that a
     quality model makes says which limit is broken, as its message does before it names the entity; where several of
-    one entity are one, it is part of the message alone.
+    one entity are one, it is part of the message alone. ``consequence`` and ``certainty`` are those of this occurrence,
+    whose certainty may be lower than the rule's; None where its tool declares none.
     """
 
     rule: str
@@ -85,6 +86,13 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     edits: tuple[Edit, ...] = ()
     doubts: tuple[str, ...] = ()
     breach: str = ""
+    consequence: Consequence | None = None
+    certainty: Certainty | None = None
+
+    @property
+    def weight(self) -> tuple[Consequence, Certainty]:
+        """Consequence and certainty; what its severity lets suppose where its tool declares none."""
+        return _weight(self.consequence, self.certainty, self.severity)
 
     @property
     def excess(self) -> float:
@@ -99,6 +107,14 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
             return 0.0
         high, low = max(value, bound), min(value, bound)
         return 1.0 if high == low == inf else min(high / (low if low > 0 else 1.0), MOST_EXCESS)
+
+
+def _weight(
+    consequence: Consequence | None, certainty: Certainty | None, severity: Severity
+) -> tuple[Consequence, Certainty]:
+    if consequence is None or certainty is None:
+        return supposed(severity)
+    return consequence, certainty
 
 
 def _as_float(number: float) -> float:

@@ -13,6 +13,7 @@ from roslens.model.quantity import Quantity
 from roslens.model.repository import FoundRepository
 from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
+from roslens.model.weight.consequence import Certainty, Consequence, supposed
 
 
 class RoleInclude(msgspec.Struct, frozen=True, array_like=True):
@@ -50,9 +51,10 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     """How often a rule was broken in a package, with its worst occurrence as the example.
 
-    A rule has one count for each severity and set of tags that its findings have; ``gated`` is how
+    A rule has one count for each severity, certainty and set of tags that its findings have; ``gated`` is how
     many of them count for gates, ``fixable`` how many of these have a fix; ``excess`` is how far the example is beyond
-    its bound; ``path`` is the file of the example, below the workspace.
+    its bound; ``path`` is the file of the example, below the workspace; ``consequence`` and ``certainty`` are None
+    where its tool declares none.
     """
 
     rule: str
@@ -64,6 +66,15 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     excess: float = 0.0
     fixable: int = 0
     path: str = ""
+    consequence: Consequence | None = None
+    certainty: Certainty | None = None
+
+    @property
+    def weight(self) -> tuple[Consequence, Certainty]:
+        """Consequence and certainty; what its severity lets suppose where its tool declares none."""
+        if self.consequence is None or self.certainty is None:
+            return supposed(self.severity)
+        return self.consequence, self.certainty
 
 
 class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 import msgspec
 
 from roslens.model.source import Language
+from roslens.model.weight.consequence import severity_of
 from roslens.plugins.contract_failures import Violation
 from roslens.plugins.nearest import did_you_mean
 from roslens.plugins.options import TYPES, check_option
@@ -27,9 +28,22 @@ def read_manifest(plugin: object) -> Manifest | Violation:
         found = "no `manifest`" if manifest is None else f"a `manifest` that is a {type(manifest).__name__}"
         return Violation(f"it has {found}", "a roslens.plugins.points.Manifest", "See docs/reference/plugins.md")
     try:
-        return msgspec.convert(msgspec.to_builtins(manifest), Manifest)
+        return _weighed(msgspec.convert(msgspec.to_builtins(manifest), Manifest))
     except (msgspec.ValidationError, TypeError, ValueError) as error:
         return Violation(f"its manifest does not fit: {error}", "the types of roslens.plugins.points.Manifest")
+
+
+def _weighed(manifest: Manifest) -> Manifest:
+    """Return a manifest whose rules have the severity that follows from what they declare, or what theirs implies."""
+    rules = []
+    for rule in manifest.rules:
+        if rule.consequence is not None and rule.certainty is not None:
+            severity = severity_of(rule.consequence, rule.certainty, unproven=rule.unproven)
+            rules.append(msgspec.structs.replace(rule, severity=severity))
+        else:
+            consequence, certainty = rule.weight
+            rules.append(msgspec.structs.replace(rule, consequence=consequence, certainty=certainty))
+    return msgspec.structs.replace(manifest, rules=tuple(rules))
 
 
 def hooks_of(plugin: object) -> tuple[str, ...]:

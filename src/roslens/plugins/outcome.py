@@ -97,6 +97,8 @@ def _finished(tool: str, rules: Mapping[str, RuleInfo], findings: Iterable[RawFi
             tags=rule.tags,
             tool=rule.tool or tool,
             fingerprint=fingerprint(*twin, ordinal=ordinals[twin]),
+            consequence=rule.consequence,
+            certainty=rule.certainty,
         )
         ordinals[twin] += 1
 

@@ -16,6 +16,7 @@ from roslens.model.repository import FoundRepository
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import Disposition, SetAside
 from roslens.model.source import Language, Location, Package, Role, SourceFile
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.store.encodable import storable_number
 
 Row = tuple[Any, ...]
@@ -24,7 +25,7 @@ FILE = "path, language, role, size, content_hash"
 ENTITY = "id, kind, name, path, line, end_line, parent, approximate"
 FINDING = (
     'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
-    "quantity, value, bound, model, gated, witnesses, others, edits"
+    "quantity, value, bound, model, gated, witnesses, others, edits, consequence, certainty"
 )
 TAGS = FINDING.split(", ").index("tag_set") + 1
 """Place of the set of tags in a row of ``position, FINDING``."""
@@ -47,6 +48,8 @@ _NONE = "[]"
 
 _KINDS = {kind.value: kind for kind in EntityKind}
 _SEVERITIES = {severity.value: severity for severity in Severity}
+_CONSEQUENCES = {consequence.value: consequence for consequence in Consequence}
+_CERTAINTIES = {certainty.value: certainty for certainty in Certainty}
 _LANGUAGES = {language.value: language for language in Language}
 _ROLES = {role.value: role for role in Role}
 
@@ -130,13 +133,15 @@ def finding_rows(findings: Iterable[Finding]) -> Iterator[Row]:
             to_json(finding.witnesses) if finding.witnesses else _NONE,
             to_json(finding.others) if finding.others else _NONE,
             to_json(finding.edits) if finding.edits else _NONE,
+            finding.consequence.value if finding.consequence else "",
+            finding.certainty.value if finding.certainty else "",
         )
 
 
 def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
     """Read ``FINDING``; ``tags`` maps numbers to sets of tags."""
-    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated = row[:-3]
-    witnesses, others, edits = row[-3:]
+    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated = row[:-5]
+    witnesses, others, edits, consequence, certainty = row[-5:]
     message, path, line, column, end_line, end_column, entity = middle
     return Finding(
         rule,
@@ -159,6 +164,8 @@ def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
         others=() if others == _NONE else to_texts(others),
         witnesses=() if witnesses == _NONE else to_texts(witnesses),
         edits=() if edits == _NONE else _decode_edits(edits),
+        consequence=_CONSEQUENCES.get(consequence),
+        certainty=_CERTAINTIES.get(certainty),
     )
 
 

@@ -12,6 +12,7 @@ from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult, PackageSummary, RuleCount
 from roslens.model.source import Dependency, Package
+from roslens.model.weight.consequence import Certainty
 from roslens.store.encodable import storable_values
 
 _NO_EDGE = frozenset({"conflict", "replace", "group"})
@@ -21,10 +22,10 @@ _NO_EDGE = frozenset({"conflict", "replace", "group"})
 def summarise(result: PackageResult) -> PackageSummary:
     """Return the summary of a package.
 
-    ``rules`` has one count for each rule, severity and set of tags, so that filters on severities and tags are exact on
-    summaries; most severe first, then most frequent. Its example is the worst occurrence that counts for gates (the
-    worst of all if none does, the first among equals), written ``path:line: message``, or with its place last where
-    the message begins with a number: ``30 calls (limit 5, 6.0 x) in f, path:line``.
+    ``rules`` has one count for each rule, severity, certainty and set of tags, so that filters on severities and tags
+    are exact on summaries; most severe first, then most frequent. Its example is the worst occurrence that counts for
+    gates (the worst of all if none does, the first among equals), written ``path:line: message``, or with its place
+    last where the message begins with a number: ``30 calls (limit 5, 6.0 x) in f, path:line``.
     """
     package = result.package
     kinds = Counter(entity.kind for entity in result.entities)
@@ -82,9 +83,9 @@ class _Group:
 
 def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
     """Return how often each rule was broken, as :func:`summarise` has it."""
-    groups: dict[tuple[str, Severity, tuple[str, ...]], _Group] = {}
+    groups: dict[tuple[str, Severity, Certainty | None, tuple[str, ...]], _Group] = {}
     for finding in findings:
-        key = (finding.rule, finding.severity, finding.tags)
+        key = (finding.rule, finding.severity, finding.certainty, finding.tags)
         group = groups.get(key)
         if group is None:
             group = groups[key] = _Group()
@@ -104,17 +105,19 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
             round(group.example.excess, 6) if group.example else 0.0,
             group.fixable,
             group.example.path if group.example else "",
+            group.example.consequence if group.example else None,
+            certainty,
         )
-        for (rule, severity, tags), group in groups.items()
+        for (rule, severity, certainty, tags), group in groups.items()
     ]
     return tuple(sorted(counts, key=_order))
 
 
 def with_share(summary: PackageSummary, share: PackageSummary) -> PackageSummary:
     """Return a package's summary with the findings that only all packages together show of it."""
-    counts = {(one.rule, one.severity, one.tags): one for one in summary.rules}
+    counts = {(one.rule, one.severity, one.certainty, one.tags): one for one in summary.rules}
     for one in share.rules:
-        key = (one.rule, one.severity, one.tags)
+        key = (one.rule, one.severity, one.certainty, one.tags)
         own = counts.get(key)
         counts[key] = one if own is None else _merged(own, one)
     return msgspec.structs.replace(summary, rules=tuple(sorted(counts.values(), key=_order)))
@@ -130,8 +133,8 @@ def _merged(own: RuleCount, one: RuleCount) -> RuleCount:
     )
 
 
-def _order(count: RuleCount) -> tuple[int, int, str, tuple[str, ...]]:
-    return (-count.severity.rank, -count.count, count.rule, count.tags)
+def _order(count: RuleCount) -> tuple[int, int, str, int, tuple[str, ...]]:
+    return (-count.severity.rank, -count.count, count.rule, -count.weight[1].rank, count.tags)
 
 
 def _example(finding: Finding | None) -> str:

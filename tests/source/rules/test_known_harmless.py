@@ -34,7 +34,7 @@ SHOWS = '<launch><node name="a" pkg="rviz" type="rviz" args="-d $(find p)/{}"/><
             Severity.WARNING,
         ),
         ("launch.undeclared_argument", "catkin", {"launch/legacy/a.launch": USES}, Severity.NOTE),
-        ("launch.undeclared_argument", "catkin", {"launch/a.launch": USES}, Severity.ERROR),
+        ("launch.undeclared_argument", "catkin", {"launch/a.launch": USES}, Severity.WARNING),
         ("launch.missing_file", "catkin", {"launch/a.launch": SHOWS.format("urdf.rviz")}, Severity.NOTE),
         ("launch.missing_file", "catkin", {"launch/a.launch": SHOWS.format("urdf.yaml")}, Severity.WARNING),
     ],

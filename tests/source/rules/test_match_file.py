@@ -3,11 +3,14 @@
 import pytest
 
 from roslens.model.source import Language
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules import match_file as module
 from roslens.source.rules.match_file import match_file
 from roslens.source.rules.rule import TESTS, TESTS_HINTS, FileRule
 from roslens.source.settings import MacroSettings
+
+WEIGHT = {"consequence": Consequence.WRONG, "certainty": Certainty.LIKELY}
 
 
 @pytest.fixture
@@ -21,7 +24,7 @@ def asked(monkeypatch):
             seen.append(view.text(node))
             return ()
 
-        rule = FileRule(id="a.b", title="t", finds="f.", why="w", syntax="cpp", found=found, **what)
+        rule = FileRule(id="a.b", title="t", finds="f.", why="w", **WEIGHT, syntax="cpp", found=found, **what)
         monkeypatch.setattr(module, "file_rules", lambda syntax: (rule,))
         module._plan.cache_clear()
         match_file(parse_file(text.encode(), Language.CPP, MacroSettings()).view())
@@ -61,6 +64,7 @@ def together(monkeypatch):
             title="t",
             finds="f.",
             why="w",
+            **WEIGHT,
             syntax="cpp",
             kinds=("call_expression",),
             found_among=found_among,
@@ -143,7 +147,8 @@ def test_a_rule_on_the_whole_file_goes_through_what_it_gathers(monkeypatch):
         return ()
 
     gathers = ("return_statement", "(throw_statement (_) @node)")
-    rule = FileRule(id="a.b", title="t", finds="f.", why="w", syntax="cpp", found=found, whole=True, gathers=gathers)
+    words = {"id": "a.b", "title": "t", "finds": "f.", "why": "w", **WEIGHT}
+    rule = FileRule(**words, syntax="cpp", found=found, whole=True, gathers=gathers)
     monkeypatch.setattr(module, "file_rules", lambda syntax: (rule,))
     module._plan.cache_clear()
     parsed = parse_file(b"int f() { if (a) throw b; return 1; }", Language.CPP, MacroSettings())

@@ -49,8 +49,8 @@ def test_headers_of_plugins_that_nobody_asks_for_need_not_be_installed(plugins, 
     ("asks", "passes", "severities"),
     [
         ("<depend>p</depend>", "true", []),
-        ("<depend>p</depend>", "false", [Severity.ERROR]),
-        ("", "true", [Severity.ERROR]),
+        ("<depend>p</depend>", "false", [Severity.WARNING]),
+        ("", "true", [Severity.WARNING]),
     ],
 )
 def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, severities, package_view, tmp_path):
@@ -66,8 +66,8 @@ def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, sever
         ("README.md", "Run `roslaunch p one.launch rate:=3 name:=b`.\n", Severity.NOTE),
         ("p/start.sh", "roslaunch p one.launch \\\n  name:=b\n", Severity.NOTE),
         ("start.sh", "roslaunch p other.launch name:=b\n", Severity.NOTE),
-        ("start.sh", "roslaunch p one.launch rate:=3\nroslaunch q other.launch name:=b\n", Severity.ERROR),
-        ("start.sh", "roslaunch p one.launch other_name:=b\n", Severity.ERROR),
+        ("start.sh", "roslaunch p one.launch rate:=3\nroslaunch q other.launch name:=b\n", Severity.WARNING),
+        ("start.sh", "roslaunch p one.launch other_name:=b\n", Severity.WARNING),
     ],
 )
 def test_a_script_may_give_an_argument(path, text, severity, package_view, tmp_path):

@@ -73,8 +73,10 @@ def _of_tool(identity: str) -> RuleInfo | None:
 
 
 def _of_rule(rule: RuleInfo) -> str:
+    from roslens.model.weight.consequence import weight_text
+
     return _sections(
-        f"{rule.id}  ({rule.severity.value})",
+        f"{rule.id}  ({rule.severity.value}: {weight_text(*rule.weight, unproven=rule.unproven)})",
         (
             ("", rule.title),
             ("", rule.description),

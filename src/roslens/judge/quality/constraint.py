@@ -7,7 +7,10 @@ import msgspec
 from roslens.judge.ranges.range import Range, plain
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 
+CONSEQUENCE = Consequence.HARD_TO_MAINTAIN
+"""Of all limits on metrics."""
 MAX = "max"
 MIN = "min"
 
@@ -46,6 +49,11 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
     meaning: str = ""
     unit: str = ""
     decimals: int = 0
+
+    @property
+    def certainty(self) -> Certainty:
+        """Of its findings: who sets a limit as a warning or an error says that it is worth acting on."""
+        return Certainty.HEURISTIC if self.severity is Severity.NOTE else Certainty.PROVEN
 
     @property
     def sides(self) -> tuple[str, ...]:

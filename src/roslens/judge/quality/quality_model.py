@@ -11,7 +11,7 @@ import msgspec
 
 from roslens.intake.is_there import is_file
 from roslens.judge.documents.document import Section, read_document
-from roslens.judge.quality.constraint import MAX, Constraint, spoken, verb
+from roslens.judge.quality.constraint import CONSEQUENCE, MAX, Constraint, spoken, verb
 from roslens.judge.quality.fold_limits import SUFFIX
 from roslens.judge.quality.read_constraints import read_constraints
 from roslens.model.entity import EntityKind
@@ -128,6 +128,8 @@ def _rule(model: QualityModel, constraint: Constraint, side: str) -> RuleInfo:
         rationale=constraint.rationale,
         tool=TOOL,
         scope=constraint.kind.value,
+        consequence=CONSEQUENCE,
+        certainty=constraint.certainty,
     )
 
 
@@ -145,6 +147,8 @@ def _several(model: QualityModel, kind: EntityKind) -> RuleInfo:
         rationale="Code that exceeds one limit usually exceeds others, and one change corrects all of them.",
         tool=TOOL,
         scope=kind.value,
+        consequence=CONSEQUENCE,
+        certainty=max((one.certainty for one in constraints), key=lambda certainty: certainty.rank),
     )
 
 

@@ -7,7 +7,7 @@ from math import inf
 
 import msgspec
 
-from roslens.judge.quality.constraint import MAX, Constraint
+from roslens.judge.quality.constraint import CONSEQUENCE, MAX, Constraint
 from roslens.judge.quality.quality_model import TOOL, QualityModel, rule_id, tags_of
 from roslens.judge.quality.select import matcher, name_of
 from roslens.judge.ranges.range import Range
@@ -123,6 +123,8 @@ def _finding(limit: _Limit, entity: Entity, value: float) -> Finding:
         bound=limit.bound,
         model=limit.model,
         breach=breach,
+        consequence=CONSEQUENCE,
+        certainty=limit.constraint.certainty,
     )
 
 

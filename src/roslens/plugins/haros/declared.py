@@ -16,6 +16,7 @@ from roslens.model.errors import PluginError
 from roslens.model.finding import RuleInfo, Severity
 from roslens.model.quantity import Better, Fold, Quantity
 from roslens.model.source import Language
+from roslens.model.weight.consequence import Certainty, Consequence
 
 _KINDS = (EntityKind.FILE, EntityKind.FUNCTION, EntityKind.CLASS, EntityKind.PACKAGE)
 _FORMAL = {"formatting", "whitespace"}
@@ -161,6 +162,8 @@ def rule_infos(declared: Declared) -> tuple[RuleInfo, ...]:
             tool=declared.name,
             languages=roslens_languages(declared.languages),
             scope=rule.scope,
+            consequence=Consequence.STYLE if _FORMAL & set(rule.tags) else Consequence.MAY_BE_WRONG,
+            certainty=Certainty.LIKELY,
         )
         for key, rule in sorted(declared.rules.items())
     )

@@ -169,6 +169,8 @@ _FINDING_HEAD = (
     "quantity",
     "value",
     "bound",
+    "consequence",
+    "certainty",
 )
 
 
@@ -197,6 +199,8 @@ def _finding_rows(view: RunView, tags: TagFilter) -> Iterator[tuple[Cell, ...]]:
             finding.quantity,
             finding.value,
             finding.bound,
+            finding.weight[0].value,
+            finding.weight[1].value,
         )
 
 
@@ -245,7 +249,7 @@ def _failures(view: RunView, _tags: TagFilter) -> Table:
 
 def _rules(view: RunView, _tags: TagFilter) -> Table:
     return (
-        ("id", "title", "severity", "tags", "tool", "description", "rationale", "url"),
+        ("id", "title", "severity", "tags", "tool", "description", "rationale", "url", "consequence", "certainty"),
         (
             (
                 rule.id,
@@ -256,6 +260,8 @@ def _rules(view: RunView, _tags: TagFilter) -> Table:
                 rule.description,
                 rule.rationale,
                 rule.url,
+                rule.weight[0].value,
+                "unproven" if rule.unproven else rule.weight[1].value,
             )
             for rule in view.rules()
         ),

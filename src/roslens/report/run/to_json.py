@@ -212,6 +212,8 @@ def _finding(package: str, finding: Finding, is_new: Callable[[Finding], bool] |
     shown: dict[str, Any] = {
         "rule": finding.rule,
         "severity": finding.severity,
+        "consequence": finding.weight[0],
+        "certainty": finding.weight[1],
         "message": finding.message,
         "package": package,
         "path": finding.path,
@@ -275,7 +277,9 @@ def _failure(failure: Failure) -> dict[str, Any]:
 
 
 def _rule(rule: RuleInfo) -> dict[str, Any]:
-    return {name: getattr(rule, name) for name in rule.__struct_fields__}
+    consequence, certainty = rule.weight
+    fields = {name: getattr(rule, name) for name in rule.__struct_fields__}
+    return {**fields, "consequence": consequence, "certainty": certainty}
 
 
 def _quantity(quantity: Quantity) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from roslens.model.edit import Edit
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.set_aside import Disposition, SetAside
+from roslens.model.weight.consequence import Certainty
 from roslens.report.run.reported import Reported, Wanted, aside, reported, rules_by_id
 from roslens.store.read import RunView
 
@@ -30,6 +31,8 @@ FINGERPRINT = "roslensFingerprint/v1"
 """Name of the fingerprint of :func:`roslens.model.finding.fingerprint` among the partial fingerprints of a result."""
 
 _LEVELS = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "error"}
+_PRECISIONS = {Certainty.PROVEN: "very-high", Certainty.LIKELY: "high", Certainty.HEURISTIC: "medium"}
+"""What code scanning calls the certainty of a rule."""
 _PLACE = re.compile(r"(?P<path>[^:\s()\[\]\"'`,;]+):(?P<line>[1-9]\d*)(?::(?P<column>[1-9]\d*))?")
 _KINDS = {"class": "type", "function": "function", "file": "resource", "package": "module"}
 
@@ -87,7 +90,13 @@ def _rule(key: str, rule: RuleInfo | None) -> dict[str, Any]:
             "markdown": "\n\n".join((f"**{rule.title or key}**", *parts, f"More: `roslens explain {key}`")),
         },
         "defaultConfiguration": {"level": _LEVELS[rule.severity]},
-        "properties": {"tags": list(rule.tags[:MOST_TAGS]), "problem.severity": _problem(rule.severity)},
+        "properties": {
+            "tags": list(rule.tags[:MOST_TAGS]),
+            "problem.severity": _problem(rule.severity),
+            "precision": "low" if rule.unproven else _PRECISIONS[rule.weight[1]],
+            "consequence": rule.weight[0].value,
+            "certainty": rule.weight[1].value,
+        },
     }
     if rule.url:
         shown["helpUri"] = rule.url
@@ -214,6 +223,8 @@ def _properties(one: Reported) -> Iterator[tuple[str, Any]]:
     if one.package:
         yield "package", one.package
     yield "tags", list(finding.tags)
+    yield "consequence", finding.weight[0].value
+    yield "certainty", finding.weight[1].value
     if finding.witnesses:
         yield "witnesses", list(finding.witnesses)
     if finding.quantity:

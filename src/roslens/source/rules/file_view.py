@@ -9,7 +9,7 @@ from functools import cached_property
 from tree_sitter import Node
 
 from roslens.model.edit import Edit, place_of
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.syntax.text_lines import TextLines
 
@@ -137,7 +137,7 @@ class FileView:
         *,
         only: str = "",
         callback: str = "",
-        severity: Severity | None = None,
+        certainty: Certainty | None = None,
         edits: tuple[Edit, ...] = (),
     ) -> Hit:
         """Return a hit at a node; see :class:`Hit` for the rest."""
@@ -160,7 +160,7 @@ class FileView:
             context,
             only=only,
             callback=callback,
-            severity=severity,
+            certainty=certainty,
             edits=edits,
         )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 
 HEADER, SOURCE, GUARDED = "header", "source", "guarded"
 """Values of ``only``: for files that are included by others, for those that are compiled, and for headers that must be
@@ -28,7 +28,8 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         only: it counts in headers (:data:`HEADER`, :data:`GUARDED`) or in other files (:data:`SOURCE`) only; which of
             them a file is, its name tells.
         callback: it counts where this function, as qualified in the file, is a callback of some file of the package.
-        severity: where it differs from the rule's.
+        certainty: where it is less certain than the rule; what is heuristic then is a note, for the readings that
+            confirm a rule are of what it is certain of.
         entity: text form of the id it is about, where that is not the innermost one around the line.
         edits: what mends it; those without a path are of the file itself. :data:`GUARD_NAME` in their text stands for
             the name that a header guard of the file has.
@@ -44,6 +45,6 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     path: str = ""
     only: str = ""
     callback: str = ""
-    severity: Severity | None = None
+    certainty: Certainty | None = None
     entity: str = ""
     edits: tuple[Edit, ...] = ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from roslens.model.weight.consequence import Certainty, Consequence, severity_of, weight_text
 from roslens.source.rules.field.precision import read_samples
 from roslens.source.rules.field.rates import read_rates, spoken_rate
 from roslens.source.rules.profiles import PROFILES
@@ -27,6 +28,20 @@ disable = ["node.console_output"]
 severity = { "package.boilerplate" = "error" }
 ```
 
+Each rule declares its *consequence* (what happens if a finding is left as it is) and its *certainty* (how certain it is
+that a finding is true). The severity is a table of the two, the same for rules of the graph, foreign tools and
+plug-ins:
+
+| consequence | proven | likely | heuristic | unproven |
+| --- | --- | --- | --- | --- |
+CELLS
+
+*Proven* is what the platform itself refuses (XML, rcl, rosidl, launch, CMake, the compiler) or the definition of the
+language decides: only that is an error. Of what is *likely*, at least nine in ten findings are true. *Heuristic*
+findings often indicate a mistake. They are *unproven*, and notes, until a sample of them was read in repositories that
+the rule was not written for and at least nine in ten were true ([measured](../accuracy_of_rules.md)). A single finding
+may be less certain than its rule; if it is heuristic then, it is a note.
+
 | profile | for | rules |
 | --- | --- | --- |
 """
@@ -40,14 +55,23 @@ def rule_pages(rules: Mapping[str, Rule]) -> Mapping[str, str]:
 
 
 def _index(rules: Sequence[Rule]) -> str:
-    text = _HEAD
+    text = _HEAD.replace("CELLS\n", "".join(map(_cells, Consequence)))
     for name, purpose in PROFILES.items():
         text += f"| `{name}` | {purpose} | {sum(name in rule.profiles for rule in rules)} |\n"
-    text += "\n| rule | severity | finds | profiles |\n| --- | --- | --- | --- |\n"
+    text += "\n| rule | severity | consequence | finds | profiles |\n| --- | --- | --- | --- | --- |\n"
     for rule in rules:
         profiles = ", ".join(rule.profiles)
-        text += f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.severity.value} | {rule.title} | {profiles} |\n"
+        weight = weight_text(rule.consequence, rule.certainty, unproven=rule.unproven)
+        text += (
+            f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.severity.value} | {weight} | {rule.title} | {profiles} |\n"
+        )
     return text + _fixes([rule for rule in rules if rule.fix])
+
+
+def _cells(consequence: Consequence) -> str:
+    cells = [severity_of(consequence, certainty) for certainty in Certainty]
+    cells.append(severity_of(consequence, Certainty.HEURISTIC, unproven=True))
+    return f"| {consequence.value} | {' | '.join(one.value for one in cells)} |\n"
 
 
 def _fixes(rules: Sequence[Rule]) -> str:
@@ -64,12 +88,14 @@ def _fence(rule: Rule) -> str:
 def _page(rule: Rule) -> str:
     fence = rule.languages[0] if rule.languages else _fence(rule)
     reads = _NAMES.get(rule.syntax, rule.syntax) if isinstance(rule, FileRule) else "packages"
+    weight = weight_text(rule.consequence, rule.certainty, unproven=rule.unproven)
+    profiles = ", ".join(rule.profiles) or "no profile"
     parts = [
         f"# {rule.id}\n\n**{rule.title}.** {rule.finds}",
         f"Why: {rule.why}",
         f"Reported:\n\n```{fence}\n{rule.bad.strip(chr(10))}\n```",
         f"In order:\n\n```{fence}\n{rule.good.strip(chr(10))}\n```",
-        f"Severity: {rule.severity.value}. Reads {reads}. On in: {', '.join(rule.profiles) or 'no profile'}.",
+        f"Consequence: {weight}. Severity: {rule.severity.value}. Reads {reads}. On in: {profiles}.",
     ]
     if rule.fix:
         parts.append(f"Fix: safe, by [`roslens check --fix`](../fixes.md). {rule.fix}")

@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, fingerprint
+from roslens.model.weight.consequence import severity_of
 from roslens.source.rules.hit import GUARDED, HEADER, SOURCE, Hit
 from roslens.source.rules.rule import TOOL, Rule
 from roslens.source.rules.selection import Selection
@@ -75,9 +76,11 @@ def _counted(path: PurePosixPath) -> tuple[str, ...]:
 
 
 def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selection, rule: Rule) -> Finding:
-    severity = selection[hit.rule]
-    if hit.severity is not None and hit.severity.rank < severity.rank:
-        severity = hit.severity
+    severity, certainty = selection[hit.rule], rule.certainty
+    if hit.certainty is not None and hit.certainty.rank <= certainty.rank:
+        certainty = hit.certainty
+        lowered = severity_of(rule.consequence, certainty, unproven=True)
+        severity = min(severity, lowered, key=lambda one: one.rank)
     return Finding(
         rule=hit.rule,
         severity=severity,
@@ -92,6 +95,8 @@ def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selectio
         tool=TOOL,
         fingerprint=fingerprint(hit.rule, entity, hit.context, ordinal),
         edits=hit.edits,
+        consequence=rule.consequence,
+        certainty=certainty,
     )
 
 

@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.finding import RuleInfo, Severity
-from roslens.source.rules.field.precision import precision_of
+from roslens.model.weight.consequence import Certainty, Consequence, severity_of
+from roslens.source.rules.field.precision import is_confirmed, precision_of
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -52,7 +53,9 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
         title: a heading of a few words.
         finds: what is reported, and what to do instead, in sentences.
         why: why it matters on a robot.
-        severity: of its findings; one may be a step lower where the rule is less sure.
+        consequence: what follows if a finding is left as it is.
+        certainty: how certain it is that a finding is true and has that consequence; a hit may be less certain. With
+            the consequence it gives the severity (:func:`~roslens.model.weight.consequence.severity_of`).
         profiles: in which it is on (:mod:`~roslens.source.rules.profiles`); in none it is on only where it is named.
         tags: what readers filter by, beside the family and the profiles.
         clauses: of published standards and checks of peers that it covers: ``misra-cpp-2008 6-4-1``,
@@ -68,7 +71,8 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
     title: str
     finds: str
     why: str
-    severity: Severity = Severity.WARNING
+    consequence: Consequence
+    certainty: Certainty
     profiles: tuple[str, ...] = ()
     tags: tuple[str, ...] = ()
     clauses: tuple[str, ...] = ()
@@ -76,6 +80,16 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
     good: str = ""
     unlike: tuple[str, ...] = ()
     fix: str = ""
+
+    @property
+    def unproven(self) -> bool:
+        """Whether it is heuristic and nobody has confirmed it on repositories that it was not written for."""
+        return self.certainty is Certainty.HEURISTIC and not is_confirmed(self.id)
+
+    @property
+    def severity(self) -> Severity:
+        """Of its findings, unless one is less certain."""
+        return severity_of(self.consequence, self.certainty, unproven=self.unproven)
 
     @property
     def family(self) -> str:
@@ -102,6 +116,9 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             scope="file" if self.languages else "package",
             precision=precision_of(self.id),
             fix=self.fix,
+            consequence=self.consequence,
+            certainty=self.certainty,
+            unproven=self.unproven,
         )
 
 

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
 from roslens.model.set_aside import Disposition, SetAside
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.settings import IgnoreRule
 from roslens.source.workspace.acceptances import Acceptances
 from roslens.source.workspace.globs import compiled
@@ -26,6 +27,8 @@ UNUSED = RuleInfo(
     TAGS,
     "It hides the next finding there, which has not been reviewed. Remove it.",
     "roslens",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
 )
 UNKNOWN = RuleInfo(
     "roslens.suppression_unknown",
@@ -35,6 +38,8 @@ UNKNOWN = RuleInfo(
     TAGS,
     "A mistyped id suppresses nothing, and the id of a removed rule is misleading. See `roslens explain ID`.",
     "roslens",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
 )
 NO_REASON = RuleInfo(
     "roslens.suppression_without_reason",
@@ -44,6 +49,8 @@ NO_REASON = RuleInfo(
     TAGS,
     "Later readers cannot judge whether the suppression is still justified. Add a reason after the brackets.",
     "roslens",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
 )
 IGNORE_UNUSED = RuleInfo(
     "roslens.ignore_unused",
@@ -54,6 +61,8 @@ IGNORE_UNUSED = RuleInfo(
     "It hides the next finding that it happens to match. Remove it, or correct its paths and rules.",
     "roslens",
     scope="workspace",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
 )
 ACCEPTANCE_UNUSED = RuleInfo(
     "roslens.acceptance_unused",
@@ -64,6 +73,8 @@ ACCEPTANCE_UNUSED = RuleInfo(
     "Remove it with `roslens accept --undo`, so that the file is up to date.",
     "roslens",
     scope="workspace",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
 )
 RULES = (UNUSED, UNKNOWN, NO_REASON, IGNORE_UNUSED, ACCEPTANCE_UNUSED)
 """Rules about setting findings aside."""
@@ -241,4 +252,6 @@ def _note(rule: RuleInfo, path: str, line: int, message: str, context: str, ordi
         tags=rule.tags,
         tool=rule.tool,
         fingerprint=fingerprint(rule.id, entity, context, ordinal),
+        consequence=rule.consequence,
+        certainty=rule.certainty,
     )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
 from roslens.source.rules.hit import Hit
 
@@ -20,4 +20,4 @@ from roslens.source.rules.hit import Hit
 )
 def test_the_name_of_a_folder_says_so(path, is_note):
     (only,) = as_notes_where_left_behind({path: [Hit("cpp.guard", "m", 1)]})[path]
-    assert (only.severity is Severity.NOTE) is is_note
+    assert (only.certainty is Certainty.HEURISTIC) is is_note

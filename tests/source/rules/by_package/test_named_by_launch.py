@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.named_by_launch import as_notes_where_launch_names
 from roslens.source.rules.hit import Hit
 
@@ -25,5 +25,5 @@ def test_a_launch_file_names_the_node(kind, launch, is_note, package_view, tmp_p
     (tmp_path / "launch/a.launch").write_text(launch)
     placed = {"src/a.cpp": [Hit("node.node_name", "m", 1), Hit("cpp.other", "m", 2)]}
     ((first, second),) = as_notes_where_launch_names(placed, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None

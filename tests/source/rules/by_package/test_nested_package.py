@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
 from roslens.source.rules.hit import Hit
 
@@ -17,7 +17,7 @@ def test_a_workspace_that_is_a_package_as_well_has_others_in_src(path, is_note, 
     (tmp_path / "package.xml").write_text(MANIFEST.format("whole"))
     placed = {"a": [Hit("package.build_type", "m")]}
     ((only,),) = as_notes_in_nested_package(placed, package_view(tmp_path, "inner")).values()
-    assert (only.severity is Severity.NOTE) is is_note
+    assert (only.certainty is Certainty.HEURISTIC) is is_note
 
 
 @pytest.mark.parametrize(("around", "is_note"), [("outer", True), ("outer/deep", True), ("", False)])
@@ -31,6 +31,6 @@ def test_what_a_package_in_another_one_says_of_its_build_is_a_note(around, is_no
         (tmp_path / "outer/package.xml").write_text(MANIFEST.format("outer"))
     placed = {"a": [Hit("package.build_type", "m"), Hit("cmake.minimum_version", "m"), Hit("cpp.guard", "m")]}
     ((manifest, build, code),) = as_notes_in_nested_package(placed, package_view(tmp_path, "inner")).values()
-    assert (manifest.severity is Severity.NOTE) is is_note
-    assert (build.severity is Severity.NOTE) is is_note
-    assert code.severity is None
+    assert (manifest.certainty is Certainty.HEURISTIC) is is_note
+    assert (build.certainty is Certainty.HEURISTIC) is is_note
+    assert code.certainty is None

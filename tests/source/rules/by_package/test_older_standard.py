@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.older_standard import as_notes_with_older_standard
 from roslens.source.rules.hit import Hit
 
@@ -30,8 +30,8 @@ def test_a_package_that_does_not_ask_for_the_newer_standard_has_notes(line, is_n
     (tmp_path / "a.cpp").write_text("std::auto_ptr<int> p;\n")
     placed = {"a.cpp": [Hit("cpp.removed_library", "m", 1), Hit("cpp.guard", "m", 2)]}
     ((first, second),) = as_notes_with_older_standard(placed, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None
 
 
 def test_what_was_removed_is_told_whatever_the_file(package_view, tmp_path):
@@ -39,7 +39,7 @@ def test_what_was_removed_is_told_whatever_the_file(package_view, tmp_path):
     (tmp_path / "CMakeLists.txt").write_text("project(p)\nset(CMAKE_CXX_STANDARD 11)\n")
     (tmp_path / "a.hpp").write_text("void f() throw(int);\n")
     placed = {"a.hpp": [Hit("cpp.exception_specification", "m", 1)]}
-    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.hpp"][0].severity is Severity.NOTE
+    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.hpp"][0].certainty is Certainty.HEURISTIC
 
 
 def test_packages_for_ros_2_are_built_with_the_newer_standard(package_view, tmp_path):
@@ -47,11 +47,11 @@ def test_packages_for_ros_2_are_built_with_the_newer_standard(package_view, tmp_
     (tmp_path / "package.xml").write_text(f"<package format='3'><name>p</name>{export}</package>")
     (tmp_path / "CMakeLists.txt").write_text("project(p)\nadd_library(a a.cpp)\n")
     placed = {"a.cpp": [Hit("cpp.removed_library", "m", 1)]}
-    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.cpp"][0].severity is None
+    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.cpp"][0].certainty is None
 
 
 def test_a_package_that_says_nothing_may_have_a_compiler_without_specifications(package_view, tmp_path):
     (tmp_path / "package.xml").write_text(MANIFEST)
     (tmp_path / "CMakeLists.txt").write_text("project(p)\nadd_library(a a.cpp)\n")
     placed = {"a.hpp": [Hit("cpp.exception_specification", "m", 1)]}
-    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.hpp"][0].severity is None
+    assert as_notes_with_older_standard(placed, package_view(tmp_path))["a.hpp"][0].certainty is None

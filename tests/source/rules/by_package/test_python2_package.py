@@ -2,8 +2,8 @@
 
 import pytest
 
-from roslens.model.finding import Severity
 from roslens.model.source import OUTSIDE_PACKAGES, Location, Package
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -28,8 +28,8 @@ def test_a_package_that_nothing_says_to_be_for_python_3_has_notes(manifest, firs
     (tmp_path / "a.py").write_text(f"{first}\n")
     placed = {"a.py": [Hit("python.python2_syntax", "m", 1), Hit("python.bare_except", "m", 2)]}
     ((first, second),) = as_notes_without_python3(placed, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None
 
 
 def test_what_lies_outside_of_packages_has_notes(tmp_path):
@@ -37,4 +37,4 @@ def test_what_lies_outside_of_packages_has_notes(tmp_path):
     package = Package(OUTSIDE_PACKAGES, OUTSIDE_PACKAGES, ".", Location(""))
     placed = {"a.py": [Hit("python.python2_syntax", "m", 1)]}
     ((only,),) = as_notes_without_python3(placed, PackageView(package, str(tmp_path), (), {}, others=())).values()
-    assert only.severity is Severity.NOTE
+    assert only.certainty is Certainty.HEURISTIC

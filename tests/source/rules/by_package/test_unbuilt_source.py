@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.unbuilt_source import as_notes_of_unbuilt_sources
 from roslens.source.rules.hit import Hit
 
@@ -39,4 +39,4 @@ def test_a_source_in_no_target(path, cmake, beside, is_note, package_view, tmp_p
         (tmp_path / name).write_text(text)
     placed = {path: [Hit("node.publish_too_early", "m", 1), Hit("cpp.guard", "m", 1), Hit("other.rule", "m", 1)]}
     ((node, cpp, other),) = as_notes_of_unbuilt_sources(placed, package_view(tmp_path)).values()
-    assert [one.severity for one in (node, cpp, other)] == [*([Severity.NOTE if is_note else None] * 2), None]
+    assert [one.certainty for one in (node, cpp, other)] == [*([Certainty.HEURISTIC if is_note else None] * 2), None]

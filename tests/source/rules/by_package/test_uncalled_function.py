@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.uncalled_function import as_notes_where_uncalled
 from roslens.source.rules.hit import Hit
 
@@ -35,5 +35,5 @@ def test_a_function_that_nothing_calls(header, more, build, is_note, package_vie
         (tmp_path / path).write_text(text)
     hits = [Hit("cpp.missing_return", "m", 1, context="Arm::stop(int speed)"), Hit("cpp.other", "m", 1)]
     ((first, second),) = as_notes_where_uncalled({"src/arm.cpp": hits}, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None

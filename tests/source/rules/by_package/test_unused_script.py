@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.unused_script import as_notes_of_unused_scripts
 from roslens.source.rules.hit import Hit
 
@@ -38,5 +38,5 @@ def test_a_script_that_the_build_does_not_name_is_left_behind(line, kind, is_not
     (tmp_path / "scripts/old.py").write_text("print 1\n")
     placed = {"scripts/old.py": [Hit("python.python2_syntax", "m", 1), Hit("python.bare_except", "m", 2)]}
     ((first, second),) = as_notes_of_unused_scripts(placed, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None

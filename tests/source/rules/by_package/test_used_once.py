@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.by_package.used_once import as_notes_where_used_once
 from roslens.source.rules.hit import HEADER, Hit
 
@@ -31,5 +31,5 @@ def test_a_header_below_src_that_one_file_includes(path, users, line, is_note, p
         (tmp_path / name).write_text('#include "a.h"\n' if name in users else "using namespace std;\n")
     placed = {path: [Hit("cpp.using_namespace", "m", 1, only=HEADER), Hit("cpp.guard", "m", 1, only=HEADER)]}
     ((first, second),) = as_notes_where_used_once(placed, package_view(tmp_path)).values()
-    assert (first.severity is Severity.NOTE) is is_note
-    assert second.severity is None
+    assert (first.certainty is Certainty.HEURISTIC) is is_note
+    assert second.certainty is None

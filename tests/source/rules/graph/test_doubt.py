@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.model.configuration import Proof
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
 from testbed.configured import clauses
 
@@ -11,28 +11,28 @@ CERTAIN, LIKELY, POSSIBLE = (Proof("a.cpp", 3, sure=sure) for sure in ("certain"
 @pytest.mark.parametrize(
     ("proofs", "conditions", "expected"),
     [
-        ((CERTAIN, None), (), Severity.ERROR),
-        ((CERTAIN, LIKELY), (), Severity.WARNING),
-        ((LIKELY,), ("x",), Severity.WARNING),
-        ((POSSIBLE,), (), Severity.NOTE),
-        ((CERTAIN,), ("x",), Severity.WARNING),
+        ((CERTAIN, None), (), Certainty.PROVEN),
+        ((CERTAIN, LIKELY), (), Certainty.LIKELY),
+        ((LIKELY,), ("x",), Certainty.LIKELY),
+        ((POSSIBLE,), (), Certainty.HEURISTIC),
+        ((CERTAIN,), ("x",), Certainty.LIKELY),
     ],
 )
 def test_doubt_lowers_by_steps(proofs, conditions, expected):
-    severity, words = weighed(Severity.ERROR, proofs, conditions)
-    assert severity is expected
-    assert bool(words) is (expected is not Severity.ERROR)
+    certainty, words = weighed(Certainty.PROVEN, proofs, conditions)
+    assert certainty is expected
+    assert bool(words) is (expected is not Certainty.PROVEN)
 
 
 def test_the_words_say_each_doubt_once():
-    doubt = weighed(Severity.NOTE, (LIKELY, LIKELY), ("x", "x"), more="who knows")[1]
+    doubt = weighed(Certainty.HEURISTIC, (LIKELY, LIKELY), ("x", "x"), more="who knows")[1]
     assert str(doubt) == " In doubt: likely only (a.cpp:3); only if `x`; who knows."
-    assert str(weighed(Severity.NOTE, (CERTAIN,))[1]) == ""
+    assert str(weighed(Certainty.HEURISTIC, (CERTAIN,))[1]) == ""
 
 
 def test_nodes_that_may_never_run_together_are_a_note():
-    severity, doubt = weighed_apart(weighed(Severity.ERROR, (CERTAIN,), ("x",))[1])
-    assert severity is Severity.NOTE
+    certainty, doubt = weighed_apart(weighed(Certainty.PROVEN, (CERTAIN,), ("x",))[1])
+    assert certainty is Certainty.HEURISTIC
     assert str(doubt) == (
         " In doubt: no launch file states that these nodes run together under these names; only if `x`."
     )

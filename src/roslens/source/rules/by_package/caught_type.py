@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -54,7 +54,7 @@ def as_notes_of_caught_types(placed: Mapping[str, Sequence[Hit]], view: PackageV
 
 def _judged(hit: Hit, path: str, spared: Mapping[str, Callable[[Hit, str], bool]]) -> Hit:
     if hit.rule in spared and spared[hit.rule](hit, path):
-        return msgspec.structs.replace(hit, severity=Severity.NOTE)
+        return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC)
     return hit
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 
 _LEFT = re.compile(r"old|legacy|deprecated|obsolete|unused|archived?|not_for_build|do_not_use", re.IGNORECASE)
@@ -19,7 +19,7 @@ def as_notes_where_left_behind(placed: Mapping[str, Sequence[Hit]]) -> dict[str,
 
 
 def _notes(hits: Sequence[Hit]) -> list[Hit]:
-    return [msgspec.structs.replace(hit, severity=Severity.NOTE) for hit in hits]
+    return [msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) for hit in hits]
 
 
 def is_left_behind(path: str) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -39,4 +39,4 @@ def _starts_its_nodes(view: PackageView) -> bool:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if hit.rule == _RULE else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if hit.rule == _RULE else hit

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -31,4 +31,4 @@ def as_notes_in_nested_package(placed: Mapping[str, Sequence[Hit]], view: Packag
 
 def _as_note(hit: Hit) -> Hit:
     is_of_build = hit.rule.startswith(_FAMILIES)
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if is_of_build else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_of_build else hit

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Role
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -46,4 +46,4 @@ def _is_for_python3(view: PackageView) -> bool:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if hit.rule in _RULES else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if hit.rule in _RULES else hit

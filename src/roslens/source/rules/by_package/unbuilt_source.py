@@ -10,8 +10,8 @@ from pathlib import PurePosixPath
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -77,4 +77,4 @@ def _is_asked(hit: Hit) -> bool:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if _is_asked(hit) else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if _is_asked(hit) else hit

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
@@ -37,7 +37,7 @@ def as_notes_where_uncalled(placed: Mapping[str, Sequence[Hit]], view: PackageVi
     public = [text for file, text in zip(files, texts, strict=True) if _is_public(file.path, view)]
     for path, hits in found.items():
         found[path] = [
-            msgspec.structs.replace(hit, severity=Severity.NOTE) if _is_uncalled(hit, texts, public) else hit
+            msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if _is_uncalled(hit, texts, public) else hit
             for hit in hits
         ]
     return found

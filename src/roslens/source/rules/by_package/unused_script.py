@@ -10,7 +10,7 @@ from posixpath import basename
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.views.cmake_view import Written
@@ -61,4 +61,4 @@ def _covers(named: str, path: str) -> bool:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if hit.rule in _RULES else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if hit.rule in _RULES else hit

@@ -11,8 +11,8 @@ from pathlib import PurePosixPath
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import HEADER, Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.views.cmake_view import Written
@@ -65,4 +65,4 @@ def _may_install(one: Written, name: str) -> bool:
 
 
 def _as_note(hit: Hit) -> Hit:
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if _is_asked(hit) else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if _is_asked(hit) else hit

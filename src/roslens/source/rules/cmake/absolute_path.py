@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -63,7 +63,7 @@ def _is_asked(one: Written, view: PackageView) -> bool:
 def _note(hit: Hit) -> Hit:
     import msgspec
 
-    return msgspec.structs.replace(hit, severity=Severity.NOTE)
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC)
 
 
 RULE = PackageRule(
@@ -73,6 +73,8 @@ RULE = PackageRule(
     "`/opt` or `/usr/local` that is included, linked or installed to without a condition. Look for it with "
     "`find_package`, `find_path` or `find_library`, or take it as an option.",
     why="On any other machine, and in CI, the build fails, or takes a file of the same name that happens to be there.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="include_directories(/home/robot/catkin_ws/devel/include)",

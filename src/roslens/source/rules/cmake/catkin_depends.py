@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -43,7 +43,8 @@ RULE = PackageRule(
     "`<build_export_depend>`, `<exec_depend>` nor `<run_depend>`.",
     why="Whoever depends on this package gets its name from CMake and not from rosdep: their build fails on a "
     "machine that does not happen to have it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("build", "dependency"),
     clauses=("catkin_lint missing_catkin_depend",),

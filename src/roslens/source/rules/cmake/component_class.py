@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -59,6 +60,8 @@ RULE = PackageRule(
     "`RCLCPP_COMPONENTS_REGISTER_NODE`, and a class of a source that no command names.",
     why="The container finds no factory for it, or `ros2 component types` does not list it: loading fails when the "
     "robot starts.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("build", "plugin"),
     bad='rclcpp_components_register_node(driver PLUGIN "arm::Drivr" EXECUTABLE driver_node)',

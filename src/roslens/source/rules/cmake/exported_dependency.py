@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import takewhile
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -79,7 +79,8 @@ RULE = PackageRule(
     "built by ament_auto are left out: it exports what is declared.",
     why="Whoever includes the header has to find packages that it never names: it builds where they come from "
     "somewhere else, and fails in a workspace of its own.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("build", "dependency"),
     clauses=("catkin_lint missing_catkin_depend",),

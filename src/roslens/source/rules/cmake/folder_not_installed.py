@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.plural import plural
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -49,8 +49,16 @@ def found(view: PackageView) -> Iterator[Hit]:
         if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text) and _is_asked_for(folder, inside, view):
             amount = plural(len(inside), "file")
             message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
-            severity = None if 2 in view.ros else Severity.NOTE
-            yield Hit("cmake.folder_not_installed", message, place[1], context=folder, path=place[0], severity=severity)
+            # Configuration that is only named may be left over; whoever starts a launch file needs it.
+            sure = folder == "launch" and 2 in view.ros
+            yield Hit(
+                "cmake.folder_not_installed",
+                message,
+                place[1],
+                context=folder,
+                path=place[0],
+                certainty=None if sure else Certainty.HEURISTIC,
+            )
 
 
 def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:
@@ -85,10 +93,12 @@ RULE = PackageRule(
     finds="A folder `launch`, `config`, `params`, `urdf`, `meshes`, `rviz`, `worlds`, `maps` or the like whose "
     "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package), and which a launch "
     "file or source of the package names; `launch` itself needs no one to name it. Install it to `share/PACKAGE`. "
-    "In ROS 1 it is a note: the devel space finds it.",
+    "In ROS 1, where the devel space finds it, it is a note, and so are other folders than `launch`, which may be left "
+    "over.",
     why="`ros2 launch` and `$(find-pkg-share …)` look into the installation: the file is not found there, or on "
     "the robot only, where nothing but the installation is.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="ament_package()  # and a folder launch/",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -31,10 +31,10 @@ def found(view: PackageView) -> Iterator[Hit]:
             return
     is_plugin = cmake.first("pluginlib_export_plugin_description_file") is not None
     is_read = 2 in view.ros and not (is_plugin and not view.around.asked_by)
-    severity = None if is_read else Severity.NOTE
+    certainty = None if is_read else Certainty.HEURISTIC
     message = f"folder 'include' ({len(headers)} headers) is exported and installed by nothing"
     hit = command.hit("cmake.header_not_installed", f"{message}; expected install(DIRECTORY include/ …)", "include")
-    yield msgspec.structs.replace(hit, severity=severity)
+    yield msgspec.structs.replace(hit, certainty=certainty)
 
 
 _HEADERS = (".h", ".hpp", ".hh", ".hxx")
@@ -59,6 +59,8 @@ RULE = PackageRule(
     "it.",
     why="Packages that use it build beside its source and nowhere else: against the installation, or the released "
     "package, the header is missing.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="ament_export_include_directories(include)\nament_package()",

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -49,6 +50,8 @@ RULE = PackageRule(
     "it, or remove the file.",
     why="It looks like an interface of the package and is none: whoever uses it finds no header, and it drifts "
     "away from what is sent.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build", "interface"),
     bad='rosidl_generate_interfaces(arm_msgs "msg/State.msg")  # and msg/Mode.msg',

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -47,6 +48,8 @@ RULE = PackageRule(
     "Set `CMAKE_CXX_STANDARD`, or ask for `target_compile_features(… cxx_std_17)`.",
     why="Headers of newer distributions need a newer standard (Noetic's log4cxx and PCL need C++14, ROS 2 needs "
     "C++17): the flag pins the old one, overrules what dependencies ask for, and the package no longer builds.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="add_compile_options(-std=c++11)",

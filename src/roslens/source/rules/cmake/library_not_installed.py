@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -38,7 +38,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         if name in made and name not in installed and "$" not in name:
             message = f"library {name!r} is exported and not installed; expected install(TARGETS {name} …)"
             hit = command.hit("cmake.library_not_installed", message, name)
-            yield msgspec.structs.replace(hit, severity=None if 2 in view.ros else Severity.NOTE)
+            yield msgspec.structs.replace(hit, certainty=None if 2 in view.ros else Certainty.HEURISTIC)
 
 
 def _exported(view: PackageView) -> Iterator[tuple[Written, str]]:
@@ -60,6 +60,8 @@ RULE = PackageRule(
     finds="A library that `ament_export_libraries` or `catkin_package(LIBRARIES …)` names and that no "
     "`install(TARGETS …)` does. In ROS 1 it is a note: the devel space finds it.",
     why="Packages that link it build beside its source and nowhere else; a plug-in in it is not found on the robot.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     clauses=("catkin_lint exported library is not installed",),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Set
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -62,6 +63,8 @@ RULE = PackageRule(
     why="What is built on a workstation or in CI ends with an illegal instruction on the robot's smaller "
     "processor; and Eigen lays its types out differently with it, so that packages built without it crash when "
     "they meet.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad='set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -march=native")',

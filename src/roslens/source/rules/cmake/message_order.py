@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -78,6 +79,8 @@ RULE = PackageRule(
     "${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})`.",
     why="Whether the header exists when the source is compiled is chance: the build fails on a machine with more "
     "processors, or in CI, or takes the header of an older installation.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("build",),
     clauses=("catkin_lint missing_add_dependencies",),

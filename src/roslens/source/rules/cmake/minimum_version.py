@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -57,6 +58,8 @@ RULE = PackageRule(
     "Ask for a version that the oldest distribution you build for has, or for a range: `VERSION 3.8...3.28`.",
     why="The minimum chooses the policies by which CMake reads the file. CMake 4 stops with an error where it is "
     "below 3.5, and without any it warns and takes behaviour of 2.4.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="project(driver)\nadd_executable(driver src/driver.cpp)",

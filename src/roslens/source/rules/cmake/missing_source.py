@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from posixpath import basename, dirname
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -59,7 +59,7 @@ def _is_elsewhere(path: str, view: PackageView) -> bool:
 def _weighed(hit: Hit, *, sure: bool) -> Hit:
     import msgspec
 
-    return hit if sure else msgspec.structs.replace(hit, severity=Severity.NOTE)
+    return hit if sure else msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC)
 
 
 RULE = PackageRule(
@@ -68,7 +68,8 @@ RULE = PackageRule(
     finds="A source that `add_executable` or `add_library` names and that is neither in the package nor made by a "
     "command. Correct the path, or remove the target. Inside a condition it is a note: that arm may never run.",
     why="CMake stops: the package cannot be built at all.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="add_executable(driver src/drvier.cpp)",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -82,7 +82,8 @@ RULE = PackageRule(
     "`ament_target_dependencies()` asks for what it is given itself.",
     why="Where it is missing, configuring goes on and the build ends with a header or symbol that cannot be found, "
     "far from the cause, or links without it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="find_package(Eigen3)\ninclude_directories(${EIGEN3_INCLUDE_DIRS})",

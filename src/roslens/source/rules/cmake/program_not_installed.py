@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -33,9 +33,9 @@ def found(view: PackageView) -> Iterator[Hit]:
         if name in names or _is_for_the_build(one, cmake):
             continue
         message = f"executable {name!r} is built and not installed; expected install(TARGETS {name} …)"
-        severity = None if 2 in view.ros else Severity.NOTE
+        certainty = None if 2 in view.ros else Certainty.HEURISTIC
         hit = one.hit("cmake.program_not_installed", message, name)
-        yield msgspec.structs.replace(hit, severity=severity)
+        yield msgspec.structs.replace(hit, certainty=certainty)
 
 
 def _is_for_the_build(one: Written, cmake: CmakeView) -> bool:
@@ -60,7 +60,8 @@ RULE = PackageRule(
     finds="An executable, built outside of conditions, tests and examples, that no `install(TARGETS …)` names. In "
     "ROS 1 it is a note: the devel space finds it.",
     why='`ros2 run` and launch files look into the installation: "executable not found" on the robot.',
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="add_executable(driver src/driver.cpp)\nament_package()",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -30,6 +31,8 @@ RULE = PackageRule(
     "catkin or ament exports. Give both the same name.",
     why="catkin and ament install and export by the name of the project, everybody else looks for the name of the "
     "package: it is not found, or its files are installed where nobody looks.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="project(laser_driver)  # package.xml: <name>laser_drivers</name>",

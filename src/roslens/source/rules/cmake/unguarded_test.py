@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -49,6 +50,8 @@ RULE = PackageRule(
     "`if(BUILD_TESTING)` (catkin: `if(CATKIN_ENABLE_TESTING)`). The first one of a package is reported.",
     why="Builds for a robot leave tests and their dependencies out: `-DBUILD_TESTING=OFF` then ends with a package "
     "or a command that is not found, as it does on the build farms.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("build", "test"),
     bad="find_package(ament_cmake_gtest REQUIRED)\nament_add_gtest(test_driver test/test_driver.cpp)",

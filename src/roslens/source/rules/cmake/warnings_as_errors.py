@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -32,7 +32,8 @@ RULE = PackageRule(
     "`colcon build --cmake-args -DCMAKE_CXX_FLAGS=-Werror`.",
     why="The next compiler, or the next release of a header, warns about something else, and the package no longer "
     "builds on the robot although nothing in it changed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="add_compile_options(-Wall -Wextra -Werror)",

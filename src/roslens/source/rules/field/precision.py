@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
+LEAST = 0.9
+"""Share of findings that are true at least where a rule warns."""
+
 _PATH = Path(__file__).with_name("precision.toml")
 
 
@@ -21,3 +24,8 @@ def precision_of(rule: str) -> float:
     """Return the share of findings that were true; 0 where nobody read any."""
     true, read = read_samples().get(rule, (0, 0))
     return true / read if read else 0.0
+
+
+def is_confirmed(rule: str) -> bool:
+    """Return whether enough findings were true in code that the rule was not written for."""
+    return precision_of(rule) >= LEAST

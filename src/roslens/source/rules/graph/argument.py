@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredArgument
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.ends import is_launched
 from roslens.source.rules.graph.likeness import nearest_name
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.argument",
     "Missing or invalid launch argument",
     "A launch file that is started with certain arguments, by `roslens.toml` or on the command line, is missing one "
     "that it declares without a default, is given one that it does not declare, or one whose value is not among its "
     "choices. Without such a start a required argument is not reported: it is meant to be given by the caller.",
-    Severity.ERROR,
+    Consequence.STOPS_START,
+    Certainty.PROVEN,
     ("ros", "graph", "launch"),
     "Launching fails if an argument is missing; an undeclared one is ignored silently.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -46,7 +46,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         near = nearest_name(name, list(declared))
         advice = f"Did you mean `{near}`?" if near else f"It declares {', '.join(sorted(declared))}."
         message = f"argument `{name}` is given, but {first.proof.path} declares none of that name. {advice}"
-        yield occurrence(RULE, message, first.proof, entity=_entity(first), severity=Severity.WARNING, context=name)
+        yield occurrence(RULE, message, first.proof, entity=_entity(first), certainty=Certainty.LIKELY, context=name)
 
 
 def _missing(one: ConfiguredArgument, near: str) -> Finding:

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends, listed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.command_topic",
     "Several publishers of a command",
     "More than one node publishes on a topic whose messages cause motion, such as cmd_vel or joint commands. "
     "`command_topics` in `[options.graph]` defines these topics. Let a multiplexer choose the source.",
-    Severity.WARNING,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "safety"),
     "The receiver obeys the last message received: commands alternate, and a stop is overruled by the next message.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -50,12 +50,12 @@ def _together(publishers: list[End]) -> list[End]:
 
 def _told(name: str, publishers: list[End]) -> Finding:
     first, second = publishers[:2]
-    severity, doubt = weighed(RULE.severity, (first.one.proof, second.one.proof), conditions_of(first, second))
+    certainty, doubt = weighed(RULE.certainty, (first.one.proof, second.one.proof), conditions_of(first, second))
     message = (
         f"{len(publishers)} nodes publish commands on {name}: {listed([end.label for end in publishers])}. "
         "The last message is obeyed; let a multiplexer choose between them."
     )
     names = " ".join(sorted(end.node.name for end in publishers))
     return occurrence(
-        RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names, doubt=doubt
+        RULE, message, second.one.proof, entity=second.entity, certainty=certainty, context=names, doubt=doubt
     )

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.definition",
     "Two definitions of one type",
     "Endpoints of one topic, service or action have types of the same name with different fields: their MD5 sums (ROS "
     "1) or type hashes (ROS 2) differ. Build all nodes against the same version of the interface package.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "type", "connectivity"),
     "ROS 1 refuses the connection; ROS 2 may connect the endpoints and deserialize messages with the wrong definition.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -38,14 +38,14 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
 
 def _told(kind: str, name: str, type_: str, differing: list[End], *, together: bool) -> Finding:
     good, bad = differing[:2]
-    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad))
+    certainty, doubt = weighed(RULE.certainty, (good.one.proof, bad.one.proof), conditions_of(good, bad))
     if not together:
-        severity, doubt = weighed_apart(doubt)
+        certainty, doubt = weighed_apart(doubt)
     message = (
         f"{bad.label} and {good.label} use {kind} {name} with different definitions of {type_}: "
         f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}."
     )
-    return occurrence(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_, doubt=doubt)
+    return occurrence(RULE, message, bad.one.proof, entity=bad.entity, certainty=certainty, context=type_, doubt=doubt)
 
 
 def _short(end: End) -> str:

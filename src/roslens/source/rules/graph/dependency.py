@@ -5,25 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.source import Package
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.brought_along import brought_by, may_be_brought_by
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import WORDS, End
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.dependency",
     "Undeclared dependency on an interface package",
     "Code of a package uses a message, service or action of another package that its package.xml does not depend on. "
     "If the other package is a transitive dependency, it is a note: it may disappear with a change of the dependency. "
     "Add `<depend>`.",
-    Severity.NOTE,
+    Consequence.HARD_TO_MAINTAIN,
+    Certainty.LIKELY,
     ("ros", "graph", "dependencies", "package"),
     "It builds if the package happens to be installed, and fails on a clean machine or the build farm.",
-    tool=TOOL,
-    scope="configuration",
 )
 _OF_LIBRARIES = frozenset({"tf2_msgs", "tf", "dynamic_reconfigure", "actionlib_msgs", "diagnostic_msgs", "bond"})
 _COUNT = frozenset({"depend", "build", "build_export", "exec", "run"})
@@ -65,8 +65,8 @@ def _depends(package: Package, owner: str) -> bool:
 def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...]) -> Finding:
     along = brought_by(package, owner, packages)
     perhaps = "" if along else may_be_brought_by(package, owner, packages)
-    severity, doubt = weighed(
-        Severity.NOTE if along else RULE.severity,
+    certainty, doubt = weighed(
+        Certainty.HEURISTIC if along else RULE.certainty,
         (end.one.proof,),
         more=f"`{perhaps}` may depend on it" if perhaps else "",
     )
@@ -76,5 +76,5 @@ def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...])
         f"`{owner}`.{only} Add `<depend>{owner}</depend>`."
     )
     return occurrence(
-        RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner, doubt=doubt
+        RULE, message, end.one.proof, entity=f"package:{package.id}", certainty=certainty, context=owner, doubt=doubt
     )

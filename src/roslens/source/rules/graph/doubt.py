@@ -1,4 +1,4 @@
-"""How much a finding weighs where what it rests on is not certain, and in words why."""
+"""How certain a finding is where what it rests on is not certain, and in words why."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from collections.abc import Iterable
 import msgspec
 
 from roslens.model.configuration import Clause, Proof
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 
 _STEPS = {"certain": 0, "likely": 1, "possible": 2}
-_BY_RANK = (Severity.NOTE, Severity.WARNING, Severity.ERROR)
+_BY_RANK = (Certainty.HEURISTIC, Certainty.LIKELY, Certainty.PROVEN)
 _APART = "no launch file states that these nodes run together under these names"
 
 
@@ -29,14 +29,14 @@ class Doubt(msgspec.Struct, frozen=True):
 
 
 def weighed(
-    severity: Severity, proofs: Iterable[Proof | None], conditions: Iterable[str] = (), *, more: str = ""
-) -> tuple[Severity, Doubt]:
-    """Return a severity lowered by doubt, and why; nothing is false where nothing is in doubt.
+    certainty: Certainty | None, proofs: Iterable[Proof | None], conditions: Iterable[str] = (), *, more: str = ""
+) -> tuple[Certainty, Doubt]:
+    """Return a certainty lowered by doubt, and why; nothing is false where nothing is in doubt.
 
-    What is likely, and what only holds under conditions, is one step less; what is possible is a note.
+    What is likely, and what only holds under conditions, is one step less; what is possible is heuristic.
 
     Args:
-        severity: where all is certain.
+        certainty: where all is certain; None is likely.
         proofs: of what the finding rests on.
         conditions: that must hold.
         more: a further doubt, one step.
@@ -54,13 +54,13 @@ def weighed(
     if more:
         steps += 1
         words.append(more)
-    lowered = _BY_RANK[max(0, severity.rank - steps)]
+    lowered = _BY_RANK[max(0, (certainty or Certainty.LIKELY).rank - steps)]
     return lowered, Doubt(tuple(dict.fromkeys(words)))
 
 
-def weighed_apart(doubt: Doubt) -> tuple[Severity, Doubt]:
-    """Return the weight of a finding about nodes that may never run together."""
-    return Severity.NOTE, Doubt((_APART, *doubt.reasons))
+def weighed_apart(doubt: Doubt) -> tuple[Certainty, Doubt]:
+    """Return the certainty of a finding about nodes that may never run together."""
+    return Certainty.HEURISTIC, Doubt((_APART, *doubt.reasons))
 
 
 def doubt_of(proofs: Iterable[Proof | None], conditions: Iterable[str] = ()) -> int:

@@ -6,24 +6,24 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from roslens.model.configuration import Configuration, ConfiguredNode
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, listed
 from roslens.source.rules.graph.likeness import likely_program
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.executable",
     "Node that is not installed",
     "A launch file starts an executable, or loads a component or nodelet, that its package does not install. Only "
     "packages of the workspace whose build could be evaluated completely are checked. Correct the name, or install "
     "it.",
-    Severity.ERROR,
+    Consequence.STOPS_START,
+    Certainty.PROVEN,
     ("ros", "graph", "launch", "package"),
     "Launching fails, or continues without the node, on the target machine.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 _WHAT = {"component": "component", "nodelet": "nodelet"}
@@ -57,14 +57,14 @@ def _owner(node: ConfiguredNode) -> tuple[str, str]:
 
 def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Surroundings) -> Finding:
     node = min(nodes, key=lambda one: (len(one.conditions), one.proof))
-    severity, doubt = weighed(RULE.severity, (node.proof,), node.conditions)
+    certainty, doubt = weighed(RULE.certainty, (node.proof,), node.conditions)
     what = _WHAT.get(node.kind, "executable")
     message = (
         f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
         f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
     )
     return occurrence(
-        RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name, doubt=doubt
+        RULE, message, node.proof, entity=f"package:{package}", certainty=certainty, context=name, doubt=doubt
     )
 
 

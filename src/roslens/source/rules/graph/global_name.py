@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import KIND, WORDS, End
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.global_name",
     "Global name in code",
     "Code names a topic, service or action with a leading `/`. Names that are global by convention, such as /tf and "
     "/clock, are not reported. Use a relative name, or `~/` for names that belong to the node, and let launch files "
     "assign the namespace.",
-    Severity.NOTE,
+    Consequence.HARD_TO_MAINTAIN,
+    Certainty.LIKELY,
     ("ros", "graph", "names", "reuse"),
     "A namespace does not change a global name: a second robot, or a second instance of the node, uses the topics of "
     "the first.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -49,13 +49,13 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
 
 def _told(end: End, *others: End) -> Finding:
     given = end.one.given
-    severity, doubt = weighed(RULE.severity, (), ())
+    certainty, doubt = weighed(RULE.certainty, (), ())
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
         f"{end.label} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
         f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file."
     )
-    return occurrence(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given, doubt=doubt)
+    return occurrence(RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=given, doubt=doubt)
 
 
 def _also(others: Sequence[End]) -> str:

@@ -7,25 +7,25 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from roslens.model.configuration import Configuration, ConfiguredNode
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.node_name",
     "Two nodes with the same name",
     "Two nodes that run together have the same resolved name. Nodes with a random suffix in their name, nodes whose "
     "name is set only by code and unknown, and alternatives of which opposite conditions start only one are not "
     "reported; ROS 2 programs that exit after completing their task, such as spawners, are a note. Give each node its "
     "own name or namespace.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "names", "launch"),
     "ROS 1 shuts down the first one when the second starts. In ROS 2 both run, but their services, parameters and "
     "life cycles cannot be distinguished.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -53,8 +53,8 @@ def _collide(first: ConfiguredNode, second: ConfiguredNode, nodes: list[Configur
 
 
 def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, *, ros1: bool) -> Finding:
-    severity, doubt = weighed(
-        RULE.severity if ros1 else Severity.NOTE if is_brief(first) and is_brief(second) else Severity.WARNING,
+    certainty, doubt = weighed(
+        RULE.certainty if ros1 else Certainty.HEURISTIC if is_brief(first) and is_brief(second) else Certainty.LIKELY,
         (first.proof, second.proof),
         (*first.conditions, *second.conditions),
     )
@@ -64,7 +64,7 @@ def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, 
         f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "
         f"{effect}.{more} Give one of them another name or namespace."
     )
-    return occurrence(RULE, message, second.proof, entity=f"node:{name}", severity=severity, doubt=doubt)
+    return occurrence(RULE, message, second.proof, entity=f"node:{name}", certainty=certainty, doubt=doubt)
 
 
 def _what(node: ConfiguredNode) -> str:

@@ -5,12 +5,55 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslens.model.configuration import ConfiguredNode, Proof
-from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
+from roslens.model.finding import Finding, RuleInfo, fingerprint
+from roslens.model.weight.consequence import Certainty, Consequence, severity_of
 from roslens.source.rules.by_package.left_behind import is_left_behind
+from roslens.source.rules.field.precision import is_confirmed, precision_of
 from roslens.source.rules.graph.doubt import Doubt
 
 TOOL = "graph"
 _SURE = Doubt()
+
+
+def graph_rule(
+    identity: str,
+    title: str,
+    finds: str,
+    consequence: Consequence,
+    certainty: Certainty,
+    tags: tuple[str, ...],
+    why: str,
+    *,
+    url: str = "",
+) -> RuleInfo:
+    """Return a rule of the graph.
+
+    Args:
+        identity: its id.
+        title: a heading of a few words.
+        finds: what is reported, and what to do instead, in sentences.
+        consequence: what follows if a finding is left as it is.
+        certainty: how certain that is where all that a finding rests on is certain.
+        tags: what readers filter by.
+        why: why it matters on a robot.
+        url: of a page on it.
+    """
+    unproven = certainty is Certainty.HEURISTIC and not is_confirmed(identity)
+    return RuleInfo(
+        identity,
+        title,
+        finds,
+        severity_of(consequence, certainty, unproven=unproven),
+        tags,
+        why,
+        tool=TOOL,
+        scope="configuration",
+        url=url,
+        precision=precision_of(identity),
+        consequence=consequence,
+        certainty=certainty,
+        unproven=unproven,
+    )
 
 
 def occurrence(
@@ -19,7 +62,7 @@ def occurrence(
     proof: Proof,
     *,
     entity: str,
-    severity: Severity | None = None,
+    certainty: Certainty | None = None,
     context: str = "",
     also: tuple[str, ...] = (),
     doubt: Doubt = _SURE,
@@ -31,15 +74,18 @@ def occurrence(
         message: what was found, where, what was expected, what to do; why it is in doubt stands behind it.
         proof: of what is found fault with.
         entity: text form of its id.
-        severity: where doubt lowers it; what lies in a folder of what is no longer used is a note at most.
+        certainty: where it differs from the rule's, as where it rests on what is in doubt. What lies in a folder of
+            what is no longer used is heuristic. A finding that is heuristic where its rule is not is a note.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
         also: further entities for which it holds alike.
         doubt: why it may be none.
     """
-    weight = rule.severity if severity is None else severity
+    consequence, of_rule = rule.weight
+    own = Certainty.HEURISTIC if is_left_behind(proof.path) else certainty or of_rule
+    unproven = rule.unproven or own.rank < of_rule.rank
     return Finding(
         rule.id,
-        Severity.NOTE if is_left_behind(proof.path) else weight,
+        severity_of(consequence, own, unproven=unproven),
         f"{message}{doubt}",
         proof.path,
         proof.line,
@@ -50,6 +96,8 @@ def occurrence(
         fingerprint=fingerprint(rule.id, entity, f"{proof.path} {context}"),
         also=also,
         doubts=doubt.reasons,
+        consequence=consequence,
+        certainty=own,
     )
 
 

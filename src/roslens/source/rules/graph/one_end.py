@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import OTHER, WORDS, End, by_name, ends, is_launched, listed
 from roslens.source.rules.graph.expected_end import WAITING, Expected, View, expected, types_fit, view_of
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.one_end",
     "Endpoint without a counterpart",
     "A topic, service or action is used by one side only. Most such names are the interface of a node to other "
@@ -23,12 +24,11 @@ RULE = RuleInfo(
     "defined in the workspace. In a configuration that `roslens.toml` declares to be the whole system (`whole = "
     "true`), a subscription without a publisher and a client without a server are warnings. Names whose other end is "
     "usually outside the workspace are not reported; `external` in `[options.graph]` lists them.",
-    Severity.NOTE,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "names", "connectivity"),
     "A name that is mistyped, remapped incorrectly or in the wrong namespace connects nothing, and no node reports "
     "it: a subscription waits for ever.",
-    tool=TOOL,
-    scope="configuration",
 )
 _PARTS_OF_ACTION = frozenset({"goal", "cancel", "status", "result", "feedback"})
 
@@ -84,8 +84,8 @@ def _told(
     kind, name = key
     end = of_name[0]
     waits = end.role in WAITING
-    severity, doubt = weighed(
-        Severity.WARNING if surroundings.whole and waits else RULE.severity,
+    certainty, doubt = weighed(
+        Certainty.LIKELY if surroundings.whole and waits else RULE.certainty,
         (end.one.proof,),
         end.conditions,
         # That the other end is expected says more than that somebody unknown might be there.
@@ -101,9 +101,9 @@ def _told(
     if not doubt and end.one.given and end.one.given != name:
         message += f" It is given as `{end.one.given}`."
     if not surroundings.together:
-        severity, doubt = weighed_apart(doubt)
+        certainty, doubt = weighed_apart(doubt)
     return occurrence(
-        RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.role.value, doubt=doubt
+        RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=end.role.value, doubt=doubt
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslens.model.finding import RuleInfo
+from roslens.model.weight.consequence import weight_text
 from roslens.plugins.points import Option
 
 _HEAD = """\
@@ -18,8 +19,9 @@ from `src/roslens/source/rules/graph/` by `make docs`.
 - One problem is one finding, regardless of the number of pairs of endpoints that have it.
 - A name with an unknown part neither triggers nor satisfies a rule. If it might be the missing end, the message states
   this.
-- A finding that is likely, or only applies under a condition, is one step less severe; a possible one is a note. The
-  message states why.
+- A finding that rests on what is likely, or only applies under a condition, is one step less certain; one that rests on
+  what is possible is heuristic, and a note. The message states why. The severity follows from
+  [consequence and certainty](rules.md).
 - Without a launch file it is unknown whether nodes run together, and under which names: inconsistencies between two of
   them are notes, and rules about a whole system are not applied.
 - Endpoints that every node has are not reported, nor are names whose other end is usually outside the workspace.
@@ -27,14 +29,18 @@ from `src/roslens/source/rules/graph/` by `make docs`.
   gate, in every report. The precision of each rule is [measured](../accuracy_of_graph_rules.md).
   A comment such as `roslens: ignore[graph.qos]` in the line suppresses a finding, as for any rule.
 
-| rule | severity | finds |
-| --- | --- | --- |
+| rule | severity | consequence | finds |
+| --- | --- | --- | --- |
 """
 
 
 def graph_rules_page(rules: Sequence[RuleInfo], options: Sequence[Option]) -> str:
     """Return the page, in Markdown."""
-    table = "".join(f"| [`{one.id}`](#{_anchor(one.id)}) | {one.severity.value} | {one.title} |\n" for one in rules)
+    table = "".join(
+        f"| [`{one.id}`](#{_anchor(one.id)}) | {one.severity.value} | "
+        f"{weight_text(*one.weight, unproven=one.unproven)} | {one.title} |\n"
+        for one in rules
+    )
     sections = "".join(_section(one) for one in rules)
     return f"{_HEAD}{table}\n## Options\n\nBelow `[options.graph]` in `roslens.toml`.\n\n{_options(options)}{sections}"
 

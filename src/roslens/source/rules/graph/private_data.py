@@ -6,26 +6,26 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 
 from roslens.model.configuration import Configuration, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End, by_name, ends, is_launched, unknown_nodes
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
 Content = Callable[[str], bytes | None]
 _WORD = re.compile(rb"\w+")
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.private_data",
     "Private data on a shared name",
     "A node publishes a topic that only it subscribes to, or offers a service or action that only it calls; the name "
     "is not private, its type is defined in the workspace, and no other file of the workspace contains the name. Data "
     "of common types, such as a map, is assumed to be for others. Use `~/name`, or a call within the program.",
-    Severity.NOTE,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "names", "reuse"),
     "A name used internally by one node collides with that of another node, or of a second instance, that chooses the "
     "same name.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -81,9 +81,9 @@ def _last(name: str) -> str:
 
 
 def _told(kind: str, end: End) -> Finding:
-    severity, doubt = weighed(RULE.severity, (end.one.proof,), end.conditions)
+    certainty, doubt = weighed(RULE.certainty, (end.one.proof,), end.conditions)
     message = (
         f"only {end.label} itself uses both ends of {kind} {end.name}, and no other file of the workspace names it. "
         f"Call it `~/{_last(end.name)}`, if nothing outside of the workspace uses it."
     )
-    return occurrence(RULE, message, end.one.proof, entity=end.entity, severity=severity, doubt=doubt)
+    return occurrence(RULE, message, end.one.proof, entity=end.entity, certainty=certainty, doubt=doubt)

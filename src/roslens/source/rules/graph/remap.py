@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredRemap
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
-from roslens.source.rules.graph.occurrence import TOOL, ids_of, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.remap",
     "Remapping that matches nothing",
     "No node in the scope of a remapping uses the name that it remaps. Nodes whose code is unknown, or not completely "
@@ -20,12 +21,11 @@ RULE = RuleInfo(
     "name: a remapping applies only to the actions after it in its group or file. It is a warning if a similar name "
     "of a node was apparently meant, and a note if the remapping may be obsolete; names that every node has, such as "
     "/tf, are not reported. Correct the name, or move or remove the remapping.",
-    Severity.NOTE,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "names", "launch"),
     "The node keeps its name, and the intended one remains unconnected; ROS does not report that a remapping had no "
     "effect.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -87,8 +87,8 @@ def _uses(node: ConfiguredNode, name: str) -> bool:
 
 
 def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list[ConfiguredNode]) -> Finding:
-    severity, doubt = weighed(
-        RULE.severity, (one.proof,), node.conditions, more="the code of some nodes that it applies to is unknown"
+    certainty, doubt = weighed(
+        RULE.certainty, (one.proof,), node.conditions, more="the code of some nodes that it applies to is unknown"
     )
     places = [f"{user.name} ({user.proof.place})" for user in users]
     who, verbs = listed(places), "does, and is" if len(set(places)) == 1 else "do, and are"
@@ -100,7 +100,7 @@ def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(users)
     return occurrence(
-        RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
+        RULE, message, one.proof, entity=first, certainty=certainty, context=context, also=tuple(also), doubt=doubt
     )
 
 
@@ -135,8 +135,8 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
     near = _meant(one.source, names)
     advice = f"Did you mean `{near}`?" if near else "Correct the name or remove the remapping."
     # Many are left over from a name that was changed, and do no harm: what was meant has to show.
-    usual = RULE.severity if alone and near else Severity.NOTE
-    severity, doubt = weighed(usual, (one.proof,), nodes[0].conditions)
+    usual = RULE.certainty if alone and near else Certainty.HEURISTIC
+    certainty, doubt = weighed(usual, (one.proof,), nodes[0].conditions)
     if waiting:
         advice = f"{listed(waiting)} {'waits' if len(waiting) == 1 else 'wait'} for it at `{one.target}`. {advice}"
     who = listed([node.name for node in nodes])
@@ -145,5 +145,5 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
     context = f"{one.source}:={one.target}"
     first, *also = ids_of(nodes)
     return occurrence(
-        RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also), doubt=doubt
+        RULE, message, one.proof, entity=first, certainty=certainty, context=context, also=tuple(also), doubt=doubt
     )

@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.shared_output",
     "Output without a remapping of its own",
     "Two nodes of one program publish on the same topic, while other topics that they publish are remapped to "
     "separate names. Remap this one as well, or give each node a namespace.",
-    Severity.WARNING,
+    Consequence.MAY_BE_WRONG,
+    Certainty.LIKELY,
     ("ros", "graph", "names", "launch"),
     "The launch description of a second camera or arm is a copy of the first: if one remapping is forgotten, the data "
     "of both is mixed on one topic, and is missing under the intended names.",
-    tool=TOOL,
-    scope="configuration",
 )
 _Place = tuple[str, int, int]
 
@@ -86,10 +86,10 @@ def _kept_apart(nodes: list[tuple[ConfiguredNode, dict[_Place, ConfiguredEndpoin
 
 def _told(name: str, of_name: list[tuple[ConfiguredNode, ConfiguredEndpoint]], apart: list[str]) -> Finding:
     node, one = of_name[0]
-    severity, doubt = weighed(RULE.severity, (one.proof,), (*node.conditions, *one.conditions))
+    certainty, doubt = weighed(RULE.certainty, (one.proof,), (*node.conditions, *one.conditions))
     who = listed([each.name for each, _one in of_name])
     message = (
         f"{who} ({one.proof.place}) all publish topic {name}, while they keep {listed(apart)} apart by remapping. "
         f"Remap `{one.given or name}` for each of them too."
     )
-    return occurrence(RULE, message, node.proof, entity=f"topic:{name}", severity=severity, doubt=doubt)
+    return occurrence(RULE, message, node.proof, entity=f"topic:{name}", certainty=certainty, doubt=doubt)

@@ -6,21 +6,21 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings, Transform
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.transform",
     "Frame published twice",
     "Two nodes publish the transform to one frame, from different parents or from the same one. Only transforms on "
     "command lines of static_transform_publisher are known. Remove one of the two.",
-    Severity.WARNING,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "tf"),
     "Frames form a tree: of two parents the one published last is used, so that positions jump or look-ups fail.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -37,7 +37,7 @@ def found(_configuration: Configuration, surroundings: Surroundings) -> Iterator
 
 
 def _told(child: str, first: Transform, second: Transform) -> Finding:
-    severity, doubt = weighed(RULE.severity, (first.proof, second.proof), (*first.conditions, *second.conditions))
+    certainty, doubt = weighed(RULE.certainty, (first.proof, second.proof), (*first.conditions, *second.conditions))
     if first.parent == second.parent:
         both = f"{first.node} ({first.proof.place}) and {second.node} ({second.proof.place})"
         what = f"{both} both place {child} in {first.parent}"
@@ -48,5 +48,5 @@ def _told(child: str, first: Transform, second: Transform) -> Finding:
         )
     message = f"{what}. Remove one of the two."
     return occurrence(
-        RULE, message, second.proof, entity=f"node:{second.node}", severity=severity, context=child, doubt=doubt
+        RULE, message, second.proof, entity=f"node:{second.node}", certainty=certainty, context=child, doubt=doubt
     )

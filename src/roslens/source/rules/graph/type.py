@@ -6,24 +6,24 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.type",
     "Two types for one name",
     "Endpoints of one topic, service or action have different types. Unknown types, and those that accept any type, "
     "match all; if one node has the name with both types and may choose, it is a note. Rename one of them, or use one "
     "type for both.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "type", "connectivity"),
     "The endpoints are never connected. ROS 1 refuses the connection and logs a message; in ROS 2 the effect depends "
     "on the middleware: no messages, corrupted messages, or a crash.",
-    tool=TOOL,
-    scope="configuration",
 )
 _APART = "if both nodes decide alike, they have the same type"
 _SAME = {"tf/tfMessage": "tf2_msgs/TFMessage"}
@@ -81,14 +81,14 @@ def _told(
     apart = _APART if exclude_each_other(good.clauses, bad.clauses) else ""
     if chooser:
         apart = f"{chooser} has it with each of these types, and may choose the one that fits"
-    severity, doubt = weighed(
-        Severity.NOTE if chooser else RULE.severity,
+    certainty, doubt = weighed(
+        Certainty.HEURISTIC if chooser else RULE.certainty,
         (good.one.proof, bad.one.proof),
         conditions_of(good, bad),
         more=apart,
     )
     if not surroundings.together:
-        severity, doubt = weighed_apart(doubt)
+        certainty, doubt = weighed_apart(doubt)
     said = "; ".join(
         f"{listed([f'{end.label} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )
@@ -101,7 +101,7 @@ def _told(
         message,
         bad.one.proof,
         entity=bad.entity,
-        severity=severity,
+        certainty=certainty,
         context=" ".join(sorted(ranked)),
         doubt=doubt,
     )

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -28,7 +28,7 @@ def found(view: PackageView) -> Iterator[Hit]:
             match = _first_home((*element.attributes.values(), element.text()))
             if match:
                 hit = file.hit("launch.absolute_path", element, _message(match[1]), match[1])
-                yield msgspec.structs.replace(hit, severity=_severity(match[1]))
+                yield msgspec.structs.replace(hit, certainty=_certainty(match[1]))
     others = view.of_language(Language.YAML, Language.LAUNCH_YAML, Language.LAUNCH_PYTHON, roles=(Role.OWN,))
     for one in others:
         text = view.read(one.path)
@@ -54,12 +54,14 @@ def _hits(path: str, text: str) -> Iterator[Hit]:
                 number,
                 context=match[1],
                 path=path,
-                severity=_severity(match[1]),
+                certainty=_certainty(match[1]),
             )
 
 
-def _severity(path: str) -> Severity | None:
-    return Severity.NOTE if f"{path.rstrip('/')}/".startswith(tuple(f"{one}/" for one in _OF_CONTAINERS)) else None
+def _certainty(path: str) -> Certainty | None:
+    return (
+        Certainty.HEURISTIC if f"{path.rstrip('/')}/".startswith(tuple(f"{one}/" for one in _OF_CONTAINERS)) else None
+    )
 
 
 def _message(path: str) -> str:
@@ -73,7 +75,8 @@ RULE = PackageRule(
     "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`. "
     "Homes of the usual users of containers (`/home/user`, `/root`) are notes.",
     why="The robot has another user: the map, model or calibration is not found there.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<arg name="map" default="/home/ada/maps/office.yaml"/>',

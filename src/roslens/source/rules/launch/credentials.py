@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -59,7 +59,8 @@ RULE = PackageRule(
     "in XML or a YAML file. The value is not repeated in the finding.",
     why="Whoever can read the repository, or a disk image of any robot, has access to all robots; and it cannot be "
     "changed without a release.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("launch", "security"),
     bad='<param name="mqtt_password" value="kobuki2021"/>',

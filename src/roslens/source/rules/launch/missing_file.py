@@ -8,7 +8,7 @@ from posixpath import normpath
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -66,7 +66,7 @@ def _hit(file: LaunchXml, element: Element, path: str, view: PackageView) -> Hit
     hit = file.hit("launch.missing_file", element, _message(path, path.rpartition("/")[2], view), path)
     # Who includes or starts the file may give another than the default.
     is_note = path.endswith(_SHOWN) or (element.tag == "arg" and "default" in element.attributes)
-    return msgspec.structs.replace(hit, severity=Severity.NOTE) if is_note else hit
+    return msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_note else hit
 
 
 def _ignored(view: PackageView) -> re.Pattern[str] | None:
@@ -141,6 +141,8 @@ RULE = PackageRule(
     "ignored by git. Correct the path. Notes are a missing display of RViz, which opens "
     "its usual one, and the default of an argument, of which others may give another value.",
     why="Launching fails with that file, on the robot, when that branch is first taken.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<include file="$(find base_bringup)/launch/lidr.launch"/>',

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -36,7 +36,7 @@ def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Ite
     message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
     hit = file.hit("launch.undeclared_argument", element, message, name)
     is_said = passing.is_on_a_command_line(file, name)
-    yield msgspec.structs.replace(hit, severity=Severity.NOTE) if is_said else hit
+    yield msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_said else hit
 
 
 def _used(element: Element) -> Iterator[str]:
@@ -55,7 +55,8 @@ RULE = PackageRule(
     "what all files that include this one pass on by `pass_all_args`; where a script or README starts it, or "
     "another launch file of the package, with `name:=` it is a note.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("launch",),
     bad='<launch>\n  <node pkg="joy" type="joy_node" name="joy"><param name="dev" value="$(arg '

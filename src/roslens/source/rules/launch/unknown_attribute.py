@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -60,6 +61,8 @@ RULE = PackageRule(
     "or `<test>` that roslaunch does not have, in packages for ROS 1.",
     why='roslaunch prints a line among others and goes on: `requried="true"` lets the robot drive without the node '
     "that it cannot do without.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("launch",),
     bad='<node pkg="base" type="drive" name="drive" requried="true"/>',

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -66,7 +66,8 @@ RULE = PackageRule(
     "include others are left out: these inherit the arguments; so are those in a folder `includes`, which take "
     "what their siblings take.",
     why="Whoever starts the robot sets it, sees no error, and the robot does what it did before.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<launch>\n  <arg name="max_speed" default="0.5"/>\n  <node pkg="base" type="drive" name="drive"/>\n</launch>',

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -41,7 +41,8 @@ RULE = FileRule(
     "may talk to its console; elsewhere use the logging macros. Reported once a function.",
     why="What is not logged has no severity, no time and no node name, and is in no log file and on no /rosout: after "
     "a failure in the field it is gone.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("logging",),
     bad='#include <rclcpp/rclcpp.hpp>\nvoid f() { std::cout << "stopped"; }\n',

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Location
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -32,7 +32,7 @@ def _is_of_template(text: str, name: str) -> bool:
 def _hit(part: str, text: str, location: Location) -> Hit:
     message = f"{part} is {text!r}, as a template wrote it; expected what holds for this package"
     # Nothing is lost by a description that says nothing.
-    severity = Severity.NOTE if part == "description" else None
+    certainty = Certainty.HEURISTIC if part == "description" else None
     return Hit(
         "package.boilerplate",
         message,
@@ -40,7 +40,7 @@ def _hit(part: str, text: str, location: Location) -> Hit:
         location.column,
         context=part,
         path=location.path,
-        severity=severity,
+        certainty=certainty,
     )
 
 
@@ -50,6 +50,8 @@ RULE = PackageRule(
     finds="A description, licence or maintainer in package.xml that still says what `ros2 pkg create` or "
     "`catkin_create_pkg` wrote. Say what holds for this package.",
     why="Without a licence the package may not be used, and without a maintainer there is no contact for its faults.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest",),
     bad="<license>TODO: License declaration</license>",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Export
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -51,7 +51,8 @@ RULE = PackageRule(
     "`ament_cmake` without CMakeLists.txt), or whose CMakeLists.txt is for the other ROS. Packages with a build "
     "type for each ROS are left out.",
     why="colcon chooses by it how to build: the build fails, or installs nothing.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest", "build"),
     bad="<export><build_type>ament_cmake</build_type></export>  <!-- only setup.py -->",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -74,7 +74,8 @@ RULE = PackageRule(
     finds="A `console_scripts` entry of setup.py whose module is not in the package, or whose module does not "
     "define the function. Correct the entry.",
     why="The program is installed and `ros2 run` finds it, but it ends with an ImportError when the robot starts it.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("python", "install"),
     bad='entry_points={"console_scripts": ["teleop = arm_teleop.teleop_node:mian"]}',

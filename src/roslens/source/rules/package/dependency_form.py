@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.mistaken import hit_of
 from roslens.source.rules.package_view import PackageView
@@ -47,7 +47,8 @@ RULE = PackageRule(
     "too (format 1: `<test_depend>` beside `<build_depend>` or `<run_depend>`).",
     why="catkin_pkg, which catkin, colcon, bloom and rosdep read manifests with, refuses the file: the package is "
     "left out of the build.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest",),
     fix="Takes away what is said twice, and a dependency on the package itself. An empty tag is left: "

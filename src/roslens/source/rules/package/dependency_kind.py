@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Set
 
 from roslens.model.edit import Edit
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -87,6 +88,8 @@ RULE = PackageRule(
     "running only; and what Python imports and package.xml declares for the build or for tests only.",
     why="Where packages are installed for their purpose (robots get no test dependencies, build machines no "
     "others), the build fails, or the node ends with an ImportError.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_build_depend",),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -26,17 +26,17 @@ def found(view: PackageView) -> Iterator[Hit]:
     if made is not None and not _is_aside(made) and "rosidl_interface_packages" not in groups:
         message = "the package generates interfaces; expected <member_of_group>rosidl_interface_packages"
         edits = manifest.added("member_of_group", "rosidl_interface_packages") if manifest.format == 3 else ()
-        yield _hit(view, message, "rosidl_interface_packages", Severity.ERROR, edits)
+        yield _hit(view, message, "rosidl_interface_packages", Certainty.PROVEN, edits)
     made = view.cmake.first("generate_messages")
     if made is not None and not made.defined and 1 in view.ros and _has_messages(view):
         if "message_generation" not in kinds:
             message = "the package generates messages; expected <build_depend>message_generation"
             edits = manifest.added("build_depend", "message_generation")
-            yield _hit(view, message, "message_generation", Severity.WARNING, edits)
+            yield _hit(view, message, "message_generation", Certainty.LIKELY, edits)
         if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
             message = "the package generates messages; expected <exec_depend>message_runtime"
             edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
-            yield _hit(view, message, "message_runtime", Severity.WARNING, edits)
+            yield _hit(view, message, "message_runtime", Certainty.LIKELY, edits)
 
 
 def _has_messages(view: PackageView) -> bool:
@@ -50,13 +50,13 @@ def _is_aside(command: Written) -> bool:
     return command.for_tests or command.defined or "SKIP_INSTALL" in command.words
 
 
-def _hit(view: PackageView, message: str, context: str, severity: Severity, edits: tuple[Edit, ...]) -> Hit:
+def _hit(view: PackageView, message: str, context: str, certainty: Certainty, edits: tuple[Edit, ...]) -> Hit:
     where = view.package.manifest
     rule = "package.interface_dependencies"
     if len(view.ros) > 1:
         edits = ()
     return Hit(
-        rule, message, where.line, where.column, context=context, path=where.path, severity=severity, edits=edits
+        rule, message, where.line, where.column, context=context, path=where.path, certainty=certainty, edits=edits
     )
 
 
@@ -69,7 +69,8 @@ RULE = PackageRule(
     "package without messages is none.",
     why="rosidl ends the build with an error. In ROS 1 the build depends on what else is installed, and programs "
     "that use the messages lack their serialisation on a robot.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest", "interface"),
     fix="Adds the element. A manifest of an older format has no groups: it is left, and so is one for both "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from posixpath import normpath
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -28,6 +29,8 @@ RULE = PackageRule(
     title="Licence file that does not exist",
     finds="A `<license file=…>` whose file is not there, seen from the folder of package.xml.",
     why="Tools that release and ship software copy the text of the licence from there (REP-149), and end without it.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest",),
     bad='<license file="LICENCE.txt">BSD-3-Clause</license>',

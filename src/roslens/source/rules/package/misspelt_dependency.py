@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import lru_cache
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -65,6 +66,8 @@ RULE = PackageRule(
     "`sensor_msg`, `geomety_msgs`. A name that the package's own code imports or includes is meant.",
     why="rosdep finds nothing of that name and stops, or with `-r` leaves the package out; the workspace "
     "builds where the right one happens to be installed.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     bad="<depend>geomety_msgs</depend>",

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.extract.builds.plugin_xml import PluginClass
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -50,14 +50,14 @@ def _unregistered_hit(one: PluginClass, view: PackageView) -> Hit:
             f"no source of this package registers class {one.type!r} or has a namespace {space!r}; expected its "
             "description in the package that registers it"
         )
-        severity = Severity.NOTE
+        certainty = Certainty.HEURISTIC
     elif _is_commented_out(one, view):
         message = f"the registration of class {one.type!r} is commented out; expected its description to go, too"
-        severity = Severity.NOTE
+        certainty = Certainty.HEURISTIC
     else:
         expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
-        message, severity = f"no source registers class {one.type!r}; expected {expected}", None
-    return Hit("package.plugin_class", message, where.line, context=one.type, path=where.path, severity=severity)
+        message, certainty = f"no source registers class {one.type!r}; expected {expected}", None
+    return Hit("package.plugin_class", message, where.line, context=one.type, path=where.path, certainty=certainty)
 
 
 def _has_namespace(name: str, view: PackageView) -> bool:
@@ -114,6 +114,8 @@ RULE = PackageRule(
     "note: another package may register it.",
     why='Loading it fails when the robot starts ("class … does not exist", or "failed to load library"), which no '
     "compiler sees.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("plugin",),
     bad='PLUGINLIB_EXPORT_CLASS(arm::Driver, nodelet::Nodelet)  // plugins.xml: <class type="arm::Drivr" …/>',

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role, SourceFile
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -47,7 +47,8 @@ RULE = PackageRule(
     "in package.xml, CMakeLists.txt nor setup.py.",
     why="pluginlib finds descriptions by what packages export: the classes are built, installed and unknown to the "
     "robot.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("plugin",),
     bad='<library path="driver"><class type="arm::Driver" base_class_type="arm::Base"/></library>',

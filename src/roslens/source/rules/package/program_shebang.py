@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from itertools import takewhile
 
 from roslens.model.edit import Edit, edit_at
-from roslens.model.finding import Severity
 from roslens.model.source import Language
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -51,9 +51,9 @@ def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
         expected = _EXPECTED if is_read else "a #! line (Python 3 cannot read it)"
         message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {expected}"
         # A module among the programs is one too many, and nobody starts it.
-        severity = None if b"__main__" in text else Severity.NOTE
+        certainty = None if b"__main__" in text else Certainty.HEURISTIC
         edits = _begun(text, b"", path) if is_read else ()
-        yield Hit("package.program_shebang", message, 1, context="#!", path=path, severity=severity, edits=edits)
+        yield Hit("package.program_shebang", message, 1, context="#!", path=path, certainty=certainty, edits=edits)
     elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
         is_read = _is_python_3(text)
         expected = _EXPECTED if is_read else f"Python 3, which cannot read this one, and {_EXPECTED}"
@@ -87,6 +87,8 @@ RULE = PackageRule(
     "in packages for ROS 2 also one whose line names `python` or `python2`.",
     why='The kernel takes it for nothing it can run ("Exec format error"), or a shell reads Python: the node does '
     "not start.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("python", "install"),
     fix="Writes the first line. A script that Python 3 cannot read is left.",

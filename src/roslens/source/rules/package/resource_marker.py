@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -29,7 +29,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         # colcon makes it then, and warns that it will no longer.
         at = view.setup_call.lineno
         path = view.path("setup.py")
-        yield Hit("package.resource_marker", message, at, context="data_files", path=path, severity=Severity.WARNING)
+        yield Hit("package.resource_marker", message, at, context="data_files", path=path, certainty=Certainty.LIKELY)
         return
     naming = next((path for path, text in texts.items() if b"resource/" in text), None)
     if any(
@@ -52,7 +52,8 @@ RULE = PackageRule(
     "not install it, colcon makes it by itself, warns at each build, and says that it will do so no longer; "
     "other builds make none, and the package is not found. Where setup.py names a file that is not there, the build "
     "ends.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("python", "install"),
     bad='data_files=[("share/arm_teleop", ["package.xml"])]',

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -39,7 +39,8 @@ RULE = PackageRule(
     "`install_scripts` below `[install]`, or names the folder of another package. Expected is `$base/lib/PACKAGE`.",
     why="`ros2 run` and launch files look below `lib/PACKAGE`; setuptools installs to `bin`. The build succeeds "
     "and no node can be started.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("python", "install"),
     bad="[develop]\nscript_dir=$base/lib/arm_teleop",

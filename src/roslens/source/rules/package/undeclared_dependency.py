@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.edits.manifest_edits import joined
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -57,14 +57,14 @@ def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
     tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
     message = f"{_WHAT[how]} that package.xml does not declare: {names}; expected {tags}"
     # What is included was found in the build: another dependency brings it.
-    severity = Severity.NOTE if how == "#include" else None
+    certainty = Certainty.HEURISTIC if how == "#include" else None
     return Hit(
         "package.undeclared_dependency",
         message,
         first.line,
         context=how,
         path=first.path,
-        severity=severity,
+        certainty=certainty,
         edits=_declared(uses, view),
     )
 
@@ -103,6 +103,8 @@ RULE = PackageRule(
     "rosdep; modules of CMake need none.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_depend",),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.mistaken import mistaken
 from roslens.source.rules.package_view import PackageView
@@ -25,7 +25,8 @@ RULE = PackageRule(
     "`<exec_depend>` in format 1, conditions before format 3, what was misspelt, and tags inside of others.",
     why="catkin_pkg, which catkin, colcon, bloom and rosdep read manifests with, refuses the file: the package is "
     "left out of the build, or the dependency is not installed.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest",),
     bad='<package format="3">\n  <run_depend>rospy</run_depend>\n</package>',

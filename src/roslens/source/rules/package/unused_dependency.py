@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from roslens.model.finding import Severity
 from roslens.model.source import Dependency, Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -91,7 +91,8 @@ RULE = PackageRule(
     "what it is really for.",
     why="It is installed and built on every machine, makes the workspace rebuild when it changes, and forbids to "
     "use the package where it is not available.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     bad="<depend>nav_msgs</depend>  <!-- no source uses it -->",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -42,6 +43,8 @@ RULE = PackageRule(
     finds="A `version` in setup.py that is not the `<version>` of package.xml. Keep them equal; "
     "`catkin_prepare_release` raises both. A setup.py that the package's CMakeLists.txt does not use is left out.",
     why="What is released, and what `pip`, `importlib.metadata` and `ros2 pkg xml` say on the robot, are two things.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("manifest", "python"),
     bad='setup(name="arm_teleop", version="0.0.1")  # package.xml: <version>1.2.0</version>',

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,6 +25,8 @@ RULE = FileRule(
     title="Assertion that always holds",
     finds="`assert (condition, message)`: a tuple is true whatever is in it. Leave the parentheses out.",
     why="What was meant to stop the robot, or to fail the test, never does.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

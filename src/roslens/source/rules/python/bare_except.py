@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,8 +24,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if next(below(node, "raise_statement"), None) is None and not _ends(node, view):
         message = "except without a type catches SystemExit, KeyboardInterrupt and misspelt names; expected a type"
-        severity = None if b"rospy" in view.code or b"rclpy" in view.code else Severity.NOTE
-        yield view.hit("python.bare_except", node.children[0], message, severity=severity)
+        certainty = None if b"rospy" in view.code or b"rclpy" in view.code else Certainty.HEURISTIC
+        yield view.hit("python.bare_except", node.children[0], message, certainty=certainty)
 
 
 def _tried(node: Node, view: FileView) -> str:
@@ -46,7 +46,8 @@ RULE = FileRule(
     "In a file without rospy and rclpy it is a note.",
     why="It also catches KeyboardInterrupt, SystemExit and the exception by which rospy and rclpy end a wait: the "
     "node cannot be stopped, and a misspelt name is never noticed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -29,7 +29,8 @@ RULE = FileRule(
     title="Comparison with nothing by value",
     finds="`== None` and `!= None`. Write `is None`, `is not None`.",
     why="An array of NumPy answers for each of its elements: `if image == None` raises as soon as there is an image.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

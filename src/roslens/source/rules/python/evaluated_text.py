@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +32,8 @@ RULE = FileRule(
     "is allowed.",
     why="Where the text comes from a parameter, a message or a file, whoever writes that controls the robot; and a "
     "typing mistake in a YAML file becomes a failure inside a node.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -36,6 +37,8 @@ RULE = FileRule(
     finds="`is` or `is not` beside a number, a text, a list, a tuple or a dictionary. Write `==` or `!=`.",
     why="Whether equal values are one object is chance: the branch is taken on one machine, or for small numbers, "
     "and not on another.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -36,8 +36,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if name in _GONE:
             message = f"module {name!r} exists in Python 2 only; expected {_GONE[name]!r}"
             inside = above(node, "function_definition") is not None
-            severity = Severity.WARNING if inside else None
-            yield view.hit("python.missing_module", node, message, severity=severity)
+            certainty = Certainty.LIKELY if inside else None
+            yield view.hit("python.missing_module", node, message, certainty=certainty)
 
 
 RULE = FileRule(
@@ -46,7 +46,8 @@ RULE = FileRule(
     finds="An import, outside of `try` and `if`, of a module that Python 3 has under another name: `Queue`, "
     "`urllib2`, `ConfigParser`, `cPickle`, `StringIO`, `Tkinter` and others.",
     why="The node ends with a ModuleNotFoundError before it does anything.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

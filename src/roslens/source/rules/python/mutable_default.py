@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -59,7 +59,8 @@ RULE = FileRule(
     finds="A list, dictionary or set as the default of a parameter, where the function changes it, keeps it in an "
     "attribute that is changed later, or returns it. Use `None`, and make a new one inside.",
     why="The default is made once: what one node, or one callback, adds to it is there for all others.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -43,7 +43,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if re.search(rb"\b%b\b" % word, view.code[: node.start_byte]) is None:
         message = f"{name!r} exists in Python 2 only; expected {_INSTEAD[name]!r}"
         is_sure = name != "has_key" or _is_dictionary(call.child_by_field_name("object"), view)
-        yield view.hit("python.python2_name", node, message, severity=None if is_sure else Severity.NOTE)
+        yield view.hit("python.python2_name", node, message, certainty=None if is_sure else Certainty.HEURISTIC)
 
 
 def _is_dictionary(owner: Node | None, view: FileView) -> bool:
@@ -64,7 +64,8 @@ RULE = FileRule(
     "each is reported; `.has_key()` of what the file does not make as a dictionary is a note.",
     why="It raises a NameError or AttributeError when the line is reached, which may be in a callback after an "
     "hour of driving.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

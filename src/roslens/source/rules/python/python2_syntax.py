@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -50,7 +50,8 @@ RULE = FileRule(
     finds="`print x`, `exec x`, `except Type, name` and `raise Type, value`. The first of a file is reported, with "
     "their number; `2to3` rewrites them.",
     why="Python 3 ends with a SyntaxError before the first line runs; Noetic and all of ROS 2 have no other.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

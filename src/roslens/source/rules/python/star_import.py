@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="`from … import *` in a file that does more than import. Name what is used.",
     why="Two packages of messages share names (Point, Image, Header): which one a node publishes depends on the "
     "order of imports, and no checker finds a misspelt name.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

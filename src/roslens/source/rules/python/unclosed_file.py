@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -41,7 +41,8 @@ RULE = FileRule(
     finds="`open(…).read()`, `yaml.load(open(…))` and the like. Open it in a `with` statement.",
     why="What was written may not be on the disk when the robot is switched off, and a node that opens one in a "
     "callback runs out of file descriptors.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

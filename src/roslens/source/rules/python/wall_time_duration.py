@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,7 +31,8 @@ RULE = FileRule(
     "simulation shall count.",
     why="A robot without a battery for its clock starts in 1970 and jumps when it gets network: the timeout never "
     "comes, or at once.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -37,7 +37,8 @@ RULE = FileRule(
     finds="`rospy.init_node`, `rclpy.init` or `spin` at the top of a module, outside of functions and of `if "
     '__name__ == "__main__"`. The first of a file is reported.',
     why="Tests, documentation and every tool that imports the module start the node, and wait in it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

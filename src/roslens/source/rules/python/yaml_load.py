@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -35,7 +35,8 @@ RULE = FileRule(
     finds="`yaml.load(text)` without a `Loader`. Write `yaml.safe_load`.",
     why="PyYAML 6, which Ubuntu 24.04 and later have, raises a TypeError; older ones make any object that the file "
     "asks for, with whatever its constructor does.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

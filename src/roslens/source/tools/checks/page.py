@@ -117,7 +117,8 @@ def tool_page(name: str) -> str:
             "\n## Its checks\n\nThe id of a check here is the name of the tool, a dot, and its own name: ",
             f"`{rule_id(name, 'CHECK')}`.",
             " Without a severity, that of the tool applies. Checks that are not listed are notes.\n\n",
-            "| check | severity | tags | clauses | what it finds |\n| --- | --- | --- | --- | --- |\n",
+            "| check | consequence | severity | tags | clauses | what it finds |\n",
+            "| --- | --- | --- | --- | --- | --- |\n",
             *(_row(f"`{check}`", checks.of(check)) for check in sorted(checks.checks)),
             *(_row(f"`{family.match}`", family) for family in checks.family if family.match != "*"),
             *(_row("all others", family) for family in checks.family if family.match == "*"),
@@ -162,7 +163,9 @@ def _default(value: object) -> str:
 
 def _row(shown: str, check: Check) -> str:
     tags = ", ".join(check.tags)
-    return f"| {shown} | {check.severity} | {tags} | {', '.join(check.clauses)} | {check.title} |\n"
+    weight = f"{check.consequence.value}, {check.certainty.value}" if check.consequence and check.certainty else ""
+    severity = check.severity.value if check.severity else ""
+    return f"| {shown} | {weight} | {severity} | {tags} | {', '.join(check.clauses)} | {check.title} |\n"
 
 
 def _levels(levels: dict[str, str]) -> str:

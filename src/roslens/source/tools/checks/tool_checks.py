@@ -1,9 +1,10 @@
-"""What the checks of foreign tools mean here: severity, tags and clauses of standards, from data beside each tool.
+"""What the checks of foreign tools mean here: weight, tags and clauses of standards, from data beside each tool.
 
 ``<tool>.checks.toml`` has ``about`` (where the checks are documented), ``page`` (address of one check, with
 ``{check}``, and ``{family}`` and ``{rest}`` of the part before and behind its first ``-``), a table ``checks`` with an
 entry for each check that has something of its own, and a list ``family`` whose globs (``match``) say what holds for
-the others; the first that matches counts. An entry may have ``title``, ``severity``, ``tags``, ``clauses``, ``why``.
+the others; the first that matches counts. An entry may have ``title``, ``consequence`` and ``certainty``, ``tags``,
+``clauses``, ``why``.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from importlib.resources import files as packaged
 import msgspec
 
 from roslens.model.finding import RuleInfo, Severity
+from roslens.model.weight.consequence import Certainty, Consequence, severity_of
 
 LAYOUT = "layout"
 """Tag of the checks about white space, line length and the position of braces: what a formatter mends."""
@@ -24,15 +26,24 @@ LAYOUT = "layout"
 class Check(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
     """What is said of one check, or of a family of them.
 
-    ``severity`` empty means what the tool says. ``clauses`` are of published standards: ``misra-cpp-2008 6-4-1``.
+    ``consequence`` and ``certainty`` stand together or not at all: then the severity is what the tool says.
+    ``clauses`` are of published standards: ``misra-cpp-2008 6-4-1``.
     """
 
     title: str = ""
-    severity: str = ""
+    consequence: Consequence | None = None
+    certainty: Certainty | None = None
     tags: tuple[str, ...] = ()
     clauses: tuple[str, ...] = ()
     why: str = ""
     match: str = ""
+
+    @property
+    def severity(self) -> Severity | None:
+        """Of its findings; None is what the tool says."""
+        if self.consequence is None or self.certainty is None:
+            return None
+        return severity_of(self.consequence, self.certainty)
 
 
 class Checks(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
@@ -56,7 +67,8 @@ class Checks(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fie
             return family
         return Check(
             own.title or family.title,
-            own.severity or family.severity,
+            own.consequence or family.consequence,
+            own.certainty or family.certainty,
             tuple(dict.fromkeys((*family.tags, *own.tags))),
             own.clauses or family.clauses,
             own.why or family.why,
@@ -64,8 +76,7 @@ class Checks(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fie
 
     def severity_of(self, check: str, level: str = "") -> Severity:
         """Return how much a finding matters; what nothing is known of is a note."""
-        said = self.of(check).severity or self.levels.get(level.lower(), "")
-        return Severity(said) if said else Severity.NOTE
+        return self.of(check).severity or Severity(self.levels.get(level.lower(), "") or Severity.NOTE)
 
 
 @cache
@@ -120,4 +131,6 @@ def rule_of(tool: str, check: str, titles: Mapping[str, str] | None = None) -> R
         known.why,
         tool=tool,
         url=page,
+        consequence=known.consequence,
+        certainty=known.certainty,
     )

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
 from roslens.model.source import Package
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.plural import plural
 
 LAYOUT = "layout"
@@ -26,6 +27,8 @@ RULE = RuleInfo(
     "A formatter mends it at one stroke; line by line it hides what matters.",
     tool="roslens",
     scope="package",
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
 )
 
 _FORMATTERS = (
@@ -71,6 +74,8 @@ def _one(held: Sequence[Finding], package: Package, gated: bool) -> Finding:
         tool=RULE.tool,
         fingerprint=fingerprint(RULE.id, entity, "" if gated else "apart"),
         gated=gated,
+        consequence=RULE.consequence,
+        certainty=RULE.certainty,
         others=tuple(
             f"{path}: {sum(rules.values())} ({', '.join(f'{rule} x {n}' for rule, n in rules.most_common())})"
             for path, rules in worst

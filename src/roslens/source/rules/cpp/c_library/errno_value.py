@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,7 +24,8 @@ RULE = FileRule(
     finds="`errno`. Use results, exceptions or `std::error_code`; where a system call leaves no choice, read it "
     "at once.",
     why="A log in between changes it, and the wrong cause is reported.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -26,7 +26,8 @@ RULE = FileRule(
     title="`setlocale`",
     finds="`setlocale` changes how numbers are read and written in the whole process.",
     why="Where the decimal point becomes a comma, calibration files are read wrongly.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2023",
         "autosar-cpp14",

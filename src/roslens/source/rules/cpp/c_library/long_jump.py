@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -28,7 +28,8 @@ RULE = FileRule(
     title="`setjmp` and `longjmp`",
     finds="`setjmp` and `longjmp` leave functions without destroying what they hold. Use exceptions or results.",
     why="Locks stay taken and memory is lost: the next callback waits forever.",
-    severity=Severity.WARNING,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

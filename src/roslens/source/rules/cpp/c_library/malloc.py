@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="`malloc`, `calloc`, `realloc` and `free`: no constructor runs and nothing owns the memory. Use a "
     "container or `std::make_unique`.",
     why="Every early return of a callback loses the memory; a node that runs for weeks ends.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2023",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -30,6 +31,8 @@ RULE = FileRule(
     title="`memset` with a length of 0",
     finds="`memset(p, n, 0)` sets nothing: value and length are the wrong way round. Write `memset(p, 0, n)`.",
     why="A message to a motor controller goes out with what was in memory.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

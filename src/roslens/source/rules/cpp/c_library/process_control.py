@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="`abort`, `exit` and `system` end or start processes from anywhere, and `getenv` depends on the "
     "surroundings. Return an error, use parameters.",
     why="A library that calls `exit` takes every node of the process with it, without stopping a motor.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "autosar-cpp14",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -27,7 +27,8 @@ RULE = FileRule(
     finds="`rand` has few values on some platforms, one state for all threads, and is seeded by `srand` for "
     "everybody. Use `<random>`.",
     why="Particle filters that draw with `rand` repeat themselves and differ from platform to platform.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "autosar-cpp14",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -30,7 +30,8 @@ RULE = FileRule(
     "`getlogin`, `ttyname` and `rand` share one result or state among all threads. Use the form that ends "
     "in `_r`.",
     why="Two callbacks of a multi-threaded executor overwrite the result of each other.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "google",
         "safety",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import enclosing_class, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -30,7 +30,8 @@ RULE = FileRule(
     title="Unary `&` overloaded",
     finds="An overload of the unary `operator&`. Write a function with a name.",
     why="Code that takes the address of an object gets something else.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "hicpp",

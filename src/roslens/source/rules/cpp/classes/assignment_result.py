@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import class_name, members_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -35,7 +35,8 @@ RULE = FileRule(
     title="Assignment operator with another result",
     finds="`operator=` that does not return a reference to its class. Return `*this`.",
     why="`a = b = c` copies, or does not compile.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "autosar-cpp14",

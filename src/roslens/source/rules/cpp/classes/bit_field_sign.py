@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -30,7 +30,8 @@ RULE = FileRule(
     finds="A bit-field of `int`, `short`, `long` or `char`: whether it is signed is up to the compiler. Write "
     "`unsigned` or a type of `<cstdint>`.",
     why="One bit of `int` is 0 or -1, never 1.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "jsf-av",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import Member, bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above, below
@@ -61,7 +61,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.copies_owner",
             at,
             f"`~{name}` deletes `{freed}`, which copies share; expected a std::unique_ptr, or copying deleted",
-            severity=None if view.may_be_header else Severity.NOTE,
+            certainty=None if view.may_be_header else Certainty.HEURISTIC,
         )
 
 
@@ -114,7 +114,8 @@ RULE = FileRule(
     "a copy assignment, nor forbids them. Hold the member in a `std::unique_ptr`, or delete both.",
     why="A copy, such as one made by putting the object into a vector, frees the same memory or handle twice; "
     "nodes die of it minutes later.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

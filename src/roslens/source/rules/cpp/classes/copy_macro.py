@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import enclosing_class
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -35,7 +35,8 @@ RULE = FileRule(
     finds="`DISALLOW_COPY_AND_ASSIGN` and its like outside of the private part of a class. Write `= delete`, or "
     "put the macro last among what is private.",
     why="The message of the compiler is about the macro, not about the copy.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "paper2016",

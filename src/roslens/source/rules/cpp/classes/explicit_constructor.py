@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import bases_of, class_name, has_token, members_of, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -53,7 +53,8 @@ RULE = FileRule(
     "`std::initializer_list` are let be. Add `explicit`.",
     why="A number or a handle that turns into an object by itself hides mistakes in units and ownership: "
     "`move(0.5)` compiles where `move(Meters(0.5))` was meant.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "hicpp",

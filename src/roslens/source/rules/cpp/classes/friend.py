@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,7 +24,8 @@ RULE = FileRule(
     title="`friend`",
     finds="A `friend` declaration. Give the class a function that does what the friend needs; operators are let be.",
     why="AUTOSAR forbids it: the private part of the class is not private.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("autosar-cpp14",),
     clauses=("autosar-cpp14 A11-3-1",),
     bad="class A { friend class B; };\n",

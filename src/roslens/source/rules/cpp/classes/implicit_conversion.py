@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import enclosing_class, has_token
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -28,7 +28,8 @@ RULE = FileRule(
     title="Conversion operator without `explicit`",
     finds="`operator T()` without `explicit`. Add `explicit`, or write a function with a name.",
     why="A handle becomes a number in an expression, and compiles.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2023",

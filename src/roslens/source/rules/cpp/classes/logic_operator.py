@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -25,7 +25,8 @@ RULE = FileRule(
     finds="An overload of `operator&&`, `operator||` or `operator,`. Both sides are always evaluated, in any "
     "order. Write a function with a name.",
     why="`if (valid && read())` reads although it is not valid.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

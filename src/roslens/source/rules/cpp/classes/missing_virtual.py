@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -39,7 +39,8 @@ RULE = FileRule(
     finds="`override` without `virtual`: MISRA C++:2008, which knows no `override`, asks for `virtual` on each "
     "overriding function.",
     why="A reader of C++03 looks for the word.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("misra-cpp-2008",),
     clauses=("misra-cpp-2008 10-3-2",),
     unlike=("cpp.redundant_virtual",),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import class_name, has_token, members_of, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -46,7 +46,8 @@ RULE = FileRule(
     title="`explicit` without an argument",
     finds="`explicit` on a constructor without parameters. Leave it out.",
     why="It does not compile where `return {};` is written, and says nothing else.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "paper2016",

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.edits.override_edits import override_edits
 from roslens.source.rules.file_view import FileView
@@ -71,7 +71,8 @@ RULE = FileRule(
     "parameters, without `override`. Add `override`.",
     why="When the base class changes a parameter, the function silently is a new one, and the safe default of "
     "the base runs.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

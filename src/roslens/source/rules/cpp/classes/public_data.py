@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import members_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -35,7 +35,8 @@ RULE = FileRule(
     finds="A data member of a `class` (not of a `struct`) that is public or protected and neither const nor "
     "static. Make it private.",
     why="A limit is changed behind the back of the function that checks it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token, name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -50,7 +50,8 @@ RULE = FileRule(
     title="`virtual` beside `override`",
     finds="`virtual` together with `override` or `final`, or `override` with `final`. One of them says it all.",
     why="Each word more makes it harder to see the one that is missing elsewhere.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "misra-cpp-2023",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -46,6 +47,8 @@ RULE = FileRule(
     finds="`x_(x_)` in the initialisers of a constructor that has no parameter `x_`: the member keeps what was "
     "in memory. Name the parameter.",
     why="A gain or a limit starts with a random number.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import members_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -40,7 +40,8 @@ RULE = FileRule(
     finds="A member `const std::string&`: built from a literal or a temporary, it refers to nothing. Keep the "
     "string itself.",
     why="The name of a frame or topic turns into garbage some time later.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "google",
         "safety",

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import (
     bases_of,
@@ -54,7 +54,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 "cpp.uninitialised_member",
                 place,
                 f"`{field}` has no value after construction; expected one where it is declared",
-                severity=None if is_read else Severity.NOTE,
+                certainty=None if is_read else Certainty.HEURISTIC,
             )
 
 
@@ -195,7 +195,8 @@ RULE = FileRule(
     "such as `configure` or `init`, are let be. Give it a value where it is declared. It is a note unless all "
     "functions of the class are seen, one of them reads it, and none sets it.",
     why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import Member, class_name, has_token, members_of
 from roslens.source.rules.file_view import FileView, above
@@ -91,7 +91,8 @@ RULE = FileRule(
     finds="A constructor or destructor calls a virtual function of its own class by name. The function of the "
     "class itself runs, not of the one that is being built. Call it qualified, or from a separate `init`.",
     why="A driver that overrides `connect` never gets there when the base connects in its constructor.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

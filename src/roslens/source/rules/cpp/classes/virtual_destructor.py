@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import bases_of, has_token, members_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -43,7 +43,8 @@ RULE = FileRule(
     "virtual. Declare `virtual ~Class() = default;`.",
     why="Where a plug-in is deleted through a pointer to its interface, only half of it is destroyed: handles "
     "stay open and threads keep running.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

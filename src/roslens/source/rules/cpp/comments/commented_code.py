@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +32,8 @@ RULE = FileRule(
     title="Code in comments",
     finds="Two or more lines of comments in a row that end like code. Delete them; the repository keeps them.",
     why="It is unclear whether it is meant to come back.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +32,8 @@ RULE = FileRule(
     title="Assignment as a condition",
     finds="`if (a = b)` or `while (a = b)` without a second pair of parentheses. Write `==`, or assign before.",
     why="The state of the robot is overwritten by the test for it, and the branch is taken always or never.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -22,7 +22,8 @@ RULE = FileRule(
     title="`continue`",
     finds="A `continue` statement. Put the rest of the body into an `if`.",
     why="JSF AV forbids it: what a turn of the loop does should be read from top to bottom.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("jsf-av",),
     clauses=("jsf-av 190",),
     bad="void f(int a) { while (a) { if (--a == 3) continue; g(a); } }\n",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,7 +31,8 @@ RULE = FileRule(
     finds="`if (a) if (b) x; else y;` without braces: the `else` belongs to the inner `if`. Add braces.",
     why="The branch that was meant for the outer condition runs when the inner one fails, and not at all when "
     "the outer does.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -23,7 +23,8 @@ RULE = FileRule(
     title="`do` loop",
     finds="A `do … while` loop. Use `while` or `for`; the form `do { … } while (false)` of macros is let be.",
     why="AUTOSAR advises against it: the body runs before the condition was ever true.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("autosar-cpp14",),
     clauses=(
         "autosar-cpp14 A6-5-3",

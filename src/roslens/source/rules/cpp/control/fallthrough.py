@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import ends_flow, last_statement, next_statement
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -82,7 +82,8 @@ RULE = FileRule(
     "says `[[fallthrough]]` or, in a comment, that it falls through. "
     "One that only changes a value which the next case uses (`low -= step;`) is let be.",
     why="A command of one mode also does what the next mode does.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

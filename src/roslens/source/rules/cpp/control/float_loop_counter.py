@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -28,7 +28,8 @@ RULE = FileRule(
     title="Loop counted in floating point",
     finds="A `for` whose counter is `float` or `double`. Count in integers, and compute the value.",
     why="`for (double a = 0; a < 1; a += 0.1)` runs ten times or eleven.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "misra-cpp-2008",
         "autosar-cpp14",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -77,7 +77,8 @@ RULE = FileRule(
     finds="`if (a) { x } else { x }` and `a ? x : x`: the condition decides nothing. One branch was meant to be "
     "another, or the condition goes.",
     why="The fallback of a failed sensor or planner is the failed way itself.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

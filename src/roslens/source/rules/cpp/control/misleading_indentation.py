@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import next_statement
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -83,7 +83,8 @@ RULE = FileRule(
     finds="The statement behind an `if`, `else`, `for` or `while` without braces is indented like its body, but "
     "always runs. Add braces, or take the indentation back.",
     why="What looks as if it ran in an emergency only runs always, as in the well-known `goto fail`.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -33,7 +33,8 @@ RULE = FileRule(
     title="Body without braces",
     finds="The body of `if`, `else`, `for`, `while` or `do` is no block. Put braces around it.",
     why="A line added later to an emergency branch is not part of it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "ros-style",
         "hicpp",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -27,7 +27,8 @@ RULE = FileRule(
     finds="A `switch` without a `default`. Add one; where all values of an enumeration are handled, let it "
     "report the impossible.",
     why="A message of a newer version has a mode that is not handled, and no error is reported.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

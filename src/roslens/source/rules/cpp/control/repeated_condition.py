@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -61,6 +62,8 @@ RULE = FileRule(
     title="Condition asked twice in one chain",
     finds="`if (a) … else if (a)`: the second branch is never taken. One of the two was meant to be another.",
     why="A state of the robot that has a branch of its own is treated as another one.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

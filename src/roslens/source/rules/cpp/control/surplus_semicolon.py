@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -69,7 +69,8 @@ RULE = FileRule(
     title="Semicolon behind a brace",
     finds="A `;` behind the closing brace of a function, namespace, branch or loop. Remove it.",
     why="It is an empty statement: behind an `if` it takes the `else` away.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import plain
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     title="`switch` on a condition",
     finds="A `switch` on a comparison or a negation. Write an `if`.",
     why="A `case 2` of it is never taken.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "autosar-cpp14",

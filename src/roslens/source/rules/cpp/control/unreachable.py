@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import JUMPS, next_statement
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -87,7 +87,8 @@ RULE = FileRule(
     "or a second `return` behind a `return` is let be, and so is what waits behind a `throw` that says that it is not "
     "implemented yet. Remove it, or mend the order.",
     why="What is meant to happen last, such as stopping a motor or closing a port, never does.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

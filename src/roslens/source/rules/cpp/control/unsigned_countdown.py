@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -51,6 +52,8 @@ RULE = FileRule(
     finds="`for (unsigned i = n; i >= 0; --i)`: an unsigned number is never below zero. Count with a signed "
     "type, or test `i-- > 0`.",
     why="The loop never ends, or reads far outside of the array.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

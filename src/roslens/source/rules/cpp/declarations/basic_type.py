@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -55,7 +55,8 @@ RULE = FileRule(
     finds="`int`, `short`, `long`, `unsigned` and `signed`. Use a type of `<cstdint>`; `int main` and "
     "`operator++(int)` are let be.",
     why="The code moves from the computer of the robot to a microcontroller, where `int` has 16 bits.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -31,7 +31,8 @@ RULE = FileRule(
     title="`std::array` by reference to temporaries",
     finds="A parameter `std::array<…>&&`: moving an array copies each element. Take it by reference to const.",
     why="It promises a speed that is not there.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("paper2016",),
     clauses=("paper2016 harosRvalueStdArray",),
     bad="void f(std::array<int, 3>&& a);\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.cpp.declarations.pointer_depth import DOUBLE_POINTERS
 from roslens.source.rules.file_view import FileView, above
@@ -35,7 +35,8 @@ RULE = FileRule(
     title="Three levels of pointers",
     finds="A declaration with three or more levels of pointers. Use a container or a struct.",
     why="Who owns which level is a guess.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -25,7 +25,8 @@ RULE = FileRule(
     finds="An `enum` that is no `enum class`: its names stand in the surroundings, and its values become "
     "numbers. Write `enum class`.",
     why="`IDLE` of two state machines is one name, and comparing them compiles.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2023",
         "autosar-cpp14",

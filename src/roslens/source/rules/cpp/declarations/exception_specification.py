@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -22,7 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.exception_specification",
             node,
             f"`{text[:60]}` is no C++ any more; expected {instead}",
-            severity=Severity.NOTE if is_empty else None,
+            certainty=Certainty.HEURISTIC if is_empty else None,
             edits=view.edits((node.start_byte, node.end_byte, "noexcept")) if is_empty else (),
         )
 
@@ -34,7 +34,8 @@ RULE = FileRule(
     "In a package that pins an older standard it is a note.",
     why="The package does not compile with the next distribution; before, an exception that is not in the "
     "list ended the process.",
-    severity=Severity.WARNING,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -32,7 +32,8 @@ RULE = FileRule(
     title="Forward declaration inside of a class",
     finds="`class A::B;` declares nothing. Include the header of `A`.",
     why="With one compiler it compiles.",
-    severity=Severity.WARNING,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "paper2016",

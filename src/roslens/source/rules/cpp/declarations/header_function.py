@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import GUARDED, Hit
@@ -93,7 +93,8 @@ RULE = FileRule(
     "source file.",
     why="The second file that includes the header makes linking fail, with a message about a symbol and not "
     "about the header.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import HEADER, Hit
@@ -72,7 +72,8 @@ RULE = FileRule(
     "`extern` nor a template. Declare it `extern` and define it in one source file, or make it `inline`.",
     why="With two files it does not link; as `static` each file has a variable of its own, and one node sees "
     "two states.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

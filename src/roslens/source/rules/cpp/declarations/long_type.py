@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -29,7 +29,8 @@ RULE = FileRule(
     title="`short` or `long`",
     finds="`short`, `long` and `long long`. Use `int16_t`, `int64_t` and their like.",
     why="`long` has 32 bits on one computer of the robot and 64 on another.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "paper2016",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -27,7 +27,8 @@ RULE = FileRule(
     title="Several variables in one declaration",
     finds="`int a, b;` declares several variables. Declare each for itself; heads of loops are let be.",
     why="`char* a, b;` declares one pointer.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -61,7 +61,8 @@ RULE = FileRule(
     title="Pointer to a pointer",
     finds="A declaration with two or more levels of pointers; `char** argv` is let be. Use a container or a reference.",
     why="Who owns which level is a guess.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "jsf-av",

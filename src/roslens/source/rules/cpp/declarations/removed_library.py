@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +32,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.removed_library",
             node,
             f"`std::{name}` was removed in C++17{still}; expected what replaces it",
-            severity=Severity.NOTE if name in _ADAPTERS else None,
+            certainty=Certainty.HEURISTIC if name in _ADAPTERS else None,
         )
 
 
@@ -51,7 +51,8 @@ RULE = FileRule(
     "which GCC still has.",
     why="Compilers with another library, such as libc++, refuse it, and GCC warns; `std::auto_ptr` also moves where it "
     "seems to copy.",
-    severity=Severity.WARNING,
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

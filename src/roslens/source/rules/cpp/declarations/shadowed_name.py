@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_declaration import declarations, hidden_by
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -33,7 +33,8 @@ RULE = FileRule(
     finds="A local variable whose name a parameter or a variable of a block around it has. Take another name; "
     "lambdas begin anew.",
     why="The outer variable is the one that was meant to be set: the result of the inner block is thrown away.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -47,7 +47,8 @@ RULE = FileRule(
     title="`typedef`",
     finds="`typedef`. Write `using Name = …;`.",
     why="AUTOSAR asks for it: `using` takes templates, and reads from left to right.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("autosar-cpp14",),
     clauses=(
         "autosar-cpp14 A7-1-6",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -41,7 +41,8 @@ RULE = FileRule(
     finds="A local variable of a number, `bool` or pointer type that is declared without a value. Give it one, "
     "or declare it where it gets one.",
     why="A branch that forgets to set it drives with what was on the stack.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "misra-cpp-2023",
         "autosar-cpp14",

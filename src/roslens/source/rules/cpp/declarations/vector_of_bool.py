@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -31,7 +31,8 @@ RULE = FileRule(
     finds="`std::vector<bool>` holds bits: its elements are no `bool`, and two threads cannot write two of "
     "them. Use `std::vector<char>`, `std::bitset` or `std::deque<bool>`.",
     why="Two callbacks that set two flags of their own lose one.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2023",

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -59,6 +60,8 @@ RULE = FileRule(
     finds="`catch (E e)` of a class: the exception is copied, and what a derived class added is cut off. Catch "
     "by `const E&`.",
     why="The message of the error that mattered is lost in the log: `std::exception` alone says nothing.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

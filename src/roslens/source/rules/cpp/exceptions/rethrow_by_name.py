@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -47,7 +47,8 @@ RULE = FileRule(
     "was thrown. Write `throw;`. It is a note where nothing in the package derives from a type of its own that was "
     "caught, or nothing in ROS from one of ROS.",
     why="Callers that handle a more special error, such as a timeout, no longer see it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
 from roslens.source.rules.cpp_statement import next_statement
 from roslens.source.rules.file_view import FileView, above
@@ -29,15 +29,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     tried = node.parent.child_by_field_name("body") if node.parent is not None else None
     if tried is not None and _is_one_value(tried):
-        severity: Severity | None = Severity.NOTE
+        certainty: Certainty | None = Certainty.HEURISTIC
     else:
-        severity = None
+        certainty = None
     if not is_last_act and b"//" not in line and b"/*" not in line:
         yield view.hit(
             "cpp.swallowed",
             node,
             "`catch (...)` swallows every exception; expected a log, a reason or a narrower type",
-            severity=severity,
+            certainty=certainty,
         )
 
 
@@ -60,7 +60,8 @@ RULE = FileRule(
     finds="`catch (...)` with an empty body and no comment that says why. Log it, handle it or let it pass.",
     why="A driver that failed to start goes on as if nothing had happened; even a thread that is being "
     "cancelled is held up.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

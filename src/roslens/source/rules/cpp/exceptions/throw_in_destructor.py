@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
@@ -33,6 +34,8 @@ RULE = FileRule(
     finds="A `throw` in a destructor, outside of a `try` in it. Destructors are `noexcept`: the process ends. "
     "Log and go on.",
     why="The node ends by `std::terminate` while it cleans up after another error, with motors as they were.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

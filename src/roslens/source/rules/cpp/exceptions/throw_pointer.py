@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,6 +25,8 @@ RULE = FileRule(
     finds="`throw new E(…)`: it is unclear who deletes it, and `catch (const E&)` does not see it. Throw the "
     "object itself. It is a note where a handler of the package catches pointers of that type.",
     why="The handler that was meant to stop the robot does not match, and the process ends.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -41,7 +41,8 @@ RULE = FileRule(
     title="Operators written as words",
     finds="`and`, `or`, `not` and their like for operators. Write `&&`, `||`, `!`.",
     why="Readers of one code base should not meet two spellings of one operator.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "hicpp",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,6 +32,8 @@ RULE = FileRule(
     title="Variable assigned its own increment",
     finds="`i = i++;`. Write `++i;`.",
     why="Before C++17 it is undefined, since then `i = i++` does nothing: the counter stands still.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

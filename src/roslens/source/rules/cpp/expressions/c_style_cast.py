@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -28,7 +28,8 @@ RULE = FileRule(
     finds="`(T)x` may be a static, a const and a reinterpreting cast at once. Write the one that is meant; "
     "`(void)x` is let be.",
     why="A change of type somewhere else turns it into one that reads memory as something else, without a warning.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "hicpp",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -34,7 +34,8 @@ RULE = FileRule(
     finds="The comma operator outside of the head of a `for`. Lists such as `matrix << 1, 2;` of Eigen are let "
     "be. Write two statements.",
     why="What looks like an argument or a condition is thrown away: `at(i, j)` and `at[i, j]` are not the same.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -34,7 +34,8 @@ RULE = FileRule(
     title="Address of what a cast gives",
     finds="`&static_cast<T>(x)` may be the address of a temporary. Cast the address instead: `static_cast<T*>(&x)`.",
     why="The pointer is dead at the end of the statement.",
-    severity=Severity.WARNING,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "safety",

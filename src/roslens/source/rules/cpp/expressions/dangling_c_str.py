@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView, above
@@ -50,6 +51,8 @@ RULE = FileRule(
     title="Pointer into a text that is gone",
     finds="`const char* p = s.str().c_str();`: the temporary string dies at the semicolon. Keep the `std::string`.",
     why="The pointer works in tests and reads freed memory in the field: wrong frame names, wrong device paths.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import has_token
@@ -85,6 +86,8 @@ RULE = FileRule(
     "that belongs to it, or `std::vector`. A `new T` whose type is a parameter of a template is left out: with an "
     "array for `T` it makes one.",
     why="The heap is damaged; the node ends somewhere else, long after.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

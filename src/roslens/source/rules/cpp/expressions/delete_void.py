@@ -8,7 +8,7 @@ from typing import cast
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -58,7 +58,8 @@ RULE = FileRule(
     title="`delete` of a pointer to void",
     finds="`delete p` of a `void*`: no destructor runs, and the behaviour is undefined. Keep the type.",
     why="What the object held (files, threads, devices) is never given back.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -34,7 +34,8 @@ RULE = FileRule(
     title="Floating-point numbers compared with `==`",
     finds="`==` or `!=` with a floating-point literal. Compare the difference with a tolerance.",
     why="`angle == 0.1` is never true after a rotation there and back.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

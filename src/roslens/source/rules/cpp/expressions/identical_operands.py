@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import is_written_twice
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -87,6 +88,8 @@ RULE = FileRule(
     finds="Two operands that are written alike around `&&`, `||`, `<`, `>`, `<=`, `>=`, `-`, `/`, `%`, `|`, `&` "
     "or `^`. One of them was meant to be another.",
     why="`x > min && x > min` checks one limit twice and the other never: a joint is driven past its end.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,7 +24,8 @@ RULE = FileRule(
     title="Default capture of a lambda",
     finds="`[=]` and `[&]` capture whatever the body names, `this` included. Name what is captured.",
     why="A callback that outlives its function keeps references to variables that are gone.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "autosar-cpp14",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -33,6 +34,8 @@ RULE = FileRule(
     title="Pointer moved instead of its value",
     finds="`*count++;` as a statement moves the pointer and leaves the value. Write `(*count)++`.",
     why="The counter never counts, and the pointer leaves its object.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -49,7 +49,8 @@ RULE = FileRule(
     title="Assignment inside of an expression",
     finds="`a = b = c`, or an assignment as an operand or argument. Write a statement of its own.",
     why="It reads like a comparison.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

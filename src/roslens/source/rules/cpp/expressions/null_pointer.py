@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.pointer_expected import is_pointer_expected
@@ -25,7 +25,8 @@ RULE = FileRule(
     title="`NULL` for a null pointer",
     finds="`NULL` is a number. Write `nullptr`.",
     why="An overloaded function, or a template, gets an integer where a pointer was meant.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "hicpp",
         "misra-cpp-2023",

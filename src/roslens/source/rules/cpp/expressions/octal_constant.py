@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -48,7 +48,8 @@ RULE = FileRule(
     finds="A number that begins with 0: `010` is eight. Modes of files, as of `chmod` and `mkdir`, are let be. "
     "Write it in decimal or hexadecimal.",
     why="Aligning a table of joint offsets with zeros changes the numbers.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -36,7 +36,8 @@ RULE = FileRule(
     finds="`new` whose result goes to a plain pointer. Use `std::make_unique` or `std::make_shared`; what is "
     "handed to a smart pointer or placed in memory is let be.",
     why="An exception or an early return loses the object, and what it holds open.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2023",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import is_written_twice
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -37,7 +37,8 @@ RULE = FileRule(
     "was meant.",
     why="The value that was configured is thrown away, and the default stays. Most say that nothing is to be done, or "
     "silence a warning: it is a note.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -54,7 +54,8 @@ RULE = FileRule(
     finds="An assignment, `++` or `--` in the right operand of `&&` or `||`: whether it happens depends on the "
     "left one. Do it before, or behind.",
     why="A counter of failures misses exactly the cases in which the left side decided.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

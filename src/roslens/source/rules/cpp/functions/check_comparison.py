@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -37,7 +37,8 @@ RULE = FileRule(
     finds="`CHECK(a == b)`, `EXPECT_TRUE(a == b)` and their like only say that it is false. Write `CHECK_EQ(a, "
     "b)`, `EXPECT_EQ(a, b)`.",
     why="The log of a test that failed on the robot does not hold the two values.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "paper2016",

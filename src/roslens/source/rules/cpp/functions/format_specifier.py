@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -45,7 +45,8 @@ RULE = FileRule(
     finds="`%qd` and positions such as `%1$d` in formats, and escapes that C++ does not have (`\\\\%`, `\\\\[`, "
     "`\\\\(`, `\\\\{`). Use `PRId64`, `std::format` or a stream.",
     why="The log of one computer of the robot shows other numbers than the log of another.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "paper2016",

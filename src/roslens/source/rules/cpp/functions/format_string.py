@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import arguments_of, callee
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -42,6 +43,8 @@ RULE = FileRule(
     finds="A text that is made at run time is handed over as the format: `printf(text)`, "
     '`ROS_INFO(text.c_str())`. Write `"%s", text`, or the stream form of the macro.',
     why="A `%` in a file name or an error message prints garbage or ends the node in the moment it reports a fault.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -39,7 +39,8 @@ RULE = FileRule(
     finds="`std::make_pair<A, B>(a, b)` copies what it should move, or does not compile. Leave the types out, "
     "or write `std::pair<A, B>(a, b)`.",
     why="It is a compile error with one compiler and a copy with another.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "paper2016",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -77,6 +78,8 @@ RULE = FileRule(
     "it is a note.",
     why="The value is whatever lies in a register: compilers may even remove the end of the function, and the "
     "node runs into the next one.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

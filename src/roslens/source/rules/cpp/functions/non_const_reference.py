@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token, name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -42,7 +42,8 @@ RULE = FileRule(
     finds="A reference that is not `const` as a parameter, but of streams. Return a value, or take a pointer, "
     "as older versions of the Google guide ask.",
     why="A reader of `update(pose)` does not see that it changes the pose.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("paper2016",),
     clauses=(
         "cpplint runtime/references",

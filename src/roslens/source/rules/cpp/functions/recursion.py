@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import function_of, parameters_of
 from roslens.source.rules.cpp_statement import arguments_of
@@ -76,7 +76,8 @@ RULE = FileRule(
     title="Function that calls itself",
     finds="A function that calls itself with as many arguments as it takes. Use a loop, or a bound on the depth.",
     why="How much stack it takes is up to the data: a deep tree or a long path ends the node.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import function_of
 from roslens.source.rules.file_view import FileView, below
@@ -50,7 +50,8 @@ RULE = FileRule(
     finds="A function with more than one `return`. Leave it at its end.",
     why="Standards ask for it, so that what was taken is given back in one place. With destructors that do so "
     "it costs more than it gives, and is on by name only.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "misra-cpp-2008",
         "jsf-av",

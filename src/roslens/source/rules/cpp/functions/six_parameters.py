@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -33,7 +33,8 @@ RULE = FileRule(
     title="More than six parameters",
     finds="A function with more than six parameters. Pass a struct.",
     why="If two of seven numbers are swapped at a call, it goes unnoticed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "paper2016",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     title="Size of `snprintf` as a number",
     finds="A number as the size of `snprintf`. Write `sizeof buffer`.",
     why="The buffer is made smaller one day, and the number is not.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "safety",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="`atoi`, `atol`, `atoll` and `atof` give 0 for a text that is no number, and are undefined out of "
     "range. Use `std::stoi`, `std::strtol` or `std::from_chars`, and check.",
     why="A mistyped parameter becomes a rate or a limit of 0.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -26,9 +26,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         form = arguments[1]
         is_bounded = "string" in form.type and "%s" not in view.text(form)
     instead = "std::string" if name in ("strcpy", "strcat", "stpcpy", "gets") else "`snprintf`"
-    severity = Severity.NOTE if is_bounded else None
+    certainty = Certainty.HEURISTIC if is_bounded else None
     yield view.hit(
-        "cpp.unbounded_copy", node, f"`{name}` writes without a limit; expected {instead}", severity=severity
+        "cpp.unbounded_copy", node, f"`{name}` writes without a limit; expected {instead}", certainty=certainty
     )
 
 
@@ -39,7 +39,8 @@ RULE = FileRule(
     "whatever the buffer holds. Use `std::string`, or `snprintf` with the size. Literals that are copied "
     "are let be.",
     why="A long device name or topic overwrites what lies behind the buffer: the node dies, or worse, goes on.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

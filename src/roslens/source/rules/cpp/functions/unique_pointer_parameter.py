@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -34,7 +34,8 @@ RULE = FileRule(
     finds="A parameter `const std::unique_ptr<T>&`. Take `T&` or `T*` where the function only uses it, "
     "`std::unique_ptr<T>` by value where it keeps it.",
     why="A reader cannot see who owns the driver.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "paper2016",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -64,7 +64,8 @@ RULE = FileRule(
     "It is no C++, though C has it, and a large length overruns the stack. Use `std::vector`. "
     "Code for microcontrollers, which have none, is let be.",
     why="A large scan or image ends the node with a segmentation fault, without any message.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -28,7 +28,8 @@ RULE = FileRule(
     title="Function with `...`",
     finds="A function with an ellipsis. Use a variadic template or `std::initializer_list`.",
     why="A number of the wrong size in the arguments shifts all that follow.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "hicpp",
         "misra-cpp-2008",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -56,7 +56,8 @@ RULE = FileRule(
     title="Variable that is declared as a function",
     finds="`Type name();` inside of a function declares a function, no variable. Write `Type name;` or `Type name{};`.",
     why="The object that was meant, such as a lock or a node handle, never exists.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=(
         "ros2",
         "ros1",

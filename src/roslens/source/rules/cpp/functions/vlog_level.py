@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -28,7 +28,8 @@ RULE = FileRule(
     title="Name as the level of `VLOG`",
     finds="`VLOG(INFO)`: verbose levels are numbers. Write `LOG(INFO)` or `VLOG(1)`.",
     why="The message is logged at an unintended level.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "paper2016",

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -42,7 +42,8 @@ RULE = FileRule(
     title="Header of C",
     finds="`<math.h>` and other headers of the C library. Include `<cmath>` and its like.",
     why="`abs` of a `double` may be the one of integers.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "misra-cpp-2008",
         "autosar-cpp14",

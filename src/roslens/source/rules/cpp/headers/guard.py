@@ -9,7 +9,7 @@ import msgspec
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import GUARD_NAME, GUARDED, Hit
 from roslens.source.rules.rule import FileRule
@@ -59,7 +59,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             edits=_around(first.start(1), view),
         )
         # What includes nothing needs what stands before its one `#include`: a piece of another file.
-        yield hit if b"#include" in view.code else msgspec.structs.replace(hit, severity=Severity.NOTE)
+        yield hit if b"#include" in view.code else msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC)
         return
     if not _is_around_the_rest(view.code, guard.end()):
         return
@@ -141,7 +141,8 @@ RULE = FileRule(
     finds="A header with neither `#pragma once` nor `#ifndef` and `#define` of one name around it. Add one of the two. "
     "Pieces that include nothing themselves are notes; lists of calls of macros are let be.",
     why="The day two headers include it, nothing compiles, with messages about another file.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from roslens.model.edit import Edit, edit_at
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import GUARD_NAME, Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -102,7 +102,8 @@ RULE = PackageRule(
     finds="A header guard whose name does not end with the name of the file, or whose `#endif` does not name "
     "it. `#pragma once` is let be.",
     why="Two headers with one guard: the second one is empty, and nothing says so.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -33,7 +33,8 @@ RULE = FileRule(
     title="Include behind code",
     finds="An `#include` behind a declaration, outside of `#if` and namespaces. Put it at the top.",
     why="What stands before it changes what it means.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",

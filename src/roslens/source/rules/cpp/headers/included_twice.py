@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -58,7 +58,8 @@ RULE = FileRule(
     title="Header included twice",
     finds="The same `#include` a second time in one file, outside of `#if`. Remove one.",
     why="It costs nothing but the time of a reader, who asks what is different the second time.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "ros2",
         "ros1",

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from roslens.model.edit import edit_at
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.include_lines import IncludeLines, include_lines, place_for_standard
 from roslens.source.rules.package_view import PackageView
@@ -68,7 +68,8 @@ RULE = PackageRule(
     finds="A name of the standard library, written with `std::`, whose header neither the file nor its own "
     "header includes. Include it.",
     why="It compiles because another header happens to include it; with the next distribution that one does not.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "paper2016",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -33,7 +33,8 @@ RULE = FileRule(
     title="Include without the folder",
     finds='`#include "driver.h"` without a folder. Write `"package/driver.h"`.',
     why="Two packages have a `utils.h`, and the order of include folders picks one.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

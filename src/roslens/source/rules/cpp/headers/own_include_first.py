@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from roslens.model.edit import Edit, edit_at
-from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.include_lines import above_comments, include_lines
 from roslens.source.rules.package_view import PackageView
@@ -84,7 +84,8 @@ RULE = PackageRule(
     finds="A source file whose own header, of the same name in the package, is not its first include, or is not "
     "included at all. Include it first.",
     why="A header that cannot stand alone is found where it is made, not by the first user who includes it alone.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -41,8 +41,8 @@ def _hit(name: str, line: int, path: str, view: PackageView) -> Iterator[Hit]:
     above = b"\n".join(code.split(b"\n")[: line - 1])
     bare = name.strip('<>"')
     message = f"`{bare}` includes itself; expected the header that was meant"
-    severity = Severity.NOTE if _GUARD.search(above) else None
-    yield Hit("cpp.self_include", message, line, context=name, path=path, severity=severity)
+    certainty = Certainty.HEURISTIC if _GUARD.search(above) else None
+    yield Hit("cpp.self_include", message, line, context=name, path=path, certainty=certainty)
 
 
 RULE = PackageRule(
@@ -52,6 +52,8 @@ RULE = PackageRule(
     "`#pragma once` it is a note.",
     why="The header that was meant is missing, and its names come by luck. Behind a guard nothing else happens; "
     "without one the compiler ends, as the includes never do.",
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.PROVEN,
     profiles=(
         "ros2",
         "ros1",

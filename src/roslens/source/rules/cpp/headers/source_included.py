@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -34,7 +34,8 @@ RULE = FileRule(
     title="Source file included",
     finds="`#include` of a file that ends in `.cpp`, `.cc`, `.cxx` or `.c`. Include its header, and build the file.",
     why="The file is compiled twice, or never as it stands.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "google",
         "jsf-av",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +32,8 @@ RULE = FileRule(
     title="Header that the Google guide forbids",
     finds="`<cfenv>`, `<fenv.h>`, `<ratio>` and `<filesystem>`, which the Google guide does not allow.",
     why="Only for those who follow the guide to the letter.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "paper2016",

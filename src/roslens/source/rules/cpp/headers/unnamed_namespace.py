@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import HEADER, Hit
@@ -30,7 +30,8 @@ RULE = FileRule(
     finds="`namespace {` in a header: each file that includes it gets a copy of its own of all that is in it. "
     "Name it, for example `detail`.",
     why="A counter or cache in it exists once per file: what one part of the node sets another does not see.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import HEADER, Hit
@@ -29,7 +29,8 @@ RULE = FileRule(
     title="Using declaration in a header",
     finds="`using std::string;` at the level of the file in a header. Write the name out, or put it into a namespace.",
     why="Every file that includes the header has the name.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "misra-cpp-2008",
         "autosar-cpp14",

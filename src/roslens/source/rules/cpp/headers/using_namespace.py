@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.cpp_statement import is_inside_function
 from roslens.source.rules.file_view import FileView
@@ -23,9 +23,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if "literals" in name:
         return
     # Placeholders are made to be used so, and collide with nothing.
-    severity = None if name.split("::")[0] == "std" and name != "std::placeholders" else Severity.NOTE
+    certainty = None if name.split("::")[0] == "std" and name != "std::placeholders" else Certainty.HEURISTIC
     message = f"`using namespace {name}` in a header; expected qualified names"
-    yield view.hit("cpp.using_namespace", node, message, only=HEADER, severity=severity)
+    yield view.hit("cpp.using_namespace", node, message, only=HEADER, certainty=certainty)
 
 
 RULE = FileRule(
@@ -36,7 +36,8 @@ RULE = FileRule(
     "installed and that one file includes.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="A class, struct or enumeration whose name is not `CamelCased`; names that end in `_t` and traits in "
     "`detail` are let be.",
     why="The guides of ROS 1, ROS 2 and Google agree on it: the first letter distinguishes types from variables.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

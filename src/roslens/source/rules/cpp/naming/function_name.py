@@ -7,7 +7,7 @@ from typing import cast
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import class_name, enclosing_class, function_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -48,7 +48,8 @@ RULE = FileRule(
     finds="A function whose name begins with a small letter, but for names without capital letters, which "
     "accessors may have.",
     why="One rule for a whole code base, so that names can be guessed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("google",),
     clauses=("clang-tidy readability-identifier-naming",),
     unlike=("cpp.method_name",),

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import members_of, name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -34,7 +34,8 @@ RULE = FileRule(
     finds="A private or protected data member of a class whose name does not end in an underscore, or has a "
     "capital letter.",
     why="Inside of a long function one sees what outlives it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

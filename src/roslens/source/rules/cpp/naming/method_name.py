@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_class import class_name, enclosing_class, function_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -34,7 +34,8 @@ RULE = FileRule(
     finds="A function whose name begins with a capital letter. The guides of ROS ask for `camelCased` (ROS 1), "
     "or `under_scored` (ROS 2).",
     why="One rule for a whole code base, so that names can be guessed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=("ros-style",),
     clauses=("clang-tidy readability-identifier-naming",),
     unlike=("cpp.function_name",),

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.cpp_declaration import Declaration, declarations
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -40,7 +40,8 @@ RULE = FileRule(
     finds="A local variable whose name holds a capital letter, but for constants (`kLimit`, `LIMIT`).",
     why="The guides of ROS and Google agree on `under_scored` names: variables are distinguished from types and "
     "functions at a glance.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "google",
         "ros-style",

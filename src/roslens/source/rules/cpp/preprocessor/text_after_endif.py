@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -44,7 +44,8 @@ RULE = FileRule(
     title="Text behind `#endif`",
     finds="Text behind `#endif` or `#else` that is no comment. Put `//` in front.",
     why="Compilers warn of it, and some refuse it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.PROVEN,
     profiles=(
         "ros2",
         "ros1",

@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin, Proof
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_elsewhere",
     "Private parameter of another node",
     "Code of a ROS 1 node reads a parameter below the name of another node. It is a warning if the other node reads "
     "it too, as in copied code, and a note otherwise. Read `~name`.",
-    Severity.NOTE,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "parameters", "names"),
     "Values set for the node have no effect on it, and values set for the other one affect both.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -44,7 +44,9 @@ def _told(node: ConfiguredNode, owner: ConfiguredNode, ones: list[tuple[Configur
     one, proof = min(ones, key=lambda pair: pair[1])
     own = {other.name for other in owner.parameters if other.access}
     copied = any(parameter.name in own for parameter, _ in ones)
-    severity, doubt = weighed(RULE.severity if copied else Severity.NOTE, (proof,), (*node.conditions, *one.conditions))
+    certainty, doubt = weighed(
+        RULE.certainty if copied else Certainty.HEURISTIC, (proof,), (*node.conditions, *one.conditions)
+    )
     more = f" and {len(ones) - 1} more" if len(ones) > 1 else ""
     too = ", which reads it too" if copied else ""
     last = one.name.rpartition("/")[2]
@@ -53,4 +55,4 @@ def _told(node: ConfiguredNode, owner: ConfiguredNode, ones: list[tuple[Configur
         f"Read `~{last}` if it is meant to be its own."
     )
     entity = f"parameter:{node.name}:{one.name}"
-    return occurrence(RULE, message, proof, entity=entity, severity=severity, context=owner.name, doubt=doubt)
+    return occurrence(RULE, message, proof, entity=entity, certainty=certainty, context=owner.name, doubt=doubt)

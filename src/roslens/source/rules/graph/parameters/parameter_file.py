@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed
 from roslens.source.rules.graph.likeness import nearest_name
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Ignored, Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_file",
     "Parameter file for another node",
     "A parameter file is passed to a node, and none of its keys is the name of this node or a pattern that matches "
     "it. The name in the file must be the fully resolved name: `/ns/node`, or `node` in the root namespace, or `/**`. "
     "It is a note if the file is for other nodes that run: one file for many nodes is common.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "parameters", "launch"),
     "The whole file is ignored silently; the node runs with its defaults, which `ros2 param` shows as its parameters.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -38,7 +38,7 @@ def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding
     same = [key for key in one.keys if key.rpartition("/")[2] == last]
     near = same[0] if same else nearest_name(one.node, list(one.keys))
     shared = of_others and not near
-    severity, doubt = weighed(Severity.NOTE if shared else RULE.severity, (one.proof, one.given), conditions)
+    certainty, doubt = weighed(Certainty.HEURISTIC if shared else RULE.certainty, (one.proof, one.given), conditions)
     hint = f" `{near}` is nearly it." if near else ""
     keys = listed([f"`{key}`" for key in one.keys])
     own = "" if one.also else f"`{one.node}` or to "
@@ -50,5 +50,5 @@ def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding
     )
     entity, also = f"node:{one.node}", tuple(f"node:{name}" for name in one.also)
     return occurrence(
-        RULE, message, one.proof, entity=entity, severity=severity, context=one.proof.path, also=also, doubt=doubt
+        RULE, message, one.proof, entity=entity, certainty=certainty, context=one.proof.path, also=also, doubt=doubt
     )

@@ -7,24 +7,24 @@ from collections.abc import Iterator, Mapping, Set
 import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed, unknown_nodes
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_namespace",
     "Parameter in another namespace",
     "A launch file of ROS 1 sets a private parameter of a node (`~x`, as `<param>` within `<node>` does) whose code "
     "reads that name globally or in the namespace of the node, where it is not set; or it sets the name there, where "
     "no node reads it, and the code reads `~x`, which is not set. Move the `<param>` into the node or out of it, or "
     "read the other name.",
-    Severity.WARNING,
+    Consequence.WRONG,
+    Certainty.LIKELY,
     ("ros", "graph", "parameters", "names", "launch"),
     "The value is ignored silently, and the node runs with its default.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -135,7 +135,7 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
     assert code is not None  # noqa: S101 - and that code reads
     node = one.node.name
     more = f"the parameters that {listed(unknown)} read are unknown" if unknown and not one.private else ""
-    severity, doubt = weighed(RULE.severity, (proof, code), one.node.conditions, more=more)
+    certainty, doubt = weighed(RULE.certainty, (proof, code), one.node.conditions, more=more)
     private = f"~{(one.set if one.private else one.read).name.removeprefix(f'{node}/')}"
     advice = (
         f"Set it outside of the node, or read `{private}`"
@@ -147,4 +147,4 @@ def _told(one: Misplaced, unknown: list[str]) -> Finding:
         f"is not set: the value has no effect. {advice}."
     )
     entity = f"parameter:{node}:{one.set.name}"
-    return occurrence(RULE, message, proof, entity=entity, severity=severity, context=one.read.name, doubt=doubt)
+    return occurrence(RULE, message, proof, entity=entity, certainty=certainty, context=one.read.name, doubt=doubt)

@@ -6,24 +6,24 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import listed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_range",
     "Parameter out of range",
     "A parameter is set, or declared by default, with a value outside the range of its declaration (`integer_range`, "
     "`floating_point_range`, `bounds<>`, a `.cfg` file), or with a value that is not among the allowed ones "
     "(`one_of<>`). Choose an allowed value, or widen the range.",
-    Severity.ERROR,
+    Consequence.STOPS_START,
+    Certainty.PROVEN,
     ("ros", "graph", "parameters", "launch"),
     "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 dynamic_reconfigure uses the "
     "nearest limit of the range.",
-    tool=TOOL,
-    scope="configuration",
 )
 _RANGE = re.compile(r"(>?)([^<>]*?)\.\.(<?)([^<>]*)")
 _NUMBERS = frozenset({"int", "double"})
@@ -92,12 +92,14 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: 
     code = one.proof
     assert code is not None  # noqa: S101 - only parameters that code declares are reported
     place, value = one.set_by or code, _given(one)
-    severity, doubt = weighed(
-        Severity.WARNING if ros1 else RULE.severity, (one.set_by, code), (*node.conditions, *one.conditions)
+    certainty, doubt = weighed(
+        Certainty.LIKELY if ros1 else RULE.certainty, (one.set_by, code), (*node.conditions, *one.conditions)
     )
     how = "set to" if one.set_by is not None else "by default"
     where = f"{code.place} allows" if one.set_by is not None else "its declaration allows"
     effect = "the nearest end is used" if ros1 else "the node does not start"
     message = f"parameter `{one.name}` of {node.name} is {how} `{value}`; {where} {wanted}: {effect}."
     entity = f"parameter:{node.name}:{one.name}"
-    return occurrence(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}", doubt=doubt)
+    return occurrence(
+        RULE, message, place, entity=entity, certainty=certainty, context=f"{value} {wanted}", doubt=doubt
+    )

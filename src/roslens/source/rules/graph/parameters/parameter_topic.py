@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, is_unknown, listed, unknown_nodes
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_topic",
     "Parameter with an unknown topic",
     "A parameter whose name ends with `topic` is set to a global name below a node or namespace that does not exist, "
@@ -21,11 +22,10 @@ RULE = RuleInfo(
     "may belong to unknown parts, and names whose other end is usually outside the workspace, are not reported. It is "
     "a warning in a configuration that `roslens.toml` declares to be the whole system, otherwise a note. Correct the "
     "value, or start the node that has the topic.",
-    Severity.WARNING,
+    Consequence.WRONG,
+    Certainty.LIKELY,
     ("ros", "graph", "parameters", "names", "launch"),
     "The intended connection is missing, as after copying the parameters of another node.",
-    tool=TOOL,
-    scope="configuration",
 )
 _GLOBAL = re.compile(r"/[A-Za-z]\w*(?:/[A-Za-z]\w*)+")
 _TOPIC = re.compile(r"(?:\A|[_./])topic(?:_name)?\Z", re.IGNORECASE)
@@ -76,8 +76,8 @@ def _own(one: ConfiguredParameter, node: ConfiguredNode, *, ros1: bool) -> bool:
 def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *, whole: bool) -> Finding:
     more = f"the topics of {listed(unknown)} are unknown" if unknown else ""
     # What is not in the configuration may be started beside it.
-    usual = RULE.severity if whole else Severity.NOTE
-    severity, doubt = weighed(usual, (one.set_by,), (*node.conditions, *one.conditions), more=more)
+    usual = RULE.certainty if whole else Certainty.HEURISTIC
+    certainty, doubt = weighed(usual, (one.set_by,), (*node.conditions, *one.conditions), more=more)
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are reported
     space = "/" + (one.value or "").split("/")[1]
@@ -91,7 +91,7 @@ def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *,
         message,
         proof,
         entity=f"parameter:{node.name}:{one.name}",
-        severity=severity,
+        certainty=certainty,
         context=one.name,
         doubt=doubt,
     )

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_type",
     "Parameter with the wrong type",
     "A parameter is set with a value of another type than the code declares or reads, by the rules of YAML: `1` is an "
     'integer, `1.0` a double, `"1"` a string. ROS 2 is strict, also between integer and double; ROS 1 converts '
     "numbers. Write the value in the type that the code expects.",
-    Severity.ERROR,
+    Consequence.STOPS_START,
+    Certainty.PROVEN,
     ("ros", "graph", "parameters", "launch"),
     "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 the default is used silently.",
-    tool=TOOL,
-    scope="configuration",
 )
 _NUMBERS = frozenset({"int", "double"})
 _KNOWN = frozenset(
@@ -59,8 +59,8 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
     proof, code = one.set_by, one.proof
     assert proof is not None  # noqa: S101 - only parameters that are set are reported
     assert code is not None  # noqa: S101
-    severity, doubt = weighed(
-        Severity.WARNING if ros1 else RULE.severity, (proof, code), (*node.conditions, *one.conditions)
+    certainty, doubt = weighed(
+        Certainty.LIKELY if ros1 else RULE.certainty, (proof, code), (*node.conditions, *one.conditions)
     )
     value = _set_value(one)
     shown = f" (`{value}`)" if value is not None else ""
@@ -71,7 +71,7 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
     )
     entity = f"parameter:{node.name}:{one.name}"
     return occurrence(
-        RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}", doubt=doubt
+        RULE, message, proof, entity=entity, certainty=certainty, context=f"{one.set_type} {one.type}", doubt=doubt
     )
 
 

@@ -8,15 +8,16 @@ from collections.abc import Iterator
 import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_unknown
 from roslens.source.rules.graph.likeness import nearest_name
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.parameters.parameter_namespace import misplaced
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.parameter_undeclared",
     "Undeclared parameter",
     "A launch file or a parameter file sets a parameter that the node never declares (ROS 2) or reads (ROS 1). Nodes "
@@ -24,11 +25,10 @@ RULE = RuleInfo(
     "parameter of a similar name, otherwise a note: a library or plug-in may read it. Correct the name, or remove it. "
     "Parameters of one file with the same doubt are one finding; `others` in the JSON of `roslens graph --check` "
     "lists the rest.",
-    Severity.WARNING,
+    Consequence.WRONG,
+    Certainty.LIKELY,
     ("ros", "graph", "parameters", "launch"),
     "The value is ignored silently, and the node runs with its default.",
-    tool=TOOL,
-    scope="configuration",
 )
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 _OF_LIBRARIES = frozenset({"image_transport", "tf_prefix"})
@@ -167,7 +167,7 @@ def _told(
     elif _may_be_of_plugin(one, ros1=ros1):
         why = "a plug-in that the node loads may declare it"
     # A name that nothing resembles is as often read by a library or a plug-in as it is wrong (docs/accuracy.md).
-    severity, doubt = weighed(RULE.severity if near else Severity.NOTE, (proof,), node.conditions, more=why)
+    certainty, doubt = weighed(RULE.certainty if near else Certainty.HEURISTIC, (proof,), node.conditions, more=why)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""
@@ -176,7 +176,7 @@ def _told(
         f"{_it(known, others)}. {advice}"
     )
     entity = f"parameter:{node.name}:{one.name}"
-    found = occurrence(RULE, message, proof, entity=entity, severity=severity, context=proof.path, doubt=doubt)
+    found = occurrence(RULE, message, proof, entity=entity, certainty=certainty, context=proof.path, doubt=doubt)
     same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
     return msgspec.structs.replace(found, others=same)
 

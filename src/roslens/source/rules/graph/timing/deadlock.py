@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings, Wait
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.deadlock",
     "Deadlock of a service call",
     "A callback of a ROS 2 node calls a service and waits for the response, while the client is in the same mutually "
     "exclusive callback group as the callback (without an explicit group, both are in the default one). Give the "
     "client a group of its own and use a multi-threaded executor, or handle the response in a callback.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "services", "deadlock"),
     "The response arrives but is never processed, because its group is busy with the waiting callback: the node hangs.",
-    tool=TOOL,
-    scope="configuration",
     url="https://docs.ros.org/en/rolling/How-To-Guides/Using-callback-groups.html",
 )
 _RECEIVING = frozenset({Role.SUBSCRIPTION, Role.SERVICE_SERVER, Role.ACTION_SERVER})
@@ -68,7 +68,7 @@ def _groups(node: ConfiguredNode) -> dict[str, set[str]]:
 
 
 def _told(node: ConfiguredNode, end: End, wait: Wait) -> Finding:
-    severity, doubt = weighed(RULE.severity, (end.one.proof, wait.proof), end.conditions)
+    certainty, doubt = weighed(RULE.certainty, (end.one.proof, wait.proof), end.conditions)
     group = f"group {end.one.group}" if end.one.group else "the default group"
     message = (
         f"{wait.function} of {node.name} waits ({wait.how}, {wait.proof.place}) for service {end.name}, whose client "
@@ -76,5 +76,5 @@ def _told(node: ConfiguredNode, end: End, wait: Wait) -> Finding:
         "Give the client a callback group of its own."
     )
     return occurrence(
-        RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function, doubt=doubt
+        RULE, message, wait.proof, entity=end.entity, certainty=certainty, context=wait.function, doubt=doubt
     )

@@ -8,14 +8,15 @@ import msgspec
 
 from roslens.judge.ranges.qos_match import Mismatch, mismatches
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed, weighed_apart
 from roslens.source.rules.graph.ends import End, Key, by_name, conditions_of, ends, listed
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.qos",
     "Incompatible quality of service",
     "A subscription requests more than a publisher of its topic offers: reliable against best effort, transient local "
@@ -23,12 +24,11 @@ RULE = RuleInfo(
     "is an error if the subscription receives nothing from any publisher, a warning if it loses one of its "
     "publishers. Unknown policies are assumed to be compatible. Offer more at the publisher, or request less at the "
     "subscription.",
-    Severity.ERROR,
+    Consequence.WRONG,
+    Certainty.PROVEN,
     ("ros", "graph", "qos", "connectivity"),
     "Publisher and subscription both exist and seem connected, but no message arrives and neither of them fails: the "
     "middleware only logs one warning, which is easily missed.",
-    tool=TOOL,
-    scope="configuration",
     url="https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Quality-of-Service-Settings.html",
 )
 
@@ -77,13 +77,13 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     starved = [pair for pair in joined if pair.subscription.key not in fed]
     pair = (starved or joined)[0]
     publisher, subscription = pair.publisher, pair.subscription
-    severity, doubt = weighed(
-        RULE.severity if starved else Severity.WARNING,
+    certainty, doubt = weighed(
+        RULE.certainty if starved else Certainty.LIKELY,
         (publisher.one.proof, subscription.one.proof),
         conditions_of(publisher, subscription),
     )
     if not together:
-        severity, doubt = weighed_apart(doubt)
+        certainty, doubt = weighed_apart(doubt)
     requested = ", ".join(one.requested for one in lacking)
     offered = ", ".join(one.offered for one in lacking)
     asks = "; ".join(one.asks for one in lacking)
@@ -102,7 +102,7 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
         message,
         subscription.one.proof,
         entity=subscription.entity,
-        severity=severity,
+        certainty=certainty,
         context=context,
         doubt=doubt,
     )

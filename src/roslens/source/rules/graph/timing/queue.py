@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
-from roslens.source.rules.graph.occurrence import TOOL, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.queue",
     "Queue of one on a fast topic",
     "A subscription has a queue of one message, for a topic that is published best effort and at a high rate: that of "
     "the publisher's timer, if the publisher has timers and no other trigger. `fast_hz` in `[options.graph]` defines "
     "a high rate. If only the newest message matters, no change is needed.",
-    Severity.NOTE,
+    Consequence.MAY_BE_WRONG,
+    Certainty.HEURISTIC,
     ("ros", "graph", "qos"),
     "Each message received while a callback runs replaces the previous one; lost messages are not counted.",
-    tool=TOOL,
-    scope="configuration",
 )
 
 
@@ -57,12 +57,12 @@ def _rate_hz(end: End) -> float:
 
 def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
     end = short[0]
-    severity, doubt = weighed(RULE.severity, (end.one.proof,), conditions_of(end, publisher))
+    certainty, doubt = weighed(RULE.certainty, (end.one.proof,), conditions_of(end, publisher))
     more = f" (and {len(short) - 1} more)" if len(short) > 1 else ""
     message = (
         f"{end.label}{more} keeps 1 message of {name}, which {publisher.label} publishes best effort with {rate:g} Hz: "
         "messages are lost while a callback runs. Keep more, unless only the newest counts."
     )
     return occurrence(
-        RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name, doubt=doubt
+        RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=end.node.name, doubt=doubt
     )

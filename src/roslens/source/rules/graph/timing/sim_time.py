@@ -6,26 +6,26 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, Proof, Unresolved
-from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed, missing_parts
-from roslens.source.rules.graph.occurrence import TOOL, ids_of, occurrence
+from roslens.source.rules.graph.occurrence import graph_rule, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
-RULE = RuleInfo(
+RULE = graph_rule(
     "graph.sim_time",
     "Two clocks in one system",
     "`use_sim_time` is true for some nodes and not for others that run together and use stamped messages. Nodes for "
     "which it is unknown, publishers of static transforms, bridges to a simulator and programs that exit after "
     "completing their task are not reported. Set it for all nodes, by one argument.",
-    Severity.NOTE,
+    Consequence.WRONG,
+    Certainty.LIKELY,
     ("ros", "graph", "parameters", "launch"),
     "The time stamps of the two groups of nodes are decades apart: transforms cannot be looked up, messages are "
     "considered too old.",
-    tool=TOOL,
-    scope="configuration",
 )
 _NAME = "use_sim_time"
 _TIMELESS = frozenset(
@@ -71,11 +71,11 @@ def _told(
     node, proof = min(simulated, key=lambda one: (len(one[0].conditions), one[0].name))
     without = sorted(real, key=lambda one: (len(one.conditions), one.name))
     more = f"what `{missing[0].text[:60]}` ({missing[0].proof.place}) starts or sets is unknown" if missing else ""
-    severity, doubt = weighed(RULE.severity, (proof,), (*node.conditions, *without[0].conditions), more=more)
+    certainty, doubt = weighed(RULE.certainty, (proof,), (*node.conditions, *without[0].conditions), more=more)
     others = [f"{one.name} ({one.proof.place})" for one in without]
     message = (
         f"use_sim_time is true for {listed([one.name for one, _ in simulated])} ({proof.place}), but not for "
         f"{listed(others)}. Set it for all nodes that run together."
     )
     first, *also = ids_of(without)
-    return occurrence(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also), doubt=doubt)
+    return occurrence(RULE, message, without[0].proof, entity=first, certainty=certainty, also=tuple(also), doubt=doubt)

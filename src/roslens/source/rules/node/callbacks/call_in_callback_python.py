@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, receiver
 from roslens.source.rules.file_view import FileView
@@ -48,7 +48,8 @@ RULE = FileRule(
     why="The answer is delivered by the executor that waits for this callback to end: both wait for ever, and the "
     "node is "
     "dead without a message.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2",),
     tags=("callbacks", "deadlock"),
     bad="""import rclpy

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
@@ -47,7 +47,8 @@ RULE = FileRule(
     title="Exception that leaves a callback (rclpy)",
     finds="`raise` in a callback of a subscription or timer with no `try` around. Handle it there.",
     why="The executor raises it again out of `spin`: one message that is not as expected ends the node.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("callbacks", "exceptions"),
     bad="import rclpy\nnode.create_subscription(Goal, 'goal', on, 10)\ndef on(goal):\n    raise ValueError('bad "

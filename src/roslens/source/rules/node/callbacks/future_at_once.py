@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at, function_around, receiver, statement_around
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
@@ -64,7 +64,8 @@ RULE = FileRule(
     why="`result()` of a future that is not done is None and waits for nothing: the node goes on with no answer, and "
     "fails "
     "where it looks into it.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("callbacks",),
     bad="import rclpy\nanswer = client.call_async(request).result()\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, callee_name, spoken
 from roslens.source.rules.calls import AT_ONCE, arguments, body_of, call_at, function_around, receiver
 from roslens.source.rules.file_view import FileView, above
@@ -43,7 +43,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{view.text(call)}` in {spoken(callback)}: the answer comes by the executor that waits here; expected a "
             "callback as the second argument of the request",
             callback=callback,
-            severity=Severity.NOTE if groups else None,
+            certainty=Certainty.HEURISTIC if groups else None,
         )
 
 
@@ -79,6 +79,8 @@ RULE = FileRule(
     why="The answer is delivered by the executor that waits for this callback to end. In a single thread, or in the "
     "same "
     "callback group, both wait for ever.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("callbacks", "deadlock"),
     bad="""#include <rclcpp/rclcpp.hpp>

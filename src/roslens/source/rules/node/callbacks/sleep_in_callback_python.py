@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at, number_of, receiver
 from roslens.source.rules.file_view import FileView
@@ -18,6 +18,8 @@ _SLEEPERS = re.compile(r"^(time|rospy|.*rate|.*Rate\(.*|.*clock.*)$", re.ASCII |
 _SHORTEST_S = 0.02
 """Shorter than the period of a usual control loop."""
 
+_LONG_S = 1.0
+"""Nobody waits that long for a device between two messages."""
 _SEVERAL_THREADS = (b"MultiThreadedExecutor", b"ReentrantCallbackGroup", b"AsyncIOExecutor")
 
 
@@ -29,7 +31,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     of = receiver(call)
     if (of is not None and not _SLEEPERS.match(view.text(of))) or (of is None and b"import sleep" not in view.code):
         return
-    if 0 < (number_of(next(iter(arguments(call)), None), view) or 0.0) < _SHORTEST_S:
+    length = number_of(next(iter(arguments(call)), None), view) or 0.0
+    if 0 < length < _SHORTEST_S:
         return
     callback = callback_around(call, view, of_stream=b"rclpy" not in view.code)
     if callback is not None:
@@ -39,6 +42,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{view.text(call)}` in {spoken(callback)}: messages queue up meanwhile; expected a timer that goes on "
             "later",
             callback=callback,
+            certainty=None if length >= _LONG_S else Certainty.HEURISTIC,
         )
 
 
@@ -46,10 +50,11 @@ RULE = FileRule(
     id="node.sleep_in_callback_python",
     title="Sleep in a callback (Python)",
     finds="A callback that sleeps: of a subscription or timer, in rclpy of a service or action too. Let a timer go on "
-    "later instead.",
+    "later instead. A sleep of less than a second, or of a length that is computed, is a note: a device may need it.",
     why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "real-time"),
     bad="""import time, rclpy

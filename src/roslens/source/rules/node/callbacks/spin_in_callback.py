@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, loop_around
 from roslens.source.rules.file_view import FileView
@@ -42,17 +42,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{text}` in {spoken(callback)}, which an executor is running already; expected "
             + ("`async_send_request` with a callback" if is_ros2 else "the callback to return"),
             callback=callback,
-            severity=None if is_ros2 else _severity(call, text),
+            certainty=None if is_ros2 else _certainty(call, text),
         )
 
 
-def _severity(call: Node, text: str) -> Severity:
-    """Return how severe it is in ROS 1; what a callback takes in before it begins cannot change under it."""
+def _certainty(call: Node, text: str) -> Certainty:
+    """Return how certain it is in ROS 1; what a callback takes in before it begins cannot change under it."""
     function, statement = function_around(call), call.parent
     body = body_of(function) if function is not None else None
     first = next((one for one in body.named_children if one.type != "comment"), None) if body is not None else None
     begins = statement is not None and statement == first
-    return Severity.NOTE if text == "ros::spinOnce" and begins else Severity.WARNING
+    return Certainty.HEURISTIC if text == "ros::spinOnce" and begins else Certainty.LIKELY
 
 
 def _is_waited_for(call: Node, view: FileView) -> bool:
@@ -94,7 +94,8 @@ RULE = FileRule(
     why="In ROS 2 the node already belongs to the executor that runs the callback, and adding it to another throws "
     "«Node has already been added to an executor»: the process ends. In ROS 1 callbacks run inside each other, in an "
     "order nobody meant.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView
@@ -44,7 +44,8 @@ RULE = FileRule(
     "in an `async` callback instead, or give it one with `add_done_callback`.",
     why="The callback runs in an executor that waits for it: spinning again takes the node out of that executor, and "
     "afterwards it gets no more messages, or both wait for each other.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""import rclpy

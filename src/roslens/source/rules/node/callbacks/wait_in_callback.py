@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import AT_ONCE, arguments, call_at
 from roslens.source.rules.file_view import FileView, above
@@ -53,7 +53,8 @@ RULE = FileRule(
     "`waitForMessage` in a callback. Look whether it is ready and come back instead.",
     why="Where the other node is late or gone, this one stops reacting to anything, its safety stop included. What is "
     "waited for may need a callback of this very executor: then it waits for ever.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, runs_once, spoken
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView, above
@@ -45,7 +45,8 @@ RULE = FileRule(
     why="Where the other node is late or gone, this one stops reacting; a message that is waited for in the thread "
     "that "
     "receives messages never comes.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""import rclpy

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name, function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
@@ -58,7 +58,8 @@ RULE = FileRule(
     why="Node and executor hold groups weakly: when the variable is gone, so is the group, and no callback of it ever "
     "runs. "
     "Nothing says so.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("concurrency", "callbacks"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView, below
@@ -98,7 +98,8 @@ RULE = FileRule(
     "reference, in a function that returns. Capture it by value, or make it a member.",
     why="The callback runs when the function has returned: it reads and writes memory that belongs to somebody else by "
     "then, and the robot does what stands there.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("concurrency", "memory"),
     clauses=("core-guidelines F.53",),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import REGISTERING_CPP, callbacks_of, callee_name, function_name
 from roslens.source.rules.calls import body_of, call_at
 from roslens.source.rules.file_view import FileView, below
@@ -85,6 +86,8 @@ RULE = FileRule(
     why="Callbacks of a reentrant group run at once in a multi-threaded executor: what both write is torn, and a "
     "container "
     "that one changes under the other crashes, once a week.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("concurrency",),
     bad="""#include <rclcpp/rclcpp.hpp>

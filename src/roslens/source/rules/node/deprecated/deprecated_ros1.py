@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.deprecated.table import CPP_ROS1, HEADERS_ROS1, find
@@ -29,7 +29,8 @@ RULE = FileRule(
     finds="A name or header that a distribution deprecated or removed. The finding says since when, and what to write.",
     why="What is deprecated warns in every build of everybody who uses it, and with the next distribution it does not "
     "build.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("deprecated",),
     fix="Names the new header. Macros with other arguments are left.",

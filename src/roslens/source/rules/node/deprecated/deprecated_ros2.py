@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.deprecated.table import CPP_ROS2, HEADERS_ROS2, find
@@ -29,6 +30,8 @@ RULE = FileRule(
     "What is only deprecated is a note: the new name may not exist in an older distribution that is built for.",
     why="What is deprecated warns in every build of everybody who uses it, and with the next distribution it does not "
     "build.",
+    consequence=Consequence.STOPS_BUILD,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("deprecated",),
     fix="Writes the new name where it takes the old one's place as it is: headers, executors, groups. Not "

@@ -10,7 +10,7 @@ import msgspec
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.calls import whole_name
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
@@ -101,8 +101,8 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
     gone = f" and removed in {row.gone}" if row.gone else ""
     message = f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`"
     # What is still there in every distribution may be all that the oldest one that is built for has.
-    severity = Severity.NOTE if rule.startswith("node.deprecated_ros2") and not row.gone else None
-    yield view.hit(rule, place, message, edits=_renamed(place, row, view), severity=severity)
+    certainty = Certainty.HEURISTIC if rule.startswith("node.deprecated_ros2") and not row.gone else None
+    yield view.hit(rule, place, message, edits=_renamed(place, row, view), certainty=certainty)
 
 
 def _is_meant(name: str, deprecated: str, *, alone: bool) -> bool:

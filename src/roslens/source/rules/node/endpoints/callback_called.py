@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, keywords
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
@@ -55,7 +55,8 @@ RULE = FileRule(
     "parentheses out.",
     why="The callback runs once, before the node spins, and never again; in ROS 2 the executor fails at the first "
     "message.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "callbacks"),
     bad="""import rclpy

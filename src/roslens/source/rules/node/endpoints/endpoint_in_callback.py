@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import (
     arguments,
@@ -46,7 +46,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             call,
             f"`{view.text(node)}` in {spoken(callback)}, each time that it runs; {expected}",
             callback=callback,
-            severity=Severity.NOTE if _is_renewed(call, view) else None,
+            certainty=Certainty.HEURISTIC if _is_renewed(call, view) else None,
         )
 
 
@@ -72,7 +72,8 @@ RULE = FileRule(
     why="Discovery and connecting take longer than a message: what is published on a publisher that was made just now "
     "is "
     "lost, and making them again and again loads every node of the robot.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "callbacks"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_conditional, loop_around
 from roslens.source.rules.file_view import FileView
@@ -78,6 +79,8 @@ RULE = FileRule(
     "or in a loop that runs for ever. Make it once. A `rospy.ServiceProxy` connects only when it is called.",
     why="What is published on a publisher that was made just now is lost; subscriptions and clients add up, and each "
     "message is handled once more than before.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "callbacks"),
     bad="""import rospy

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_discarded
 from roslens.source.rules.file_view import FileView
@@ -83,6 +84,8 @@ RULE = FileRule(
     "variable of a constructor. Keep it in a member.",
     why="The handle is the endpoint: when the last copy is gone, the subscription is closed and the timer stopped. The "
     "node starts without an error and never reacts.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import (
     arguments,
     body_of,
@@ -74,7 +74,8 @@ RULE = FileRule(
     why="Subscriptions are matched over the network after the call that makes the publisher: what is published at once "
     "reaches nobody, on most days. Where a callback makes the publisher anew, that is each message; rospy alone, whose "
     "publishers on one topic share connections that stay, loses only the very first.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""#include <rclcpp/rclcpp.hpp>

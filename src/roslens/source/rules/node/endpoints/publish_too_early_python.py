@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callbacks_of, function_name
 from roslens.source.rules.calls import (
     body_of,
@@ -89,7 +89,8 @@ RULE = FileRule(
     why="Subscriptions are matched over the network after the call that makes the publisher: what is published at once "
     "reaches nobody, on most days. Publishers of rospy on one topic share their connections, which stay: there only "
     "the very first message of a process is lost, which is all there is where a program publishes once.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""import rospy

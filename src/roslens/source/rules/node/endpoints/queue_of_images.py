@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, called_names, keywords
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
@@ -70,7 +70,8 @@ RULE = FileRule(
     "than a message.",
     why="rospy then hands over every message in its order: a detector that is slower than the camera works on what the "
     "camera saw seconds ago, later minutes. How long a callback takes the code seldom says: it is a note.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("endpoints", "queues", "performance"),
     bad="import rospy\nsub = rospy.Subscriber('image', Image, on_image)\n",

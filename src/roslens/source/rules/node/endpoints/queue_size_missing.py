@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, keywords
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -45,6 +46,8 @@ RULE = FileRule(
     why="Without a queue rospy publishes synchronously: one subscriber with a bad connection stops the node that "
     "publishes, "
     "and rospy warns at each start.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("endpoints", "queues"),
     bad='import rospy\npub = rospy.Publisher("state", State)\n',

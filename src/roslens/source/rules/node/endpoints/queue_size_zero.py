@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, call_at, constructed, number_of
 from roslens.source.rules.file_view import FileView, above
@@ -38,9 +38,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     meaning = _ROS_2 if is_ros2 else _ROS_1
     # What is published now and then never piles up; what a subscription gets it does not decide.
-    severity = Severity.NOTE if name == "advertise" else None
+    certainty = Certainty.HEURISTIC if name == "advertise" else None
     message = f"queue of length 0 in `{name}`: {meaning}; expected 1 or more"
-    yield view.hit("node.queue_size_zero", given[1], message, severity=severity)
+    yield view.hit("node.queue_size_zero", given[1], message, certainty=certainty)
 
 
 RULE = FileRule(
@@ -53,7 +53,8 @@ RULE = FileRule(
     why="In ROS 1 it means without end: a slow subscriber works on ever older messages until the memory is gone. In "
     "ROS 2 "
     "it means none, which no middleware does as written.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "queues", "qos"),
     bad='#include <ros/ros.h>\nvoid Arm::start() { pub_ = nh_.advertise<State>("state", 0); }\n',

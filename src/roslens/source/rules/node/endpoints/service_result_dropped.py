@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, function_around, is_discarded, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -59,7 +59,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"result of `{view.text(call)}` is dropped: where the service is not there, the response is empty; "
             "expected "
             "`if (!...)`",
-            severity=None if _matters(call, function, after, view) else Severity.NOTE,
+            certainty=None if _matters(call, function, after, view) else Certainty.HEURISTIC,
         )
 
 
@@ -136,7 +136,8 @@ RULE = FileRule(
     why="It returns false where the service is gone or refuses, and the response then holds its defaults: brakes that "
     "were "
     "asked to close are taken for closed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("endpoints",),
     bad="#include <ros/ros.h>\nvoid f() { ros::ServiceClient brake; brake.call(close); drive(); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_conditional, keywords
 from roslens.source.rules.file_view import FileView, above
@@ -39,7 +39,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"`{view.text(one)}` reads `self.{name}`, which `__init__` sets only in line {line}: a message that "
                 "comes "
                 "before fails; expected the subscription last",
-                severity=Severity.NOTE if _comes_later(call, line, view) else None,
+                certainty=Certainty.HEURISTIC if _comes_later(call, line, view) else None,
             )
 
 
@@ -86,6 +86,8 @@ RULE = FileRule(
     "last.",
     why="rospy runs callbacks in threads of their own from the moment the subscriber is made: with a message already "
     "waiting, a latched one above all, the callback raises AttributeError, at some starts and not at others.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("lifetime", "concurrency"),
     bad="""import rospy

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, call_at, loop_around
 from roslens.source.rules.file_view import FileView, below
@@ -57,6 +58,8 @@ RULE = FileRule(
     why="The loop takes a whole processor to look for messages that are not there; on a robot's computer the "
     "controllers "
     "then get theirs too late.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("lifetime", "real-time"),
     bad="#include <ros/ros.h>\nint main() { while (ros::ok()) { ros::spinOnce(); } }\n",

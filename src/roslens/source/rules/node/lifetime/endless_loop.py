@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import body_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -56,7 +56,8 @@ RULE = FileRule(
     why="ROS takes Ctrl-C and the launch's signal away from the process and only sets `ok()` to false: a loop that "
     "does not "
     "ask keeps the process, and the hardware it drives, running until it is killed.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="#include <ros/ros.h>\nvoid f() { while (true) { work(); } }\n",

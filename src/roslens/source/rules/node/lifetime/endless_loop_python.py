@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import LOOPS, body_of, is_handled
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -77,6 +78,8 @@ RULE = FileRule(
     why="rospy takes Ctrl-C and the launch's signal away from the process and raises no KeyboardInterrupt: the loop "
     "keeps "
     "the process running until it is killed.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("lifetime",),
     bad="import rospy\nrospy.init_node('n')\nwhile True:\n    work()\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, function_around, receiver
 from roslens.source.rules.file_view import FileView
@@ -45,7 +45,8 @@ RULE = FileRule(
     why="Destructors of the node do not run: drivers are not stopped, the last velocity stays, and in a "
     "container all "
     "other components end too.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("lifetime", "callbacks"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView
@@ -39,6 +40,8 @@ RULE = FileRule(
     why="Callbacks of rospy run in threads of their own: SystemExit ends that thread, the topic is never heard again, "
     "and "
     "the node stays.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros1",),
     tags=("lifetime", "callbacks"),
     bad="import rospy\nrospy.Subscriber('stop', Empty, on_stop)\ndef on_stop(m):\n    sys.exit(0)\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.edits.override_edits import override_edits
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -51,7 +51,8 @@ RULE = FileRule(
     why="A transition whose signature is a little off overrides nothing: the base class answers «success», and the "
     "node is "
     "active without its hardware.",
-    severity=Severity.NOTE,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("lifetime",),
     clauses=("core-guidelines C.128",),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import function_around, loop_around
 from roslens.source.rules.file_view import FileView
@@ -43,6 +44,8 @@ RULE = FileRule(
     "timer.",
     why="A container or nodelet manager waits for it: no other component is loaded, and none of this one's callbacks "
     "ever runs.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="#include <ros/ros.h>\nArm::Arm() { while (ros::ok()) { step(); rate_.sleep(); } }\n",

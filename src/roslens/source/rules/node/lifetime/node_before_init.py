@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -65,7 +65,8 @@ RULE = FileRule(
     finds="A `ros::NodeHandle`, transform listener or broadcaster that is a global object, or is declared before "
     "`ros::init`. Declare it after, in `main` or a class.",
     why="roscpp says «You must call ros::init() before creating the first NodeHandle» and aborts.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros1",),
     tags=("lifetime",),
     bad="#include <ros/ros.h>\nros::NodeHandle nh;\n",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import function_around, whole_name
 from roslens.source.rules.file_view import FileView
@@ -45,7 +45,8 @@ RULE = FileRule(
     why="A handle made of nothing belongs to the manager: names of the launch file for this nodelet do not count, `~` "
     "is the "
     "manager's, and its callbacks run in the wrong queue.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("lifetime",),
     bad="#include <nodelet/nodelet.h>\nvoid Arm::onInit() { ros::NodeHandle nh; pub_ = nh.advertise<State>(a, 1); }\n",

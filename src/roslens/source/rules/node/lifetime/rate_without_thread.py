@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -45,6 +46,8 @@ RULE = FileRule(
     why="`Rate.sleep()` of rclpy waits for a timer of the node, and timers run in the executor: slept on in the "
     "thread that "
     "should spin, it never returns.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("lifetime", "deadlock"),
     bad="""import rclpy

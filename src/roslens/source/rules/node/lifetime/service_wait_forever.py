@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import body_of, call_at, loop_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -40,6 +41,8 @@ RULE = FileRule(
     why="After Ctrl-C the wait returns false at once: the loop takes a whole processor and floods the log, and the "
     "process "
     "does not end.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("lifetime",),
     bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::ask() { while (!client_->wait_for_service(1s)) { log(); } }\n",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
@@ -26,7 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             call,
             f"`{view.text(call)}` in the constructor of `{last}` throws std::bad_weak_ptr; expected `*this`, the "
             "interfaces of the node, or a function called after it was made",
-            severity=Severity.NOTE if is_handled(call) else None,
+            certainty=Certainty.HEURISTIC if is_handled(call) else None,
         )
 
 
@@ -38,7 +38,8 @@ RULE = FileRule(
     why="No shared pointer owns the object before its constructor returns: it throws std::bad_weak_ptr, and the node "
     "ends "
     "before it began.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros2",),
     tags=("lifetime",),
     bad='#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") { it_ = Transport(shared_from_this()); }\n',

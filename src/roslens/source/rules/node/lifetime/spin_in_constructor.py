@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView
@@ -36,7 +36,8 @@ RULE = FileRule(
     finds="`ros::spin()` or `rclcpp::spin(...)` in a constructor. Spin in `main`.",
     why="The object does not exist until shutdown: what derives from it, is composed with it or comes after it never "
     "begins, and callbacks run on members that are not made yet.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="#include <ros/ros.h>\nArm::Arm() { sub_ = n_.subscribe(a, 1, &Arm::on, this); ros::spin(); }\n",

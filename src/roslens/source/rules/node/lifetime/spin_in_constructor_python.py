@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView
@@ -35,7 +35,8 @@ RULE = FileRule(
     why="The object is not there until shutdown: nothing can be called on it, no test can make it, and what derives "
     "from "
     "it never ends its own `__init__`.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="import rospy\nclass Arm:\n    def __init__(self):\n        rospy.spin()\n",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
@@ -56,6 +57,8 @@ RULE = FileRule(
     title="Program that never spins",
     finds="A `main` that makes a subscription, service or timer, in a file without a call that spins. Spin.",
     why="Callbacks run when the program spins and at no other time: the node is there, is connected, and does nothing.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="""#include <ros/ros.h>

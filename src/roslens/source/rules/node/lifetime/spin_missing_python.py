@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -72,6 +73,8 @@ RULE = FileRule(
     finds="A program that makes a subscription, service or timer, in a file in which nothing spins or waits. Spin. "
     "What no code of the file's top level or `main` comes to is left out.",
     why="The program ends at once, and with it the node; under a launch that respawns it, it comes and goes.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="import rospy\ndef main():\n    rospy.init_node('n')\n    rospy.Subscriber('x', String, f)\n",

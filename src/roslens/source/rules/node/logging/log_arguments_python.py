@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from roslens.model.edit import Edit
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, keywords
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -55,7 +55,8 @@ RULE = FileRule(
     why="The logger of rclpy is not that of `logging`: a second argument raises TypeError where the line is reached, "
     "most "
     "often in the handler of a fault.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("logging",),
     fix="Hands the arguments to the format by `%`, where it is a literal with a field for each.",

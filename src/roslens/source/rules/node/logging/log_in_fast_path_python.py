@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, function_around, keywords, statement_around
 from roslens.source.rules.file_view import FileView
@@ -61,7 +61,8 @@ RULE = FileRule(
     why="A hundred lines a second hide the one that matters, fill the disk of the robot, and take more time than the "
     "rest of "
     "the callback.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("logging", "performance"),
     bad="import rospy\nrospy.Timer(rospy.Duration(0.1), on)\ndef on(event):\n    rospy.loginfo('tick')\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import call_at, function_around
 from roslens.source.rules.file_view import FileView, above
@@ -56,7 +56,8 @@ RULE = FileRule(
     why="What is printed has no severity, no time and no node name and is in no log file and on no /rosout: after a "
     "failure "
     "in the field it is gone. Under a launch it is kept back until a buffer is full.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STYLE,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("logging",),
     bad="import rospy\nrospy.Subscriber('goal', Goal, on)\ndef on(goal):\n    print('goal')\n",

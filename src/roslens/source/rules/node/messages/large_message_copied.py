@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import STREAM, function_name
 from roslens.source.rules.calls import body_of
 from roslens.source.rules.file_view import FileView
@@ -64,7 +64,8 @@ RULE = FileRule(
     finds="A callback of a subscription that takes an image, cloud or scan by value and does not change it. Take a "
     "reference or a shared pointer to const.",
     why="A camera gives 30 MB a second and more: each copy takes time from the same core that should look at it.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("messages", "performance"),
     bad="""#include <ros/ros.h>

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -61,6 +62,8 @@ RULE = FileRule(
     why="Python makes it once, when the function is defined: what one call writes into it, a velocity for example, "
     "the next "
     "call sends.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("messages",),
     bad="import rospy\nfrom geometry_msgs.msg import Twist\ndef drive(twist=Twist()):\n    twist.linear.x += 0.1\n    "

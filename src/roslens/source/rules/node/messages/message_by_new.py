@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView
@@ -46,7 +46,8 @@ RULE = FileRule(
     why="A node publishes for months: a message that is not deleted on one path out of a callback takes the memory of "
     "the "
     "robot's computer. A unique pointer can also be published without a copy.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("messages", "memory"),
     bad="#include <ros/ros.h>\nvoid f() { sensor_msgs::Image * image = new sensor_msgs::Image(); fill(image); }\n",

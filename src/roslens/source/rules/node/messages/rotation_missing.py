@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -50,7 +50,8 @@ RULE = FileRule(
     finds="A pose or transform whose place a function sets, and its rotation not, before it sends it. Set `w` to 1.0.",
     why="In ROS 1 all parts of a quaternion begin as 0: tf drops the transform, move_base refuses the goal, rviz shows "
     "nothing.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("messages", "transforms"),
     bad="#include <ros/ros.h>\nvoid f() { geometry_msgs::PoseStamped p; p.pose.position.x = 1; pub.publish(p); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -38,7 +38,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         call,
         f"`{view.text(given[0])}` ({kind}) is published and its header never set: time 0, no frame; expected "
         "`header.stamp` and `header.frame_id`",
-        severity=Severity.NOTE if kind in COMMANDS else None,
+        certainty=Certainty.HEURISTIC if kind in COMMANDS else None,
     )
 
 
@@ -51,7 +51,8 @@ RULE = FileRule(
     why="Whoever transforms, filters or records it looks at 1970 in a frame without a name: it is dropped, or taken "
     "for the "
     "newest of all.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("messages", "time"),
     bad="import rospy\ndef tick():\n    r = Range()\n    r.range = 1.0\n    pub.publish(r)\n",

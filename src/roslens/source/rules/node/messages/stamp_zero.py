@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -46,6 +47,8 @@ RULE = FileRule(
     why="Time 0 means «the newest» to a look-up of a transform and 1970 to everybody else: filters drop it, and a "
     "recording "
     "cannot be put in order.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     tags=("messages", "time"),
     bad="#include <ros/ros.h>\nvoid f() { PoseStamped p; p.header.stamp = ros::Time(0); pub.publish(p); }\n",
     good="#include <ros/ros.h>\nvoid f() { PoseStamped p; p.header.stamp = ros::Time::now(); pub.publish(p); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -69,7 +69,8 @@ RULE = FileRule(
     "launch file of ROS 1 starts a node of the package it is a note, as that names the node.",
     why="The constructor throws InvalidNodeNameError, `ros::init` InvalidNodeNameException: the program ends at its "
     "start.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("names",),
     bad='#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm-node") {}\n',

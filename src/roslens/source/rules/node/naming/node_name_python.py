@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -53,7 +53,8 @@ RULE = FileRule(
     title="Name of a node that ROS refuses (Python)",
     finds="A literal name of a node with a dash, a slash, a space or a digit at its beginning. Rename it.",
     why="rclpy raises InvalidNodeNameException, rospy ValueError for a slash: the program ends at its start.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros2",),
     tags=("names",),
     bad="import rclpy\nnode = rclpy.create_node('arm-node')\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -55,7 +55,8 @@ RULE = FileRule(
     '`ros::param::get("~name", ...)`.',
     why="Methods of `ros::NodeHandle` throw InvalidNameException for names with ~: the node ends where it reads the "
     "parameter.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros1",),
     tags=("names", "parameters"),
     bad='#include <ros/ros.h>\nvoid f() { nh.getParam("~limit", limit); }\n',

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, template_argument
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -52,7 +52,8 @@ RULE = FileRule(
     why="The call that makes the endpoint throws InvalidTopicNameError (ROS 2) or InvalidNameException (ROS 1): the "
     "node ends "
     "when it gets there, which may be long after its start.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("names", "endpoints"),
     bad='#include <rclcpp/rclcpp.hpp>\nvoid Arm::start() { pub_ = create_publisher<State>("arm-state", 10); }\n',

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -40,7 +40,8 @@ RULE = FileRule(
     why="The call that makes the endpoint raises InvalidTopicNameException: the node ends when it gets there, which "
     "may be long "
     "after its start.",
-    severity=Severity.NOTE,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("names", "endpoints"),
     bad="import rclpy\nself.pub = self.create_publisher(State, 'arm-state', 10)\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at, function_around, is_conditional
 from roslens.source.rules.file_view import FileView
@@ -45,7 +45,8 @@ RULE = FileRule(
     "`getParamCached`.",
     why="Each call is a TCP connection to the master: where it is slow or gone, the callback waits, and with it all "
     "others.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("parameters", "callbacks", "real-time"),
     bad="""#include <ros/ros.h>

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, function_around, is_conditional
 from roslens.source.rules.file_view import FileView
@@ -50,7 +50,8 @@ RULE = FileRule(
     why="Each call is an XML-RPC request to the master: some milliseconds a message, and where the master is slow or "
     "gone, "
     "the callback waits.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros1",),
     tags=("parameters", "callbacks", "real-time"),
     bad="import rospy\nrospy.Subscriber('goal', Goal, on)\ndef on(goal):\n    limit = rospy.get_param('~limit')\n",

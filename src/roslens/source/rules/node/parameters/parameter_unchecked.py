@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_discarded
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -68,6 +69,8 @@ RULE = FileRule(
     why="Where the parameter is not set, a misspelt launch file is enough, the variable holds what was in memory: a "
     "speed "
     "limit of 1e-310 on one start and of 1e80 on the next.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("parameters",),
     bad='#include <ros/ros.h>\nvoid f() { double limit; nh.getParam("limit", limit); use(limit); }\n',

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, receiver, template_argument
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -45,7 +45,8 @@ RULE = FileRule(
     why="Parameters have one type for good since ROS 2 Galactic, and the call with a name alone was deprecated there "
     "and "
     "removed: it does not build on newer distributions, and on older ones a launch file may set anything.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("parameters", "deprecated"),
     bad='#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") { declare_parameter("limit"); }\n',

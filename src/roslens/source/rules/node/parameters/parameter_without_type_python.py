@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, keywords
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -33,7 +33,8 @@ RULE = FileRule(
     why="Parameters have one type for good since ROS 2 Galactic, and from there on a declaration by name alone is "
     "deprecated: rclpy warns of it at each start. Foxy says nothing. In both its value is None where nobody sets one, "
     "and the first look at it fails far from here.",
-    severity=Severity.NOTE,
+    consequence=Consequence.HARD_TO_MAINTAIN,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("parameters", "deprecated"),
     bad="import rclpy\nself.declare_parameter('limit')\n",

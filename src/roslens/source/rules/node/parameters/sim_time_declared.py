@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -35,7 +35,8 @@ RULE = FileRule(
     finds='`declare_parameter("use_sim_time", ...)`. Read it with `get_parameter`; it is there.',
     why="The node's time source declares it before any code of the node runs: a second declaration throws "
     "ParameterAlreadyDeclaredException, and the process ends at start.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("parameters", "simulation"),
     bad='#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") { declare_parameter("use_sim_time", true); }\n',

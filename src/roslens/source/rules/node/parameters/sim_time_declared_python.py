@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -34,7 +34,8 @@ RULE = FileRule(
     finds="`declare_parameter('use_sim_time', ...)`. Read it with `get_parameter`; it is there.",
     why="The node's time source declares it before any code of the node runs: a second declaration raises "
     "ParameterAlreadyDeclaredException, and the process ends at start.",
-    severity=Severity.ERROR,
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("parameters", "simulation"),
     bad="import rclpy\nself.declare_parameter('use_sim_time', True)\n",

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import msgspec
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -61,7 +61,7 @@ def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
         name = match[1].decode("utf-8", "replace")
         message = f"`{name}` has a literal value of {len(match[2])} characters in the source; {_EXPECTED}"
         hit = view.hit_at(rule, line, message, column=column)
-        yield _without_text(msgspec.structs.replace(hit, severity=Severity.NOTE), name)
+        yield _without_text(msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC), name)
 
 
 _EXPECTED = "expected it from the environment or a file outside of the repository, and this one changed"
@@ -79,6 +79,8 @@ RULE = FileRule(
     "kind of key. Read it from the environment, and change it: it is in the history. A literal value by itself is a "
     "note: it may be what the vendor publishes for every device.",
     why="Every clone and every robot has it, and whoever reads the repository can log in to all of them.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("security",),
     clauses=("cwe 798",),

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.secrets.credential import NAMES, secrets_of
@@ -25,6 +26,8 @@ RULE = FileRule(
     "kind of key; in launch files too. Read it from the environment, and change it: it is in the history. A literal "
     "value by itself is a note: it may be what the vendor publishes for every device.",
     why="Every clone and every robot has it, and whoever reads the repository can log in to all of them.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("security",),
     clauses=("cwe 798",),

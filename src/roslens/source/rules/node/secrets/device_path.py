@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -45,7 +45,8 @@ RULE = FileRule(
     "it a "
     "parameter.",
     why="Numbers are given in the order of plugging: after the next start the motor controller is where the laser was.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("portability",),
     bad='#include <ros/ros.h>\nvoid f() { port.open("/dev/ttyUSB0"); }\n',

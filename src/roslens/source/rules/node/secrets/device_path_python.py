@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.secrets.device_path import of_string
@@ -25,7 +25,8 @@ RULE = FileRule(
     "it a "
     "parameter.",
     why="Numbers are given in the order of plugging: after the next start the motor controller is where the laser was.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("portability",),
     bad="import rospy\nport = serial.Serial('/dev/ttyUSB0', 115200)\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -40,7 +40,8 @@ RULE = FileRule(
     why="On the robot, and on the computer of the next colleague, there is no such folder: the node ends at start, or "
     "writes "
     "its log nowhere.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("portability",),
     bad='std::ifstream map("/home/anna/ws/map.yaml");\n',

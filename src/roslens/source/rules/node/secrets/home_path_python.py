@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.node.secrets.home_path import of_string
@@ -30,7 +30,8 @@ RULE = FileRule(
     why="On the robot, and on the computer of the next colleague, there is no such folder: the launch fails, or the "
     "node "
     "writes its log nowhere.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("portability",),
     bad="MAP = '/home/anna/ws/map.yaml'\n",

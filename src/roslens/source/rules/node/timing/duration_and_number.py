@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at, number_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -46,7 +46,8 @@ RULE = FileRule(
     why="Durations compare with durations only: Python 3 raises TypeError, Python 2 gave an answer that had nothing "
     "to do with "
     "time.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="import rospy\nif rospy.Time.now() - start > 5.0:\n    stop()\n",

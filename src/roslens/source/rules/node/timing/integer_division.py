@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import constructed, whole_name, whole_quotient
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -42,7 +42,8 @@ RULE = FileRule(
     finds="A duration made of a quotient of whole numbers that loses more than a twentieth: `ros::Duration(1 / 10)` "
     "is 0. `1000 / 60`, which is 16 and not 16.67, is let be. Write a decimal point.",
     why="The timer runs as fast as the processor can, or the timeout is over at once.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nros::Duration period(1 / 10);\n",

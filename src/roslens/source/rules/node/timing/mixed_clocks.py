@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import constructed, number_of, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -44,7 +44,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         f"`{view.text(around)}`: `{view.text(made)}` is of the system's clock, and "
         + ("the other side" if certain else f"`{other}`, where it comes of a message or the node's clock,")
         + f" of ROS time, so `{operator}` throws; expected `rclcpp::Time(0, 0, RCL_ROS_TIME)` or `nanoseconds() == 0`",
-        severity=None if certain else Severity.NOTE,
+        certainty=None if certain else Certainty.HEURISTIC,
     )
 
 
@@ -56,7 +56,8 @@ RULE = FileRule(
     "clock: `rclcpp::Time(0, 0, RCL_ROS_TIME)`.",
     why="A time without a clock type is of the system's clock, those of nodes and messages are of ROS time, and rclcpp "
     "throws «can't compare times with different time sources»: the process ends.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2",),
     tags=("time",),
     bad="#include <rclcpp/rclcpp.hpp>\nbool Arm::is_new() { return now() > rclcpp::Time(0); }\n",

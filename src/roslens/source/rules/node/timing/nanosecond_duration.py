@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import constructed, number_of, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -36,6 +37,8 @@ RULE = FileRule(
     "arguments.",
     why="Ported from ROS 1, where the number is seconds: the timeout is over at once, the buffer keeps nothing. Newer "
     "distributions refuse to build it.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("time",),
     bad="#include <rclcpp/rclcpp.hpp>\nauto limit = rclcpp::Duration(5);\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import constructed, function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
@@ -35,7 +35,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         around,
         f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
         "`now()`",
-        severity=None if _is_stamp(call, view) and not _is_initial(call, view) else Severity.NOTE,
+        certainty=None if _is_stamp(call, view) and not _is_initial(call, view) else Certainty.HEURISTIC,
     )
 
 
@@ -74,7 +74,8 @@ RULE = FileRule(
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",
-    severity=Severity.NOTE,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("time", "simulation"),
     bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { msg_.header.stamp = rclcpp::Clock().now(); }\n",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -35,7 +35,8 @@ RULE = FileRule(
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2",),
     tags=("time", "simulation"),
     bad="import rclpy\nfrom rclpy.clock import Clock\nstamp = Clock().now().to_msg()\n",

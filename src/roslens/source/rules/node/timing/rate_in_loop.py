@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import loop_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -49,7 +49,8 @@ RULE = FileRule(
     why="A rate subtracts what the round took from its sleep only if it lives longer than the round: made anew, the "
     "loop "
     "is slower than its number says, by as much as it has to do.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("time", "real-time"),
     bad="#include <ros/ros.h>\nvoid f() { while (ros::ok()) { ros::Rate rate(10); work(); rate.sleep(); } }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, loop_around, statement_around
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
@@ -32,14 +32,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     later = re.search(rb"(?<![\w.])" + re.escape(variable.encode()) + rb"\.sleep\b", rest) if variable else None
     if at_once or (later is not None and b"while " not in rest and b"for " not in rest):
         # To wait as long each round may be what is wanted; a timer of rclpy stays with its node.
-        severity = None if view.text(node) == "create_rate" else Severity.NOTE
+        certainty = None if view.text(node) == "create_rate" else Certainty.HEURISTIC
         yield view.hit(
             "node.rate_in_loop_python",
             call,
             f"`{view.text(call)}` in the loop that it paces: each round sleeps for the whole period, whatever the "
             "round "
             "took; expected it before the loop",
-            severity=severity,
+            certainty=certainty,
         )
 
 
@@ -57,6 +57,8 @@ RULE = FileRule(
     why="A rate subtracts what the round took from its sleep only if it lives longer than the round: made anew, the "
     "loop "
     "is slower than its number says. In rclpy each call adds a timer that is never removed.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("time", "real-time"),
     bad="import rospy\nwhile not rospy.is_shutdown():\n    work()\n    rospy.Rate(10).sleep()\n",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at, number_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -36,7 +36,8 @@ RULE = FileRule(
     why="Seconds since 1970 as a `double` have steps of 0.2 µs: stamps of a fast sensor that differ become equal, and "
     "what was "
     "computed twice differs.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nbool f() { return a.stamp.toSec() == b.stamp.toSec(); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import call_at, receiver, statement_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -50,7 +50,8 @@ RULE = FileRule(
     finds="Seconds since 1970 kept in a `float`. Keep `Time`, subtract first, or use `double`.",
     why="24 bits cannot hold 1.7 billion seconds to less than 128: all times within two minutes are the same, and "
     "differences of them are 0 or 128.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nvoid f() { float start = ros::Time::now().toSec(); }\n",

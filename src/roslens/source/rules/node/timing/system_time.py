@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import body_of, call_at, function_around, statement_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -37,7 +37,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         call,
         f"`{view.text(call)}` jumps when the computer's clock is set and does not follow simulated time; expected "
         f"{expected}",
-        severity=None if is_stamp else Severity.NOTE,
+        certainty=None if is_stamp else Certainty.HEURISTIC,
     )
 
 
@@ -50,6 +50,8 @@ RULE = FileRule(
     why="Robots set their clock when they get a network: a timeout measured over that moment is over at once or "
     "never. In "
     "simulation, stamps of it match nothing.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("time", "simulation"),
     bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { start_ = std::chrono::system_clock::now(); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -52,7 +52,8 @@ RULE = FileRule(
     why="Times that are a millisecond apart may differ by one second, and times that are almost one apart by none: a "
     "timeout or "
     "a velocity made of it jumps.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nint dt = now.stamp.sec - last.stamp.sec;\n",

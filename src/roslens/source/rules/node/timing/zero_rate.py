@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import constructed, number_of, whole_name, whole_quotient
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -37,7 +37,8 @@ RULE = FileRule(
     finds="`ros::Rate` or `rclcpp::Rate` of 0, also where a division of whole numbers gives 0 (`1 / 10`). Write `0.1`.",
     why="The period is one divided by the rate: roscpp sleeps for ever or not at all, rclcpp throws, and the loop that "
     "drives the robot does not run.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="#include <ros/ros.h>\nvoid f() { ros::Rate rate(1 / 10); rate.sleep(); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, number_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -42,7 +42,8 @@ RULE = FileRule(
     finds="`rospy.Rate(0)` or `create_rate(0)`. Name a frequency above 0 Hz.",
     why="The period is one divided by the rate: it raises ZeroDivisionError when the loop that drives the robot "
     "begins.",
-    severity=Severity.ERROR,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
     profiles=("ros2", "ros1"),
     tags=("time",),
     bad="import rospy\nrate = rospy.Rate(0)\n",

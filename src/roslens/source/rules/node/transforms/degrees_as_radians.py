@@ -8,6 +8,7 @@ from math import tau
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, number_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -37,6 +38,8 @@ RULE = FileRule(
     title="Degrees where radians are expected",
     finds="A literal angle beyond 6.29 in a function that takes radians: `setRPY(0, 0, 90)`. Convert it.",
     why="90 rad is 116 degrees: the frame is turned, and the robot drives or grasps somewhere else.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms",),
     bad="#include <ros/ros.h>\nvoid f() { q.setRPY(0, 0, 90); }\n",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, function_name, spoken
 from roslens.source.rules.calls import function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
@@ -40,7 +40,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"`{view.text(declaration)}` ends with the constructor of `{last}`: nothing fills its buffer "
                 "afterwards; "
                 "expected a member",
-                severity=Severity.ERROR,
+                certainty=Certainty.PROVEN,
             )
             return
     yield view.hit(
@@ -48,7 +48,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         declaration,
         f"`{view.text(declaration)}` in {spoken(callback)} is made anew each time: {does}; expected a member",
         callback=callback,
-        severity=Severity.NOTE,
+        certainty=Certainty.HEURISTIC,
     )
 
 
@@ -80,6 +80,8 @@ RULE = FileRule(
     why="A new listener subscribes and knows no transform yet, so each look-up fails or waits; a new broadcaster has "
     "no "
     "subscriber yet, so what it sends is lost.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms", "callbacks"),
     bad="""#include <ros/ros.h>

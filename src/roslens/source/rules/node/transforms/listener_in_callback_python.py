@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, function_around, is_conditional
 from roslens.source.rules.file_view import FileView
@@ -38,6 +39,8 @@ RULE = FileRule(
     "`__init__`.",
     why="A new listener subscribes and knows no transform yet, so each look-up fails or waits; a new broadcaster of "
     "rclpy has no subscriber yet, so what it sends is lost. Those of rospy share one publisher, which stays.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms", "callbacks"),
     bad="import rospy\nrospy.Subscriber('odom', Odometry, on)\ndef on(m):\n"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -46,7 +46,8 @@ RULE = FileRule(
     why="Transforms arrive later than they are valid: of now there is none yet, and the look-up throws an "
     "extrapolation, "
     "nearly always.",
-    severity=Severity.NOTE,
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.HEURISTIC,
     profiles=("ros2", "ros1"),
     tags=("transforms", "time"),
     bad='#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { t_ = buffer_->lookupTransform("map", "base", now()); }\n',

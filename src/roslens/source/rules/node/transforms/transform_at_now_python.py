@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, keywords
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -44,6 +45,8 @@ RULE = FileRule(
     why="Transforms arrive later than they are valid: of now there is none yet, and the look-up raises an "
     "extrapolation, "
     "nearly always.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms", "time"),
     bad="import rospy\nt = buffer.lookup_transform('map', 'base', rospy.Time.now())\n",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled, receiver
 from roslens.source.rules.file_view import FileView
@@ -60,6 +61,8 @@ RULE = FileRule(
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up throws: the node "
     "ends "
     "in the middle of a drive.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms", "exceptions"),
     bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::start() { t_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }\n"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
@@ -49,6 +50,8 @@ RULE = FileRule(
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "
     'rclpy ends. rospy logs "bad callback" for a subscription and goes on without what the rest of the callback does; '
     "a timer of rospy ends.",
+    consequence=Consequence.MAY_BE_WRONG,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("transforms", "exceptions"),
     bad="import rclpy\nnode.create_timer(1.0, tick)\ndef tick(self):\n    t = self.buffer.lookup_transform('map', "

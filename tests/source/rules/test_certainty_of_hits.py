@@ -1,9 +1,9 @@
-"""Where a rule is less sure than its severity says, its hit is a note."""
+"""Where a rule is less certain than it says, its hit says so."""
 
 import pytest
 
-from roslens.model.finding import Severity
 from roslens.model.source import Language
+from roslens.model.weight.consequence import Certainty
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.match_file import match_file
 from roslens.source.settings import MacroSettings
@@ -44,61 +44,66 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 
 
 @pytest.mark.parametrize(
-    ("rule", "language", "text", "severity"),
+    ("rule", "language", "text", "certainty"),
     [
         ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("Range", "range"), None),
-        ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("JointState", "position"), Severity.NOTE),
+        ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("JointState", "position"), Certainty.HEURISTIC),
         ("node.deprecated_ros2", Language.CPP, HEADER.format("rclcpp::executor::Executor"), None),
         (
             "node.deprecated_ros2",
             Language.CPP,
             HEADER.format(f"{EXECUTORS}::StaticSingleThreadedExecutor"),
-            Severity.NOTE,
+            Certainty.HEURISTIC,
         ),
-        ("node.spin_in_callback", Language.CPP, SPINS.format("ros::spinOnce(); take(a);"), Severity.NOTE),
-        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce();"), Severity.WARNING),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("ros::spinOnce(); take(a);"), Certainty.HEURISTIC),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce();"), Certainty.LIKELY),
         ("node.shared_in_constructor", Language.CPP, SHARED.format("take(shared_from_this());"), None),
         (
             "node.shared_in_constructor",
             Language.CPP,
             SHARED.format("try { take(shared_from_this()); } catch (const E & e) { log(e); }"),
-            Severity.NOTE,
+            Certainty.HEURISTIC,
         ),
         ("node.service_result_dropped", Language.CPP, SERVICE.format("", "drive();"), None),
-        ("node.service_result_dropped", Language.CPP, SERVICE.format(WAIT, "drive();"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, SERVICE.format(WAIT, "drive();"), Certainty.HEURISTIC),
         ("node.service_result_dropped", Language.CPP, SERVICE.format(WAIT, "a = s.response.a;"), None),
-        ("node.service_result_dropped", Language.CPP, FAILED.format("return;"), Severity.NOTE),
-        ("node.service_result_dropped", Language.CPP, FAILED.format("throw s;"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, FAILED.format("return;"), Certainty.HEURISTIC),
+        ("node.service_result_dropped", Language.CPP, FAILED.format("throw s;"), Certainty.HEURISTIC),
         ("node.service_result_dropped", Language.CPP, FAILED.format("stop();"), None),
-        ("node.service_result_dropped", Language.CPP, EITHER.format("", ""), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, EITHER.format("", ""), Certainty.HEURISTIC),
         ("node.service_result_dropped", Language.CPP, EITHER.format("drive();", ""), None),
         ("node.service_result_dropped", Language.CPP, EITHER.format("", "drive();"), None),
-        ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "brake"), Severity.NOTE),
+        ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "brake"), Certainty.HEURISTIC),
         ("node.service_result_dropped", Language.CPP, AGAIN.format("drive();", "brake"), None),
         ("node.service_result_dropped", Language.CPP, AGAIN.format("a = b();", "lamp"), None),
         ("node.mixed_clocks", Language.CPP, COMPARED.format("get_node()->now()"), None),
         ("node.mixed_clocks", Language.CPP, COMPARED.format("this->node_->get_clock()->now()"), None),
-        ("node.mixed_clocks", Language.CPP, COMPARED.format("steady_clock_->now()"), Severity.NOTE),
+        ("node.mixed_clocks", Language.CPP, COMPARED.format("steady_clock_->now()"), Certainty.HEURISTIC),
         ("cpp.swallowed", Language.CPP, "void f() { try { g(); } catch (...) { } }\n", None),
-        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Severity.NOTE),
+        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Certainty.HEURISTIC),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),
-        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); ROS_WARN(a); } catch (...) { } }\n", Severity.NOTE),
+        (
+            "cpp.swallowed",
+            Language.CPP,
+            "void f() { try { a = g(); ROS_WARN(a); } catch (...) { } }\n",
+            Certainty.HEURISTIC,
+        ),
         ("cpp.swallowed", Language.CPP, "void f() { try { ROS_WARN(a); } catch (...) { } }\n", None),
         ("node.credential", Language.CPP, 'const char * key = "AKIAABCDEFGHIJKLMNOP";\n', None),
         ("python.python2_name", Language.PYTHON, "known = {}\nknown.has_key(1)\n", None),
-        ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Severity.NOTE),
+        ("python.python2_name", Language.PYTHON, "self.known.has_key(1)\n", Certainty.HEURISTIC),
         ("cpp.using_namespace", Language.CPP, "using namespace std;\n", None),
-        ("cpp.using_namespace", Language.CPP, "using namespace std::placeholders;\n", Severity.NOTE),
-        ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = 1"), Severity.NOTE),
+        ("cpp.using_namespace", Language.CPP, "using namespace std::placeholders;\n", Certainty.HEURISTIC),
+        ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = 1"), Certainty.HEURISTIC),
         ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(TIMER, "self.a = look()"), None),
         ("node.attribute_after_subscriber", Language.PYTHON, LATE.format(HEARD, "self.a = 1"), None),
         ("node.system_time", Language.CPP, CLOCK.format("message.header.stamp"), None),
-        ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Severity.NOTE),
-        ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Severity.NOTE),
+        ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Certainty.HEURISTIC),
+        ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("node.create_rate"), None),
-        ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Severity.NOTE),
+        ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Certainty.HEURISTIC),
     ],
 )
-def test_it_is_a_note(rule, language, text, severity):
+def test_it_is_a_note(rule, language, text, certainty):
     matched = match_file(parse_file(text.encode(), language, MacroSettings()).view(), frozenset({rule}))
-    assert [(one.rule, one.severity) for one in matched.hits] == [(rule, severity)]
+    assert [(one.rule, one.certainty) for one in matched.hits] == [(rule, certainty)]

@@ -1,0 +1,1 @@
+"""How much findings matter: consequence, certainty, and the severity that follows from them."""

@@ -17,8 +17,8 @@ def test_threads_on_the_same_handles_while_others_come_and_go(either):
     )
     done = threading.Event()
     seen = []
-    # A slot is given on ten seconds after its endpoint ended: where the machine is that slow, the counts of handles that
-    # went are with whoever read them in time, as readers of nodes do.
+    # A slot is given on ten seconds after its endpoint ended: where the machine is that slow, the counts of handles
+    # that went are with whoever read them in time, as readers of nodes do.
     went = {}
 
     def read():

@@ -35,7 +35,7 @@ EXAMPLES = """\
   roslens serve --live --reference robot.yaml --react ask --tokens people.txt
                                                    and ask who may operate before anything is done about faults
   roslens serve --bag drive.bag --reference robot.yaml
-                                                   or of a recording of it
+                                                   or of a recording of it; alone where no source was checked
   roslens serve --history robot.sqlite --journal   or of what a watch kept of it, and of what was done about faults
   roslens serve --against drive.mcap               with a page of what a recording has otherwise than the source"""
 
@@ -72,7 +72,8 @@ def run(options: argparse.Namespace) -> int:
     """Serve until interrupted.
 
     Raises:
-        UsageError: there is no run, the port is taken, what to watch is not there, or tokens or certificates are wrong.
+        UsageError: there is no run and nothing else to show, the port is taken, what to watch is not there, or tokens
+            or certificates are wrong.
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
@@ -88,6 +89,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.served.reviewing import reviewing_of
     from roslens.cli.served.source_grounds import source_grounds
     from roslens.cli.served.standing import gate_of, kept_runs
+    from roslens.cli.served.without_run import needs_no_run, serve_alone
     from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
@@ -95,6 +97,11 @@ def run(options: argparse.Namespace) -> int:
     door = door_of(
         options, options.host, acting=options.live or options.accept, report=lambda entry: refusals_to(questions, entry)
     )
+    if needs_no_run(options):
+        with _beside(options, "the running system", questions) as (page, further):
+            if page is not None:
+                serve_alone(options, page, door, further or _journal(options, "the running system", page))
+                return 0
     progress = progress_for(options)
     with (
         shown_run(options, progress) as view,

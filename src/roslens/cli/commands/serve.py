@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.journal.questions import Questions
     from roslens.dashboard.live.further import Further
 
+_SYSTEM = "the running system"
 PATIENCE_S = 1.0
 """How long a page waits for a process that holds the store alone."""
 TEXT = "Serve the pages of the last run on this machine."
@@ -98,10 +99,9 @@ def run(options: argparse.Namespace) -> int:
         options, options.host, acting=options.live or options.accept, report=lambda entry: refusals_to(questions, entry)
     )
     if needs_no_run(options):
-        with _beside(options, "the running system", questions) as (page, further):
-            if page is not None:
-                serve_alone(options, page, door, further or _journal(options, "the running system", page))
-                return 0
+        with _beside(options, _SYSTEM, questions) as (page, further):
+            serve_alone(options, page, door, further or _journal(options, _SYSTEM, page))
+        return 0
     progress = progress_for(options)
     with (
         shown_run(options, progress) as view,

@@ -33,12 +33,12 @@ def needs_no_run(options: argparse.Namespace) -> bool:
     )
 
 
-def serve_alone(options: argparse.Namespace, page: PageSource, door: Door, further: Further | None) -> None:
+def serve_alone(options: argparse.Namespace, page: PageSource | None, door: Door, further: Further | None) -> None:
     """Serve the live pages until Ctrl-C or a request to end, and say how the source joins them.
 
     Args:
         options: of the command line.
-        page: what is shown.
+        page: what is shown; None, which only options that show no system give, serves nothing.
         door: who may open it.
         further: pages beside it.
 
@@ -54,6 +54,8 @@ def serve_alone(options: argparse.Namespace, page: PageSource, door: Door, furth
             f"`roslens check {options.path}` makes them",
             file=sys.stderr,
         )
+    if page is None:
+        return
     with ExitStack() as stack:
         ended = when_stopped(stack)
         stack.enter_context(serve(page, (options.host, options.port), door, further))

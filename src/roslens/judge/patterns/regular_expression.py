@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import sys
 import warnings
+from importlib import import_module
 from typing import Any
 
 from roslens.judge.patterns.automaton import Automaton, Letters
@@ -50,13 +51,8 @@ def automaton_of(expression: str) -> Automaton:
 
 
 def _parser() -> Any:
-    if sys.version_info >= (3, 11):
-        from re import _parser
-
-        return _parser
-    import sre_parse
-
-    return sre_parse
+    # Type checkers know neither name in all versions of Python.
+    return import_module("re._parser" if sys.version_info >= (3, 11) else "sre_parse")
 
 
 class _Builder:

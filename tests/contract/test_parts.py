@@ -130,7 +130,7 @@ def test_what_would_start_a_server_is_unpacked_and_not_installed(machine):
     there = {one.name for one in (machine.root / "build" / "unpacked" / "usr" / "bin").iterdir()}
     assert there == {"promtool", "amtool"}
     assert machine.asked.read_text().split("\n") == [
-        "-qq download prometheus",
+        "-qq download promtool",
         "-qq download prometheus-alertmanager",
         "",
     ]
@@ -139,7 +139,16 @@ def test_what_would_start_a_server_is_unpacked_and_not_installed(machine):
 
 
 def test_what_cannot_be_downloaded_keeps_the_others(machine):
-    done = unpacks(machine, '[ "$3" = prometheus ] && exit 100\n: >"$3_1.deb"')
+    done = unpacks(machine, 'case $3 in promtool | prometheus) exit 100 ;; esac\n: >"$3_1.deb"')
     assert done.returncode == 0
-    assert done.stderr == "parts: could not download prometheus; the tests that need it are skipped\n"
+    assert done.stderr == (
+        "parts: no package of this release has promtool (promtool prometheus); the tests that need it are skipped\n"
+    )
     assert (machine.root / "build" / "unpacked" / "usr" / "bin" / "amtool").exists()
+
+
+def test_a_release_whose_package_has_the_tool_inside_is_asked_for_that(machine):
+    done = unpacks(machine, '[ "$3" = promtool ] && exit 100\n: >"$3_1.deb"')
+    assert (done.returncode, done.stderr) == (0, "")
+    there = {one.name for one in (machine.root / "build" / "unpacked" / "usr" / "bin").iterdir()}
+    assert there == {"promtool", "amtool"}

@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint style types rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint style types rewritten parts docs known-mistakes graph-findings recall reports accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -119,6 +119,11 @@ graph-findings: .venv/stamp
 # Write docs/recall_of_rules.md: CORPORA="FOLDER…" names clones with the real files that mistakes are planted into.
 recall: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m planted $(CORPORA)
+
+# Score the rebuilt reports of mistakes and write docs/reports.md. ARGS="--round second --keep" keeps a table of a round;
+# ARGS="CASE…" only prints what is said of some.
+reports: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m reports $(ARGS)
 
 # ARGS=--page writes the page only, of what is recorded and judged.
 # Run nodes, compare their graph with what source says of it, and write docs/accuracy.md. What cannot run here keeps the

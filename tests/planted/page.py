@@ -10,6 +10,10 @@ from planted.variants import UNFIT, VARIANTS
 PAGE = ROOT / "docs" / "recall_of_rules.md"
 _HEAD = """# How many mistakes coding rules find
 
+This does not show how many mistakes of developers are found: each rule is tried on variants of its own example, so that
+only what hides the example is missed here. For mistakes that rules were not written from, see
+[Reported mistakes](reports.md).
+
 Written by `make recall CORPORA="FOLDER…"`; do not edit. Each [rule](reference/rules.md) that is on by default is broken
 {variants} times: its example is written with other names (classes, functions, members, variables), other surroundings
 (namespaces, branches, statements before and behind, `try` … `finally`) and another layout (a statement or an argument

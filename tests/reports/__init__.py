@@ -1,0 +1,1 @@
+"""How many mistakes that ROS developers reported in public are told by ``roslens check``."""

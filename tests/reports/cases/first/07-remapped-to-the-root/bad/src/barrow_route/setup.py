@@ -1,0 +1,26 @@
+from glob import glob
+
+from setuptools import find_packages, setup
+
+setup(
+    name='barrow_route',
+    version='0.4.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/barrow_route']),
+        ('share/barrow_route', ['package.xml']),
+        ('share/barrow_route/launch', glob('launch/*')),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='Barrow team',
+    maintainer_email='barrow@field-of-robots.net',
+    description='Part of the barrow, a robot that carries crates in a field.',
+    license='BSD-3-Clause',
+    entry_points={
+        'console_scripts': [
+            'planner = barrow_route.planner:main',
+            'follower = barrow_route.follower:main',
+        ],
+    },
+)

@@ -1,0 +1,14 @@
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    settings = os.path.join(get_package_share_directory('barrow_nav'), 'config', 'nav.yaml')
+    return LaunchDescription([
+        Node(package='nav2_controller', executable='controller_server', name='controller_server', parameters=[settings]),
+        Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation',
+             parameters=[{'autostart': True, 'node_names': ['controller_server']}]),
+    ])

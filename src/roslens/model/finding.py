@@ -20,10 +20,11 @@ MOST_EXCESS = 1e9
 class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a rule is about; everything ``roslens explain`` and the rules page show.
 
-    ``precision`` is the share of its findings that were true when a sample was read; 0 where nobody did. ``fix`` says
-    what ``roslens check --fix`` does about them; empty where it does nothing. ``consequence`` and ``certainty`` are
-    what the severity follows from; None where its tool declares none. ``unproven`` is a heuristic rule that nobody has
-    confirmed on repositories that it was not written for.
+    ``precision`` is the share of its findings that were true when ``read`` of them were read; 0 where nobody did.
+    ``bad`` is an example that it reports, ``good`` the same as it should be. ``fix`` says what ``roslens check --fix``
+    does about them; empty where it does nothing. ``consequence`` and ``certainty`` are what the severity follows from;
+    None where its tool declares none. ``unproven`` is a heuristic rule that nobody has confirmed on repositories that
+    it was not written for.
     """
 
     id: str
@@ -41,6 +42,9 @@ class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     consequence: Consequence | None = None
     certainty: Certainty | None = None
     unproven: bool = False
+    read: int = 0
+    bad: str = ""
+    good: str = ""
 
     @property
     def weight(self) -> tuple[Consequence, Certainty]:

@@ -74,6 +74,7 @@ def _of_tool(identity: str) -> RuleInfo | None:
 
 def _of_rule(rule: RuleInfo) -> str:
     from roslens.model.weight.consequence import weight_text
+    from roslens.model.words.silence_comment import measured_text, silence_comment
 
     return _sections(
         f"{rule.id}  ({rule.severity.value}: {weight_text(*rule.weight, unproven=rule.unproven)})",
@@ -81,7 +82,11 @@ def _of_rule(rule: RuleInfo) -> str:
             ("", rule.title),
             ("", rule.description),
             ("Why", rule.rationale),
+            ("Reported", rule.bad),
+            ("Instead", rule.good),
             ("Fix, by `roslens check --fix`", rule.fix),
+            ("Measured", measured_text(rule)),
+            ("To leave one finding out", silence_comment(rule)),
             ("Tags", ", ".join(rule.tags)),
             ("Found by", rule.tool),
             ("More", rule.url),
@@ -126,6 +131,9 @@ def _sections(head: str, parts: tuple[tuple[str, str], ...]) -> str:
     for title, text in parts:
         if not text:
             continue
-        lines = [wrapped for line in text.splitlines() for wrapped in (textwrap.wrap(line, 96) or [""])]
+        # Code keeps its lines and its indentation.
+        is_code = title in {"Reported", "Instead"}
+        wide = text.splitlines()
+        lines = wide if is_code else [wrapped for line in wide for wrapped in (textwrap.wrap(line, 96) or [""])]
         blocks.append(textwrap.indent("\n".join(lines), "  ") if not title else f"{title}:\n  " + "\n  ".join(lines))
     return "\n\n".join(blocks)

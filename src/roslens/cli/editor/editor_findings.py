@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.words.silence_comment import measured_text, silence_comment
 
 SEVERITIES = {Severity.ERROR: 1, Severity.WARNING: 2, Severity.NOTE: 3}
 """Numbers of the Language Server Protocol; a finding that does not count is a hint, 4."""
@@ -77,8 +78,20 @@ def hover_text(findings: Sequence[Finding], rules: dict[str, RuleInfo]) -> str:
         said = [f"- {one.message}" for one in findings if one.rule == rule]
         parts.append("\n".join([f"**{info.title if info else rule}** (`{rule}`)", "", *said]))
         if info:
-            parts.extend(text for text in (info.description, info.rationale, info.url) if text)
+            parts.extend(text for text in (info.description, info.rationale, *_advice(info), info.url) if text)
     return "\n\n".join(parts)
+
+
+def _advice(rule: RuleInfo) -> Iterator[str]:
+    """Yield what to write instead, whether that can be done safely, how often the rule is right, how to silence it."""
+    if rule.good:
+        fence = rule.languages[0] if rule.languages else ""
+        yield f"Instead:\n\n```{fence}\n{rule.good}\n```"
+    if rule.fix:
+        yield f"Safe fix: {rule.fix}"
+    if measured := measured_text(rule):
+        yield f"{measured[0].upper()}{measured[1:]}."
+    yield f"To leave it out here: `{silence_comment(rule)}`"
 
 
 def ignore_edits(finding: Finding, path: str, lines: Sequence[str]) -> tuple[Edit, ...]:

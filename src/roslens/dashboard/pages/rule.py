@@ -9,6 +9,8 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.tables.finding_list import filter_of, findings_table, list_findings, select
 from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
+from roslens.model.weight.consequence import weight_text
+from roslens.model.words.silence_comment import measured_text, silence_comment
 
 
 def build(site: Site, request: Request) -> View | None:
@@ -27,7 +29,14 @@ def build(site: Site, request: Request) -> View | None:
         title=rule.id,
         facts={"rule": msgspec.to_builtins(rule), **found.facts()},
         tables=tuple(tables),
-        shown={"info": rule, "found": found, "tags": {}},
+        shown={
+            "info": rule,
+            "found": found,
+            "tags": {},
+            "weight": weight_text(*rule.weight, unproven=rule.unproven),
+            "measured": measured_text(rule),
+            "silence": silence_comment(rule),
+        },
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from roslens.model.weight.consequence import Certainty, Consequence, severity_of, weight_text
+from roslens.model.words.silence_comment import silence_comment
 from roslens.source.rules.field.precision import read_samples
 from roslens.source.rules.field.rates import read_rates, spoken_rate
 from roslens.source.rules.profiles import PROFILES
@@ -108,7 +109,5 @@ def _page(rule: Rule) -> str:
         parts.append(f"[Measured](../../accuracy_of_rules.md): {true} of {read} findings that were read were true.")
     if rate := spoken_rate(rule.id, read_rates()):
         parts.append(f"In the field: {rate}")
-    comment = "#" if rule.languages == ("python",) or rule.family == "cmake" else "<!--" if not rule.languages else "//"
-    end = " -->" if comment == "<!--" else ""
-    parts.append(f"To leave one finding out: `{comment} roslens: ignore[{rule.id}] reason{end}`")
+    parts.append(f"To leave one finding out: `{silence_comment(rule.info)}`")
     return "\n\n".join(parts) + "\n"

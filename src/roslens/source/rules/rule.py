@@ -18,7 +18,7 @@ import msgspec
 
 from roslens.model.finding import RuleInfo, Severity
 from roslens.model.weight.consequence import Certainty, Consequence, severity_of
-from roslens.source.rules.field.precision import is_confirmed, precision_of
+from roslens.source.rules.field.precision import is_confirmed, precision_of, read_samples
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -115,7 +115,10 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             languages=self.languages,
             scope="file" if self.languages else "package",
             precision=precision_of(self.id),
+            read=read_samples().get(self.id, (0, 0))[1],
             fix=self.fix,
+            bad=self.bad.strip("\n"),
+            good=self.good.strip("\n"),
             consequence=self.consequence,
             certainty=self.certainty,
             unproven=self.unproven,

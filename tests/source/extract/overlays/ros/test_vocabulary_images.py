@@ -2,6 +2,7 @@
 
 import pytest
 
+from roslens.model.qos import Qos
 from roslens.source.extract.symbolic.reason import NamePart, OfNode
 
 IMAGES = "#include <image_transport/image_transport.hpp>\n#include <image_transport/subscriber_filter.hpp>"
@@ -109,3 +110,28 @@ def test_what_is_known_of_a_camera_is_set_by_a_service(node_of, main_of):
     assert (one.name.known, one.type.known) == ("left/set_camera_info", "sensor_msgs/srv/SetCameraInfo")
     (one,) = main_of(f'ros::NodeHandle camera("left"); {kind} info(camera, "name", "");').endpoints
     assert (one.name.known, one.type.known) == ("left/set_camera_info", "sensor_msgs/SetCameraInfo")
+
+
+@pytest.mark.parametrize(
+    ("made", "expected"),
+    [
+        ('image_transport::create_publisher(this, "a");', Qos("reliable", "volatile", "keep_last", 10)),
+        ('image_transport::create_publisher(this, "a", rmw_qos_profile_sensor_data);',
+         Qos("best_effort", "volatile", "keep_last", 5)),
+        ('image_transport::create_subscription(this, "a", cb, "raw");', Qos("reliable", "volatile", "keep_last", 10)),
+        ('image_transport::create_subscription(this, "a", cb, "raw", rmw_qos_profile_sensor_data);',
+         Qos("best_effort", "volatile", "keep_last", 5)),
+        ('image_transport::create_camera_publisher(this, "a");', Qos("reliable", "volatile", "keep_last", 10)),
+        ('image_transport::create_camera_subscription(this, "a", cb, "raw", rmw_qos_profile_sensor_data);',
+         Qos("best_effort", "volatile", "keep_last", 5)),
+        ('image_transport::ImageTransport it(node); it.advertise("a", 3);',
+         Qos("reliable", "volatile", "keep_last", 3)),
+        ('image_transport::ImageTransport it(node); it.subscribe("a", 1, cb);',
+         Qos("reliable", "volatile", "keep_last", 1)),
+        ('image_transport::SubscriberFilter f; f.subscribe(this, "a", "raw");',
+         Qos("reliable", "volatile", "keep_last", 10)),
+    ],
+)  # fmt: skip
+def test_the_quality_of_service_of_images(node_of, made, expected):
+    found = node_of(made).endpoints
+    assert {one.qos for one in found} == {expected}

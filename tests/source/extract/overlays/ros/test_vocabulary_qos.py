@@ -2,6 +2,8 @@
 
 import pytest
 
+from roslens.model.qos import Qos
+
 SENSOR = "rmw_qos_profile_sensor_data"
 
 
@@ -171,3 +173,40 @@ def test_limits_of_rclcpp(node_of, written):
     body = f'pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(1).deadline({written}));'
     (one,) = node_of(body).endpoints
     assert (one.qos.deadline_s, one.qos_unknown) == (1.5, "")
+
+
+def test_a_number_that_is_not_known_is_a_depth(node_of):
+    body = """
+        int given = 5;
+        get_parameter("size", given);
+        size_t counted = ask();
+        a_ = create_publisher<std_msgs::msg::String>("a", given);
+        b_ = create_publisher<std_msgs::msg::String>("b", counted);
+        c_ = create_publisher<std_msgs::msg::String>("c", ask());
+        d_ = create_subscription<std_msgs::msg::String>("d", this->declare_parameter<int>("depth", 3), cb);
+    """
+    found = {str(one.name): one for one in node_of(body).endpoints}
+    for name in "abd":
+        assert found[name].qos == Qos("reliable", "volatile", "keep_last", 0), name
+        assert found[name].qos_unknown.startswith("its depth is "), name
+    assert found["c"].qos == Qos()
+
+
+def test_a_parameter_is_a_depth_in_python(units):
+    text = """
+from rclpy.node import Node
+from std_msgs.msg import String
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        size = self.declare_parameter('size', 10).value
+        self.a = self.create_publisher(String, 'a', size)
+        self.b = self.create_subscription(String, 'b', self.cb, qos_profile=size)
+        self.c = self.create_publisher(String, 'c', ask())
+    def cb(self, msg):
+        pass
+"""
+    (facts,) = [one for one in units(a_py=text) if one.unit == "A"]
+    found = {str(one.name): one.qos for one in facts.endpoints}
+    usual = Qos("reliable", "volatile", "keep_last", 0)
+    assert found == {"a": usual, "b": usual, "c": Qos()}

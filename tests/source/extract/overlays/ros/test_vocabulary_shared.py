@@ -1,5 +1,7 @@
 import pytest
 
+from roslens.model.qos import Qos
+
 TF = "tf2_msgs/TFMessage"
 
 
@@ -74,3 +76,46 @@ class A(Node):
 """
     (facts,) = units(a_py=text)
     assert [str(one.name) for one in facts.endpoints] == ["{parameter topic}", "/other", "/tf", "/tf_static"]
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ("", Qos("reliable", "volatile", "keep_last", 10)),
+        (", rmw_qos_profile_sensor_data", Qos("best_effort", "volatile", "keep_last", 5)),
+        (", rclcpp::QoS(3).best_effort().get_rmw_qos_profile()", Qos("best_effort", "volatile", "keep_last", 3)),
+        (", ask()", Qos()),
+    ],
+)
+def test_a_filtered_subscription_has_the_default_quality_unless_it_is_given_one(node_of, given, expected):
+    members = "message_filters::Subscriber<std_msgs::msg::String> s_;"
+    for body in (
+        f's_.subscribe(this, "a"{given});',
+        f'message_filters::Subscriber<std_msgs::msg::String> s(this, "a"{given});',
+    ):
+        (one,) = node_of(body, members).endpoints
+        assert (one.qos, bool(one.qos_unknown)) == (expected, expected == Qos())
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ("", Qos("reliable", "volatile", "keep_last", 10)),
+        (", qos_profile=qos_profile_sensor_data", Qos("best_effort", "volatile", "keep_last", 5)),
+        (", qos_profile=3", Qos("reliable", "volatile", "keep_last", 3)),
+        (", qos_profile=ask()", Qos()),
+    ],
+)
+def test_a_filtered_subscription_of_python(units, given, expected):
+    text = f"""
+import message_filters
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from std_msgs.msg import String
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        self.s = message_filters.Subscriber(self, String, 'a'{given})
+"""
+    (facts,) = [one for one in units(a_py=text) if one.unit == "A"]
+    assert [one.qos for one in facts.endpoints] == [expected]

@@ -1,4 +1,8 @@
-"""The vocabulary of image_transport, of both generations."""
+"""The vocabulary of image_transport, of both generations.
+
+In ROS 2 all take ``rmw_qos_profile_default`` where no profile is given, with the size of the queue that they are given
+as its depth (``image_transport/image_transport.hpp`` and ``image_transport.cpp``).
+"""
 
 from __future__ import annotations
 
@@ -7,8 +11,9 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Named, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind
+from roslens.source.extract.domain.quality import DEFAULT_QUALITY, quality_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
 from roslens.source.extract.overlays.ros.emit import endpoint
 from roslens.source.extract.overlays.ros.vocabulary_ros2 import free_function
@@ -40,9 +45,10 @@ def image_publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher of images, and with a camera of what is known of it."""
     handle, size = _handle(thing, ctx), _size(called)
     follow_visitors(ctx, called, 2)
-    made = endpoint(ctx, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
+    name, qos = called.argument(0), _quality(called)
+    made = endpoint(ctx, handle, called, Role.PUBLISHER, name, _IMAGE, queue=size, qos=qos)
     if called.name.endswith("Camera"):
-        endpoint(ctx, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
+        endpoint(ctx, handle, called, Role.PUBLISHER, _camera(name), _CAMERA, queue=size, qos=qos)
     return made
 
 
@@ -50,10 +56,10 @@ def image_publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
 def image_subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription to images, and with a camera to what is known of it."""
     handle, size = _handle(thing, ctx), _size(called)
-    callback = called.argument(2)
-    made = endpoint(ctx, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback)
+    name, callback, qos = called.argument(0), called.argument(2), _quality(called)
+    made = endpoint(ctx, handle, called, Role.SUBSCRIPTION, name, _IMAGE, queue=size, callback=callback, qos=qos)
     if called.name.endswith("Camera"):
-        endpoint(ctx, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
+        endpoint(ctx, handle, called, Role.SUBSCRIPTION, _camera(name), _CAMERA, queue=size, qos=qos)
     return made
 
 
@@ -62,8 +68,11 @@ def camera(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = first_of_kind(called.arguments, Callable)
-    made = endpoint(ctx, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
-    endpoint(ctx, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
+    node, name = called.argument(0), called.argument(1)
+    given = called.argument(2 if role is Role.PUBLISHER else 4, default=Named("rmw_qos_profile_default"))
+    qos = quality_of(given)
+    made = endpoint(ctx, node, called, role, name, _IMAGE, callback=callback, qos=qos)
+    endpoint(ctx, node, called, role, _camera(name), _CAMERA, qos=qos)
     return made
 
 
@@ -121,7 +130,13 @@ def filtered_images_later(ctx: Context, _thing: Value, called: CallSite) -> Valu
             given = _handle(first, ctx)
         case _:
             given = first
-    return endpoint(ctx, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
+    qos = DEFAULT_QUALITY if len(called.arguments) < 4 else quality_of(called.argument(3))
+    return endpoint(ctx, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE, qos=qos)
+
+
+def _quality(called: CallSite) -> QosValue | None:
+    """Return the quality of service of what an object makes: a profile, or the default one with a queue."""
+    return quality_of(called.argument(1))
 
 
 def _size(called: CallSite) -> int:

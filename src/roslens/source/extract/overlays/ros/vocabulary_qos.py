@@ -22,7 +22,7 @@ from roslens.source.extract.domain.quality import (
     quality_of,
 )
 from roslens.source.extract.interpreter.vocabulary import CallSite, expression_of, method, outer
-from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.extract.symbols.declared_type import is_number
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _given(ctx: Context, first: Value, called: CallSite) -> QosValue:
             if len(called.arguments) > 1:
                 profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
             return keeping(profile, _held(first))
-        case Unknown(reason=why) if _is_depth(ctx, called):
+        case Unknown(reason=why) if _is_depth(ctx, called, 0):
             return _of_depth(str(why))
         case Text():
             return _of_depth(str(first))
@@ -78,12 +78,32 @@ def _given(ctx: Context, first: Value, called: CallSite) -> QosValue:
     return quality_of(first) or _NO_DEPTH
 
 
-def _is_depth(ctx: Context, called: CallSite) -> bool:
-    """Whether the first argument is a number by its declaration; else a quality of service may be copied."""
-    if not ctx.dialect.types_convert:
-        # Those of rclpy have no copies: only their policies are given.
-        return True
-    written = expression_of(ctx, called, 0)
+def given_quality(ctx: Context, called: CallSite, place: int, value: Value) -> QosValue | None:
+    """Return the quality of service that an endpoint is given; what is a number by its declaration is a depth.
+
+    Args:
+        ctx: of the evaluation.
+        called: that makes the endpoint.
+        place: of the argument.
+        value: of it.
+    """
+    match value:
+        case Text(holes=(Hole(parameter=str(parameter)), *_)) if parameter:
+            # No parameter has a quality of service for its value.
+            return _of_depth(str(value))
+        case Unknown(reason=why) if ctx.dialect.types_convert and _is_number(ctx, called, place):
+            return _of_depth(str(why))
+    return quality_of(value)
+
+
+def _is_depth(ctx: Context, called: CallSite, place: int) -> bool:
+    """Whether an argument is a number by its declaration; else a quality of service may be copied."""
+    # Those of rclpy have no copies: only their policies are given.
+    return not ctx.dialect.types_convert or _is_number(ctx, called, place)
+
+
+def _is_number(ctx: Context, called: CallSite, place: int) -> bool:
+    written = expression_of(ctx, called, place)
     thing = ctx.state.frame.object
     function = ctx.stack.calls[-1][1] if ctx.stack.calls else None
     return written is not None and is_number(ctx.index, function, thing.defined if thing else None, written)

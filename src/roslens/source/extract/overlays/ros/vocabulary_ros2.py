@@ -10,11 +10,11 @@ from roslens.model.graph import Role
 from roslens.source.extract.domain.abstract_value import Callable, Group, Handle, Named, Obj, Unknown, Value, as_text
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, has_kind, is_number, name_of, object_of
 from roslens.source.extract.domain.plain_methods import is_namespace
-from roslens.source.extract.domain.quality import quality_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
 from roslens.source.extract.overlays.ros.emit import endpoint, timer, type_of_callback
 from roslens.source.extract.overlays.ros.vocabulary_options import doubt_options, given_options, take_options
 from roslens.source.extract.overlays.ros.vocabulary_overrides import overrides_of
+from roslens.source.extract.overlays.ros.vocabulary_qos import given_quality
 from roslens.source.extract.symbolic.reason import NamePart, OfNode
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
@@ -86,14 +86,11 @@ def _is_type(value: Value) -> bool:
 def publisher(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A publisher."""
     if not called.templates and _python(called):
-        name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
+        name, kind, place = called.argument(1, "topic"), called.argument(0, "msg_type"), 2
     else:
-        name, kind, qos = (
-            called.argument(0),
-            called.templates[0] if called.templates else Unknown("its type"),
-            called.argument(1),
-        )
-    return endpoint(ctx, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos), overrides=overrides_of(called))
+        name, kind, place = called.argument(0), called.templates[0] if called.templates else Unknown("its type"), 1
+    qos = given_quality(ctx, called, place, called.argument(place, "qos_profile"))
+    return endpoint(ctx, thing, called, Role.PUBLISHER, name, kind, qos=qos, overrides=overrides_of(called))
 
 
 @method("node", "create_subscription", anywhere=True)
@@ -101,14 +98,15 @@ def subscription(ctx: Context, thing: Value, called: CallSite) -> Value:
     """A subscription."""
     if not called.templates and _python(called):
         name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
-        callback, qos = called.argument(2, "callback"), called.argument(3, "qos_profile")
+        callback, place = called.argument(2, "callback"), 3
     else:
-        name, qos, callback = called.argument(0), called.argument(1), called.argument(2)
-        if called.given(Callable, 1) is not None:
-            qos, callback = callback, qos
+        # An older form has the callback first.
+        place = 2 if called.given(Callable, 1) is not None else 1
+        name, callback = called.argument(0), called.argument(3 - place)
         kind = called.templates[0] if called.templates else type_of_callback(callback) or Unknown("its type")
+    qos = given_quality(ctx, called, place, called.argument(place, "qos_profile"))
     return endpoint(
-        ctx, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
+        ctx, thing, called, Role.SUBSCRIPTION, name, kind, qos=qos, callback=callback,
         group=_group(called, 3, 4), overrides=overrides_of(called),
     )  # fmt: skip
 
@@ -153,11 +151,10 @@ def free_function(ctx: Context, _thing: Value, called: CallSite) -> Value:
     inner = msgspec.structs.replace(
         called, name=name, arguments=called.arguments[first:], templates=templates, written=called.written[first:]
     )
-    if called.name.startswith("image_transport") and name == "create_subscription":
-        given = inner.arguments
-        inner = msgspec.structs.replace(
-            inner, arguments=[*given[:1], given[3] if len(given) > 3 else None, *given[1:2]]
-        )
+    if called.name.startswith("image_transport"):
+        given, place = inner.arguments, 3 if name == "create_subscription" else 1
+        qos = given[place] if len(given) > place else Named("rmw_qos_profile_default")
+        inner = msgspec.structs.replace(inner, arguments=[*given[:1], qos, *given[1:2][: place - 1]], written=())
     words = {"create_publisher": publisher, "create_subscription": subscription, "create_service": service,
              "create_client": client}  # fmt: skip
     word = words.get(name, wall_timer)

@@ -10,6 +10,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.kinds import all_of_kind, first_of_kind, is_whole, items_of, node_in
+from roslens.source.extract.domain.quality import DEFAULT_QUALITY, quality_of
 from roslens.source.extract.interpreter.vocabulary import CallSite, method, node_of, outer
 from roslens.source.extract.overlays.ros.emit import endpoint, is_guessed, sure_of
 from roslens.source.extract.symbolic.reason import RandomEnd
@@ -85,7 +86,11 @@ def static_broadcaster(ctx: Context, _thing: Value, called: CallSite) -> Value:
 
 @outer("message_filters.Subscriber")
 def filtered(ctx: Context, _thing: Value, called: CallSite) -> Value:
-    """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
+    """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later.
+
+    Where no quality of service is given it is that of a queue of ten messages (``message_filters/subscriber.h``:
+    ``rmw_qos_profile_default``; ``message_filters/__init__.py``: ``kwargs.setdefault('qos_profile', 10)``).
+    """
     found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
     if called.arguments or called.keywords:
         _filtered(ctx, found, called)
@@ -112,9 +117,18 @@ def _filtered(ctx: Context, found: Obj, called: CallSite) -> None:
     else:
         name = names[0] if names else called.argument(1, default=Unknown("its name"))
         kind = templates[0] if templates else Unknown("its type")
-    quality = first_of_kind((*called.arguments, *called.keywords.values()), QosValue)
     queue = next((one for one in called.arguments if is_whole(one)), -1)
+    quality = _quality_of_filter(called, python=python)
     endpoint(ctx, handle_of(ctx, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
+
+
+def _quality_of_filter(called: CallSite, *, python: bool) -> QosValue:
+    """Return the quality of service behind the name of the topic, or by its keyword; the default where none is."""
+    given = called.keywords.get("qos_profile", called.keywords.get("qos"))
+    if given is None and not python:
+        # C++ has a node, a topic and a quality of service in this order.
+        given = called.argument(2)
+    return DEFAULT_QUALITY if given is None else quality_of(given) or QosValue(Qos(), "what is given for it")
 
 
 @method("message_filters.Subscriber", "subscribe")

@@ -1,4 +1,5 @@
 from roslens.model.configuration import Proof
+from roslens.model.source import Dependency, Location, Package
 from roslens.source.rules.graph.executable import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, node
@@ -56,3 +57,20 @@ def test_a_source_of_that_name_that_no_target_is_made_of_is_told_before_a_name_l
 
 def test_targets_that_stand_for_themselves_are_none():
     assert not findings(node("/a", executable="x", proof=Proof("CMakeLists.txt", 3)))
+
+
+def test_a_package_that_is_not_there_and_nearly_one_that_has_the_program():
+    started = node("/slam", package="robto", executable="slam_node", line=4, known=False)
+    (one,) = findings(started)
+    assert one.message == (
+        "no package `robto` is known, of which launch/robot.launch.xml:4 starts executable `slam_node`; did you mean "
+        "`robot`, which installs it? Else add <exec_depend>robto</exec_depend>. In doubt: `robto` may be installed on "
+        "the target machine."
+    )
+    assert not findings(node("/slam", package="robto", executable="other_node", known=False))
+    place = Location("package.xml", 1)
+    for one in (
+        Package("bringup", "bringup", ".", place, dependencies=(Dependency("robto", "exec", place),)),
+        Package("robto", "robto", "robto", place),
+    ):
+        assert not list(found(configuration(started), Surroundings(installed=INSTALLED, packages=(one,))))

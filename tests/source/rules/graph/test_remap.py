@@ -95,3 +95,19 @@ def test_what_every_node_has_and_what_a_file_gives_all_of_its_nodes():
     one, other = remap("scann", "front/scan", 3, used=True), remap("scann", "front/scan", 9)
     given = node("/b", end("pub", "/scan", given="scan"), remaps=(other,))
     assert [each.severity for each in findings(node("/a", X, remaps=(one,)), given)] == [Severity.NOTE]
+
+
+def test_one_that_another_one_overtakes_is_told_as_such():
+    first, second = remap("x", "y", 3, used=True), remap("x", "z", 4)
+    (one,) = findings(node("/a", end("pub", "/y", given="x"), remaps=(first, second)))
+    assert (one.line, one.entity) == (4, "node:/a")
+    assert one.message == (
+        "remapping of `x` to `z` has no effect on /a: that to `y` (launch/robot.launch.xml:3) is applied first. "
+        "Remove one of the two."
+    )
+
+
+def test_one_that_is_overtaken_on_one_of_two_nodes_only_is_told_as_one_that_matches_nothing():
+    first, second = remap("x", "y", 3, used=True), remap("x", "z", 4)
+    (one,) = findings(node("/a", end("pub", "/y", given="x"), remaps=(first, second)), node("/b", X, remaps=(second,)))
+    assert "/a, /b use no such name" in one.message

@@ -53,3 +53,7 @@ def test_what_could_not_be_read_may_set_it():
     (one,) = findings(node("/a", parameters=SIMULATED), node("/b", line=7), unresolved=(missing,))
     assert one.severity is Severity.NOTE
     assert "what `other/global.launch.py` (launch/robot.launch.xml:2) starts or sets is unknown" in one.message
+
+
+def test_the_node_inside_of_a_listener_of_transforms_is_none():
+    assert not findings(node("/a", parameters=SIMULATED), node("/transform_listener_impl_*"))

@@ -1,3 +1,4 @@
+import msgspec
 import pytest
 
 from roslens.model.configuration import Clause
@@ -39,3 +40,14 @@ def test_a_publisher_is_named_as_in_the_configuration():
     assert found == [Transform("/ns/tf_laser", "base", "laser", launched(4), ("sim",), (Clause("sim"),))]
     assert not list(static_transforms(known, Launch("ros2", (publisher(*words, executable="other"),))))
     assert not list(static_transforms(known, Launch("ros2", (publisher(*words[:-1], unknown("argument frame")),))))
+
+
+def test_of_several_nodes_of_one_line_each_has_its_own_transform():
+    words = ["0", "0", "0", "0", "0", "0"]
+    known = configuration(node("/boat1/tf", line=4), node("/boat2/tf", line=4))
+    started = [
+        msgspec.structs.replace(publisher(*words, f"{boat}/base", "laser"), name=Text.of("tf"), namespace=Text.of(boat))
+        for boat in ("/boat1", "/boat2")
+    ]
+    found = list(static_transforms(known, Launch("ros2", tuple(started))))
+    assert [(one.node, one.parent) for one in found] == [("/boat1/tf", "/boat1/base"), ("/boat2/tf", "/boat2/base")]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 
 import msgspec
 
@@ -69,7 +70,40 @@ def doubt_of(proofs: Iterable[Proof | None], conditions: Iterable[str] = ()) -> 
     return max(steps, default=0) * 2 + bool(list(conditions))
 
 
+_COMPARED = (
+    # Python, and eval of launch files, with what stands around it: ``python(', mode, ' == 'a')``.
+    re.compile(r"(?P<of>.+?)\s*==\s*(?P<quote>['\"])(?P<value>[^'\"]*)(?P=quote)(?P<end>\W*)"),
+    re.compile(r"(?P<of>.+?)\s*==\s*(?P<value>-?\d+(?:\.\d+)?)(?P<end>\W*)"),
+    # What code compares with a part that is not known: ``{parameter mode} == a``.
+    re.compile(r"(?P<of>\{[^{}]+\}) == (?P<value>[^\s{}]+)(?P<end>)"),
+    re.compile(r"(?P<of>equals\(.+), (?P<value>[^,(){}]+)(?P<end>\))"),
+    re.compile(r"(?P<of>\$\(equals .+?)\s+(?P<quote>['\"]?)(?P<value>[^\s'\"$()]+)(?P=quote)(?P<end>\))"),
+)
+"""Conditions that compare something with a text or number, as they are written."""
+
+
+def _equalities(clauses: Iterable[Clause]) -> Iterator[re.Match[str]]:
+    """Yield the comparisons that hold together, those that ``and`` joins too."""
+    for clause in clauses:
+        if not clause.holds or " or " in clause.text:
+            continue
+        for part in clause.text.split(" and "):
+            yield from (found for form in _COMPARED if (found := form.fullmatch(part)))
+
+
+def _needed(found: re.Match[str]) -> tuple[str, str]:
+    """Return what is compared, with what stands around it, and the value that it needs."""
+    return f"{found['of']}\0{found['end']}", found["value"]
+
+
 def exclude_each_other(first: Iterable[Clause], second: Iterable[Clause]) -> bool:
-    """Return whether a condition of one is the opposite of one of the other."""
-    asked = {(one.text, one.holds) for one in first}
-    return any((one.text, not one.holds) in asked for one in second)
+    """Return whether a condition of one is the opposite of one of the other, or needs another value of the same thing.
+
+    ``mode == 'a'`` and ``mode == 'b'`` cannot both hold.
+    """
+    one, other = [*first], [*second]
+    asked = {(clause.text, clause.holds) for clause in one}
+    if any((clause.text, not clause.holds) in asked for clause in other):
+        return True
+    needed = dict(map(_needed, _equalities(one)))
+    return any(needed.get(subject, value) != value for subject, value in map(_needed, _equalities(other)))

@@ -10,7 +10,7 @@ from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, listed
-from roslens.source.rules.graph.likeness import likely_program
+from roslens.source.rules.graph.likeness import likely_program, nearest_name
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
@@ -18,8 +18,8 @@ RULE = graph_rule(
     "graph.executable",
     "Node that is not installed",
     "A launch file starts an executable, or loads a component or nodelet, that its package does not install. Only "
-    "packages of the workspace whose build could be evaluated completely are checked. Correct the name, or install "
-    "it.",
+    "packages of the workspace whose build could be evaluated completely are checked, and names of packages that are "
+    "nearly that of one which has the executable. Correct the name, or install it.",
     Consequence.STOPS_START,
     Certainty.PROVEN,
     ("ros", "graph", "launch", "package"),
@@ -39,12 +39,32 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     for node in configuration.nodes:
         package, name = _owner(node)
         installed = surroundings.installed.get(package)
-        if installed is None or not name or "*" in package + name or node.kind == "process":
+        if not name or "*" in package + name or node.kind == "process":
+            continue
+        if installed is None:
+            if _misspelt(package, name, node, surroundings):
+                missing.setdefault((package, name), []).append(node)
             continue
         if not {name, node.executable} & set(installed):
             missing.setdefault((package, name), []).append(node)
     for (package, name), nodes in sorted(missing.items()):
         yield _told(package, name, nodes, surroundings)
+
+
+def _misspelt(package: str, name: str, node: ConfiguredNode, surroundings: Surroundings) -> str:
+    """Return the package of the workspace that was meant: nearly the same name, and it has what is started.
+
+    Empty where the package may be one of those that are installed: who starts it depends on it.
+    """
+    if any(one.name == package for one in surroundings.packages):
+        return ""
+    around = [
+        one for one in surroundings.packages if node.proof.path.startswith(f"{one.path}/") or one.path in ("", ".")
+    ]
+    if any(one.name == package for owner in around for one in owner.dependencies):
+        return ""
+    near = nearest_name(package, sorted(surroundings.installed))
+    return near if name in surroundings.installed.get(near, ()) else ""
 
 
 def _owner(node: ConfiguredNode) -> tuple[str, str]:
@@ -57,12 +77,20 @@ def _owner(node: ConfiguredNode) -> tuple[str, str]:
 
 def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Surroundings) -> Finding:
     node = min(nodes, key=lambda one: (len(one.conditions), one.proof))
-    certainty, doubt = weighed(RULE.certainty, (node.proof,), node.conditions)
+    near = _misspelt(package, name, node, surroundings)
+    more = f"`{package}` may be installed on the target machine" if near else ""
+    certainty, doubt = weighed(RULE.certainty, (node.proof,), node.conditions, more=more)
     what = _WHAT.get(node.kind, "executable")
-    message = (
-        f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
-        f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
-    )
+    if near:
+        message = (
+            f"no package `{package}` is known, of which {node.proof.place} starts {what} `{name}`; "
+            f"did you mean `{near}`, which installs it? Else add <exec_depend>{package}</exec_depend>."
+        )
+    else:
+        message = (
+            f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
+            f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
+        )
     return occurrence(
         RULE, message, node.proof, entity=f"package:{package}", certainty=certainty, context=name, doubt=doubt
     )

@@ -129,7 +129,34 @@ def _meant(source: str, names: list[str]) -> str:
     return near or (min(same, key=lambda name: (len(name), name)) if same else "")
 
 
+def _overtaken(one: ConfiguredRemap, nodes: list[ConfiguredNode]) -> ConfiguredRemap | None:
+    """Return the remapping that takes the name before another one on every node; None where none does."""
+    name = [_absolute(one.source, node) for node in nodes]
+    found = [
+        next((other for other in node.remaps if other.used and _absolute(other.source, node) == whole), None)
+        for node, whole in zip(nodes, name, strict=True)
+    ]
+    return found[0] if None not in found else None
+
+
+def _too_late(one: ConfiguredRemap, nodes: list[ConfiguredNode], first: ConfiguredRemap) -> Finding:
+    certainty, doubt = weighed(RULE.certainty, (one.proof,), nodes[0].conditions)
+    who = listed([node.name for node in nodes])
+    message = (
+        f"remapping of `{one.source}` to `{one.target}` has no effect on {who}: that to `{first.target}` "
+        f"({first.proof.place}) is applied first. Remove one of the two."
+    )
+    context = f"{one.source}:={one.target}"
+    entity, *also = ids_of(nodes)
+    return occurrence(
+        RULE, message, one.proof, entity=entity, certainty=certainty, context=context, also=tuple(also), doubt=doubt
+    )
+
+
 def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str], *, alone: bool) -> Finding:
+    overtaken = _overtaken(one, nodes)
+    if overtaken is not None:
+        return _too_late(one, nodes, overtaken)
     names = [end.given or end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     names += [end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     near = _meant(one.source, names)

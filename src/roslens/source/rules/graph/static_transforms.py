@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 from itertools import pairwise
 
 from roslens.model.configuration import Configuration
-from roslens.source.extract.facts.launched import Launch
+from roslens.source.extract.facts.launched import Launch, Launched
+from roslens.source.extract.launch.launch_ros2 import full_name
 from roslens.source.extract.parameters.assemble_proof import launch_proof
 from roslens.source.extract.symbolic.condition import as_written, clauses_of
 from roslens.source.rules.graph.surroundings import Transform
@@ -18,7 +20,10 @@ _NUMBERS = (6, 7)
 
 def static_transforms(configuration: Configuration, launch: Launch) -> Iterator[Transform]:
     """Yield what is published all the time, of command lines that are known as a whole."""
-    names = {node.proof.place: node.name for node in configuration.nodes}
+    # One line of a launch file may start several, in a loop or a file that is included twice.
+    names: dict[str, list[str]] = {}
+    for node in configuration.nodes:
+        names.setdefault(node.proof.place, []).append(node.name)
     for launched in launch.nodes:
         if launched.executable.known != _PROGRAM:
             continue
@@ -27,9 +32,15 @@ def static_transforms(configuration: Configuration, launch: Launch) -> Iterator[
         frames = frames_of([word for word in words if word is not None]) if None not in words else None
         if frames is not None:
             yield Transform(
-                names.get(proof.place, launched.name.pattern), *frames, proof,
+                _name_of(launched, names.get(proof.place, [])), *frames, proof,
                 as_written(launched.conditions), clauses_of(launched.conditions),
             )  # fmt: skip
+
+
+def _name_of(launched: Launched, there: list[str]) -> str:
+    """Return the name of a node: of those that its line starts the one with the name that it is given there."""
+    given = full_name(launched).pattern
+    return next((one for one in there if fnmatchcase(one, given)), there[0] if there else launched.name.pattern)
 
 
 def frames_of(words: list[str]) -> tuple[str, str] | None:

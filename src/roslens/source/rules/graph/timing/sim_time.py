@@ -44,7 +44,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     simulated: list[tuple[ConfiguredNode, Proof]] = []
     real: list[ConfiguredNode] = []
     for node in configuration.nodes:
-        if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node):
+        if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node) or _is_inner(node):
             continue
         setting = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
         value = (setting.value or "").lower() if setting is not None else "false"
@@ -55,6 +55,11 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     real = [node for node in real if any(not exclude_each_other(node.clauses, one.clauses) for one, _ in simulated)]
     if simulated and real:
         yield _told(simulated, real, missing_parts(configuration))
+
+
+def _is_inner(node: ConfiguredNode) -> bool:
+    """Whether a node is made inside of another one, by a listener of transforms: no launch file sets its parameters."""
+    return node.name.rpartition("/")[2].startswith("transform_listener_impl_")
 
 
 def _stamps(node: ConfiguredNode) -> bool:

@@ -34,6 +34,9 @@ class Place(msgspec.Struct, frozen=True, array_like=True):
     column: int
 
 
+_TEXT_TAG = "tag:yaml.org,2002:str"
+
+
 class Scalar(msgspec.Struct, frozen=True):
     """A single value as written; ``plain`` when it stands without quotes."""
 
@@ -110,7 +113,25 @@ def read_tree(content: bytes, shown: str, *, last_counts: bool = False) -> Tree:
             names a key twice.
     """
     text = _decode(content, shown)
-    return Tree(shown, text, _Builder(shown, text, last_counts).build())
+    return Tree(shown, text, _Builder(shown, text, last_counts=last_counts).build())
+
+
+def read_parameter_trees(content: bytes, shown: str) -> tuple[Tree, ...]:
+    """Read a file of parameters of ROS 2 as rcl does: its documents one after the other, with the tags that it knows.
+
+    A value with the tag ``!!str`` is a text; all other tags are as if they were not there (rcl_yaml_param_parser,
+    parse.c, ``get_value`` and ``parse_file_events``).
+
+    Args:
+        content: the bytes of the file.
+        shown: the name of the file in messages.
+
+    Raises:
+        DocumentError: the bytes are not UTF-8, the text is no YAML, or nests too deeply.
+    """
+    text = _decode(content, shown)
+    roots = _Builder(shown, text, last_counts=True, of_rcl=True).all()
+    return tuple(Tree(shown, text, root) for root in roots)
 
 
 def _decode(content: bytes, shown: str) -> str:
@@ -144,32 +165,38 @@ def _location(shown: str, text: str, place: Place) -> Location:
 class _Builder:
     """Builds nodes from the events of one text."""
 
-    def __init__(self, shown: str, text: str, last_counts: bool) -> None:
+    def __init__(self, shown: str, text: str, *, last_counts: bool, of_rcl: bool = False) -> None:
         self._shown = shown
         self._text = text
         self._last_counts = last_counts
+        self._of_rcl = of_rcl
         self._anchors: dict[str, tuple[Node, int]] = {}
         self._nodes = 0
         self._events: Iterator[Any] = iter(())
 
     def build(self) -> Node | None:
+        """Return the root of the only document; None where there is no value."""
+        return next(iter(self.all()), None)
+
+    def all(self) -> list[Node]:
+        """Return the roots of all documents that have a value."""
         import yaml
 
         if unreadable := _UNREADABLE.search(self._text):
             lines = _BREAK.split(self._text[: unreadable.start()])
             place = Place(len(lines), len(lines[-1]))
             self._fail(place, f"character {unreadable[0]!r}", "text without control characters", "Remove it")
-        root: Node | None = None
+        roots: list[Node] = []
         try:
             self._events = yaml.parse(self._text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
             for event in self._events:
                 if isinstance(event, yaml.DocumentStartEvent):
-                    if root is not None:
+                    if roots and not self._of_rcl:
                         self._fail(_place(event), "a second document", "one document in a file", "Remove from `---` on")
-                    root = self._node(next(self._events), 0)
+                    roots.append(self._node(next(self._events), 0))
         except yaml.MarkedYAMLError as error:
             self._broken(error)
-        return None if isinstance(root, Scalar) and root.empty else root
+        return [root for root in roots if not (isinstance(root, Scalar) and root.empty)]
 
     def _node(self, event: Any, depth: int) -> Node:
         import yaml
@@ -187,12 +214,13 @@ class _Builder:
                     _place(event), f"more than {MAX_NODES:,} values", "fewer aliases of aliases", "Write them out"
                 )
             return node
-        if event.tag:
+        if event.tag and not self._of_rcl:
             self._fail(_place(event), f"the YAML tag {event.tag!r}", "a value without a tag", "Remove it")
         before = self._nodes
         self._nodes += 1
         if isinstance(event, yaml.ScalarEvent):
-            node = Scalar(_place(event), event.value, event.style in {None, ""})
+            plain = event.style in {None, ""} and not (self._of_rcl and event.tag == _TEXT_TAG)
+            node = Scalar(_place(event), event.value, plain)
         elif isinstance(event, yaml.SequenceStartEvent):
             node = Items(_place(event), tuple(self._list(depth)))
         else:

@@ -78,3 +78,27 @@ def test_of_two_keys_of_one_name_rosparam_takes_the_last():
         "layer/z": ("2", 4),
         "layer/a": ("x", 3),
     }
+
+
+def test_tags_are_read_as_rcl_does():
+    content = b"""\
+lidar:
+  ros__parameters:
+    a: !!str 5
+    b: !!str true
+    c: !!int "5"
+    d: !!float 1
+    e: !custom 1.5
+    f: [!!str 1, "2"]
+    g: !!seq [1, 2]
+    h: !!bool yes
+"""
+    assert {name: (value, kind) for _, name, value, kind, _ in told(ros2_parameters(content, "a.yaml"))} == {
+        "a": ("5", "string"), "b": ("true", "string"), "c": ("5", "string"), "d": ("1", "int"), "e": ("1.5", "double"),
+        "f": ("[1, 2]", "string_array"), "g": ("[1, 2]", "int_array"), "h": ("yes", "bool"),
+    }  # fmt: skip
+
+
+def test_documents_of_a_file_are_read_one_after_the_other():
+    content = b"---\na:\n  ros__parameters: {x: 1}\n---\nb:\n  ros__parameters: {y: 2}\n---\n"
+    assert told(ros2_parameters(content, "a.yaml")) == [("/a", "x", "1", "int", 3), ("/b", "y", "2", "int", 6)]

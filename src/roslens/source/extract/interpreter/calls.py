@@ -19,10 +19,11 @@ from roslens.source.extract.domain.abstract_value import (
 from roslens.source.extract.domain.owned_pointer import is_owner, owns_first
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.bound_functions import bound
+from roslens.source.extract.interpreter.dotted_name import dotted_name
 from roslens.source.extract.interpreter.language_calls import BINDS, FROM_THIS, KNOWN, of_language
 from roslens.source.extract.interpreter.unknown_calls import may_set, method_of_plain
 from roslens.source.extract.interpreter.vocabulary import CallSite, find_method, find_outer, guessed_method, is_method
-from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
+from roslens.source.extract.ir.program import Call, Function, Member, Name
 from roslens.source.extract.symbols.symbol_table import Defined, dotted, type_arguments, type_name
 from roslens.source.extract.transfer.each_way import each_way
 from roslens.source.extract.transfer.overload_choice import overload
@@ -40,16 +41,6 @@ _OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
 def _takes_object(function: Function) -> bool:
     """Return whether a function of a class of Python is called on an object of it."""
     return not any(one in _OF_NO_OBJECT for one in function.decorators)
-
-
-def _dotted(expression: Expression) -> str:
-    """Return names joined by dots as they are written; empty where something else is among them."""
-    match expression:
-        case Name():
-            return expression.name
-        case Member() if before := _dotted(expression.of):
-            return f"{before}.{expression.name}"
-    return ""
 
 
 class Calls:
@@ -276,7 +267,7 @@ class Calls:
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
         ctx = self.ctx
         count = len(arguments) + len(keywords)
-        inside = ctx.named.function(_dotted(function), count) or self._class_of_module(function)
+        inside = ctx.named.function(dotted_name(function), count) or self._class_of_module(function)
         if inside is not None:
             return self.applied(inside, expression, arguments, keywords, templates)
         beside: Class | None = None
@@ -305,7 +296,7 @@ class Calls:
 
     def _class_of_module(self, function: Member) -> Class | None:
         ctx = self.ctx
-        frame, name = ctx.state.frame, _dotted(function)
+        frame, name = ctx.state.frame, dotted_name(function)
         if not name or not ctx.dialect.classes_in_modules:
             return None
         found = ctx.index.class_of(name, frame.path, frame.scope)

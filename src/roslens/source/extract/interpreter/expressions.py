@@ -25,6 +25,7 @@ from roslens.source.extract.domain.plain_methods import SAME
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import item_of
 from roslens.source.extract.domain.word_list import has_place
+from roslens.source.extract.interpreter.dotted_name import dotted_name
 from roslens.source.extract.interpreter.operations import chosen, computed, decided, opened
 from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
 from roslens.source.extract.ir.program import (
@@ -167,8 +168,12 @@ class Expressions:
         return ctx.state.constants[path, name]
 
     def member(self, expression: Member) -> Value:
-        """Return a member of an object."""
+        """Return a member of an object, or what a module of the workspace has."""
         of = self.value(expression.of)
+        if type(of) is Named and self.ctx.dialect.classes_in_modules:
+            found = self.defined(dotted_name(expression))
+            if found is not None:
+                return found
         return self.member_of(of, expression.name)
 
     def member_of(self, of: Value, name: str) -> Value:

@@ -15,6 +15,7 @@ from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.facts.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.launch.bridge_files import with_bridges
 from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch_python.deferred import Scope, Value, resolve, truth
 from roslens.source.extract.launch_python.launch_action import Action, Condition, Parameter
@@ -280,7 +281,7 @@ class _Whole:
             conditions=inner.conditions,
             kind=action.kind,
         )
-        self.nodes.append(launched)
+        self.nodes.append(with_bridges(launched, self.files))
         if action.kind == "container":
             self._load(action.children, full_name(launched), scope, inner)
 

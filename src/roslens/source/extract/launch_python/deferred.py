@@ -154,7 +154,8 @@ def _path(parts: list[Text], scope: Scope) -> Text:
     first = max((place for place, part in enumerate(parts) if part.is_global), default=0)
     pieces: list[Text | str] = []
     for part in parts[first:]:
-        pieces += ["/", part] if pieces and not str(pieces[-1]).endswith("/") else [part]
+        if part.parts:
+            pieces += ["/", part] if pieces and not str(pieces[-1]).endswith("/") else [part]
     whole = Text.of(*pieces)
     if whole.known is None:
         return _installed(whole, scope)

@@ -10,7 +10,7 @@ from roslens.source.extract.interpreter.calls import Calls
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
 from roslens.source.extract.launch_python.deferred import Deferred, resolve
 from roslens.source.extract.launch_python.file_changes import stands_for
-from roslens.source.extract.launch_python.launch_file_reads import PATH_READS, READS, Opened, read
+from roslens.source.extract.launch_python.launch_file_reads import PATH_READS, READS, read
 from roslens.source.extract.launch_python.launch_functions import (
     FUNCTIONS,
     Bound,
@@ -19,7 +19,7 @@ from roslens.source.extract.launch_python.launch_functions import (
     Shape,
     call_with_functions,
 )
-from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, as_value, lifted, plain
+from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, Opened, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import kept
 from roslens.source.extract.launch_python.launch_words import ACTIONS, call_known, call_method, is_at_once, is_known
 from roslens.source.extract.launch_python.visit import Visit
@@ -132,6 +132,8 @@ class LaunchCalls(Calls):
                 return super().plain_method(expression, Member(function.of, "extend"), of, arguments, keywords)
             case Obj() if name == "perform_substitution" and arguments:
                 return lifted(self._resolved(as_value(plain(arguments[0]))))
+            case Deferred() if name == "find" and of.kind in ("share", "prefix") and arguments:
+                return self.visit.at_once(Deferred(of.kind, (as_value(plain(arguments[0])),)))
             case Text() | Deferred() if name in PATH_READS:
                 return lifted(self._read_path(name, as_value(plain(of)), arguments))
             case list() | dict() if name == "copy":

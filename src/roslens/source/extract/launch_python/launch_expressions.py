@@ -41,12 +41,6 @@ class LaunchExpressions(Expressions):
             return Text.of(CONSTANTS[name])
         return Text.of("launch") if name == "__name__" else super().outside(name)
 
-    def member(self, expression: Member) -> Value:
-        """Return a member of an object, or what a module of the workspace has."""
-        of = self.value(expression.of)
-        found = self.defined(_dotted(expression)) if isinstance(of, Named) else None
-        return self.member_of(of, expression.name) if found is None else found
-
     def member_of(self, of: Value, name: str) -> Value:
         """Return a member of a value by name."""
         match of:
@@ -55,6 +49,8 @@ class LaunchExpressions(Expressions):
                 return super().member_of(of, name) if found is None else lifted(found)
             case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
                 return Bound(of, name)
+            case Made() if name == "entities" and of.name == "LaunchDescription":
+                return [item for one in of.positional for item in (self.ctx.items(one) or [one])]
             case list() if name in ("append", "extend"):
                 return Bound(of, name)
             case Class():
@@ -159,16 +155,6 @@ def _is_plain(value: Any) -> bool:
         case dict():
             return all(_is_plain(one) for one in (*value, *value.values()))
     return isinstance(value, _PLAIN)
-
-
-def _dotted(expression: Expression) -> str:
-    match expression:
-        case Name():
-            return expression.name
-        case Member():
-            before = _dotted(expression.of)
-            return f"{before}.{expression.name}" if before else ""
-    return ""
 
 
 class _NoFiles:

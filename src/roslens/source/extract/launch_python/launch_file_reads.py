@@ -6,10 +6,10 @@ import json
 from fnmatch import fnmatchcase
 
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
-from roslens.source.extract.domain.abstract_value import Foreign, Unknown
+from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.launch_python.deferred import Deferred, Scope, resolve
-from roslens.source.extract.launch_python.launch_values import Plain, as_value
+from roslens.source.extract.launch_python.launch_values import Opened, Plain, as_value
 from roslens.source.extract.symbolic.text import Text
 
 _LOADS = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load", "yaml.unsafe_load"})
@@ -23,12 +23,6 @@ PATH_READS = {"open": "open", "read_text": "open", "read_bytes": "open", "exists
               "is_file": "os.path.isfile", "glob": "pathlib.glob", "rglob": "pathlib.rglob"}  # fmt: skip
 """What methods of paths do, as functions that read."""
 _MOST_BYTES = 1_000_000
-
-
-class Opened(Foreign, frozen=True):
-    """A file that is read, by its path in the workspace."""
-
-    path: str
 
 
 def read(function: str, positional: list[Plain], path: str, files: Files | None, scope: Scope | None) -> Plain:

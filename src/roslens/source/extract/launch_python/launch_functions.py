@@ -11,8 +11,9 @@ from typing import TypeAlias
 
 import msgspec
 
-from roslens.source.extract.domain.abstract_value import Foreign, Names, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Foreign, Named, Names, Obj, Unknown, Value
 from roslens.source.extract.domain.guarded import Guarded, guarded, in_place_of, is_counted, unguarded
+from roslens.source.extract.domain.kinds import name_of
 from roslens.source.extract.domain.table_key import hashable
 from roslens.source.extract.domain.unknown_lists import each_of
 from roslens.source.extract.launch_python.launch_values import Made, Plain, plain
@@ -314,11 +315,37 @@ def _truths(calling: Calling, *, stops: bool) -> Value:
     return Unknown(calling.written) if None in holds else not stops
 
 
+def _is_of_kind(calling: Calling) -> Value:
+    """Return whether a value is of a kind that Python has; substitutions and what is not known are of any."""
+    value, kinds = calling.arguments
+    match kinds:
+        case Named(name=name):
+            names = {name}
+        case list():
+            names = {name_of(one) for one in kinds}
+        case _:
+            raise TypeError
+    found = next((kind for kind, classes in _KINDS if type(value) in classes), None)
+    if found is None or not names <= _NAMES_OF_KINDS:
+        raise TypeError
+    return not names.isdisjoint(found)
+
+
 def _with_keys(calling: Calling) -> Value:
     keys, *value = calling.arguments
     return {hashable(one): value[0] if value else None for one in calling.spread(keys)}
 
 
+_KINDS: tuple[tuple[frozenset[str], tuple[type, ...]], ...] = (
+    (frozenset({"str"}), (Text,)),
+    (frozenset({"bool", "int"}), (bool,)),
+    (frozenset({"int"}), (int,)),
+    (frozenset({"float"}), (float,)),
+    # Tuples are lists here.
+    (frozenset({"list", "tuple"}), (list,)),
+    (frozenset({"dict"}), (dict,)),
+)
+_NAMES_OF_KINDS = frozenset({"str", "bool", "int", "float", "list", "tuple", "dict", "pathlib.Path", "Path"})
 FUNCTIONS: dict[str, _Word] = {
     "functools.partial": _partial,
     "map": _map,
@@ -343,5 +370,6 @@ FUNCTIONS: dict[str, _Word] = {
     "operator.or_": _or,
     "collections.namedtuple": _shape,
     "dict.fromkeys": _with_keys,
+    "isinstance": _is_of_kind,
 }
 """By whole names."""

@@ -71,6 +71,12 @@ class Visited(msgspec.Struct, frozen=True, eq=False):
         return self.positional[place] if 0 <= place < len(self.positional) else None
 
 
+class Opened(Foreign, frozen=True):
+    """A file that is read, by its path in the workspace."""
+
+    path: str
+
+
 class Either(Foreign, frozen=True, eq=False):
     """One value while a condition holds, else the other."""
 
@@ -156,6 +162,8 @@ def _of_others(found: Plain) -> Written:
             return unknown_value(f"one of two values, by {found.condition}")
         case Guarded():
             return as_value(found.value)
+        case Opened():
+            return Deferred("content", (found.path,))
         case Made():
             return unknown_value(f"a {found.name}") if found.stands_for is None else found.stands_for
         case Named():

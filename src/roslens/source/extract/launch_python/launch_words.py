@@ -13,9 +13,8 @@ from roslens.source.extract.domain.abstract_value import Callable as Function
 from roslens.source.extract.domain.abstract_value import Unknown
 from roslens.source.extract.launch_python.deferred import Deferred
 from roslens.source.extract.launch_python.launch_action import text
-from roslens.source.extract.launch_python.launch_file_reads import Opened
 from roslens.source.extract.launch_python.launch_paths import PATHS, path_method
-from roslens.source.extract.launch_python.launch_values import Either, Made, as_value, shown
+from roslens.source.extract.launch_python.launch_values import Either, Made, Opened, as_value, shown
 from roslens.source.extract.symbolic.python_expression import evaluate
 from roslens.source.extract.symbolic.text import Text
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import msgspec
 
-from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, Tree, read_parameter_trees, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import Evidence
@@ -66,11 +66,13 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
         DocumentError: it is no YAML that can be read, a table that is not ``node: {ros__parameters: …}``, or has a list
             of values of different types.
     """
-    # rcl sets one after the other, so that the last of two of one name holds.
-    tree = read_tree(content, path, last_counts=True)
+    return [one for tree in read_parameter_trees(content, path) for one in _of_document(tree)]
+
+
+def _of_document(tree: Tree) -> Iterator[Setting]:
+    """Yield the parameters of a document."""
     if tree.root is None:
-        return []
-    found = []
+        return
     for nodes, table in _of_nodes(tree.root, (), tree):
         pattern = "/" + "/".join(piece.strip("/") for piece in nodes if piece.strip("/"))
         for names, node in _leaves(table, ()):
@@ -83,8 +85,7 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
                     node, tree, "a list of values of different types" if names else "not a table of parameters"
                 )
             setting = _setting(names, ".", node, tree, 0, pattern)
-            found.append(msgspec.structs.replace(setting, type=type_in_file(node)))
-    return found
+            yield msgspec.structs.replace(setting, type=type_in_file(node))
 
 
 def _refused(node: Node, tree: Tree, what: str) -> DocumentError:

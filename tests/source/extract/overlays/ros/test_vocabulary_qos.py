@@ -3,6 +3,9 @@
 import pytest
 
 from roslens.model.qos import Qos
+from roslens.source.extract.interpreter.vocabulary_index import indexed
+from roslens.source.extract.lowering.python.python_program import program_of_python
+from roslens.source.extract.units.workspace_units import facts_of_workspace
 
 SENSOR = "rmw_qos_profile_sensor_data"
 
@@ -210,3 +213,42 @@ class A(Node):
     found = {str(one.name): one.qos for one in facts.endpoints}
     usual = Qos("reliable", "volatile", "keep_last", 0)
     assert found == {"a": usual, "b": usual, "c": Qos()}
+
+
+@pytest.mark.parametrize(
+    ("imported", "used"),
+    [
+        ("import nav_utils.qos", "nav_utils.qos.LATCHED"),
+        ("import nav_utils.qos as q", "q.LATCHED"),
+        ("from nav_utils import qos", "qos.LATCHED"),
+        ("from nav_utils.qos import LATCHED", "LATCHED"),
+        ("import nav_utils.qos", "nav_utils.qos.latched()"),
+        ("from nav_utils import qos", "qos.Profiles.LATCHED"),
+        ("import nav_utils", "nav_utils.LATCHED"),
+    ],
+)
+def test_a_constant_of_a_module_of_the_workspace(imported, used):
+    profile = "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)"
+    texts = {
+        "src/nav_utils/nav_utils/__init__.py": "from .qos import LATCHED\n",
+        "src/nav_utils/nav_utils/qos.py": f"""
+from rclpy.qos import DurabilityPolicy, QoSProfile
+LATCHED = {profile}
+def latched():
+    return {profile}
+class Profiles:
+    LATCHED = {profile}
+""",
+        "src/mapper/mapper/a.py": f"""
+from rclpy.node import Node
+from std_msgs.msg import String
+{imported}
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        self.a = self.create_publisher(String, 'a', {used})
+""",
+    }
+    programs = {path: program_of_python(text.encode()) for path, text in texts.items()}
+    (facts,) = facts_of_workspace(indexed(programs, {path: path.split("/")[1] for path in programs}))
+    assert [one.qos for one in facts.endpoints] == [Qos("reliable", "transient_local", "keep_last", 1)]

@@ -2,6 +2,8 @@
 
 import json
 import os
+from argparse import Namespace
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -73,6 +75,20 @@ def test_explaining_a_metric_and_completing_run_nothing(workspace, monkeypatch, 
     main(["trust"])
     assert main(["completion", "ids", "--path", str(workspace)]) == 0
     assert not ran(workspace), "on TAB nothing runs, trusted or not"
+
+
+@pytest.mark.skipif(find_spec("pygls") is None, reason="pygls is not installed: pip install 'roslens[lsp]'")
+def test_an_editor_that_opens_the_folder_runs_nothing(workspace):
+    from roslens.cli.editor.language_server import Folder
+
+    options = Namespace(config=None, model=None, no_cache=True)
+    folder = Folder(workspace, options)
+    folder.cache.close()
+    assert not ran(workspace)
+    main(["trust", str(workspace)])
+    folder = Folder(workspace, options)
+    folder.cache.close()
+    assert ran(workspace)
 
 
 def test_configuration_of_a_parent_folder_is_a_strangers_too(workspace):

@@ -117,7 +117,8 @@ class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     ``use`` are names of tools, ``all`` for every one that is installed. ``layout`` says whether findings about white
     space and line breaks become one a package (``fold``) or stay as they are (``each``). ``time_limit_s`` is how long
     one process of a tool may take. ``imports`` are SARIF files, ``commands`` tools of the user's by name;
-    ``untrusted`` are names of commands that do not run, because the user did not say that they may.
+    ``untrusted`` are names of commands, and ``not_used`` of tools, that do not run because the user did not say that
+    they may. ``own_settings`` tells whether tools read their settings files in the workspace and above it.
     """
 
     use: tuple[str, ...] = ()
@@ -126,6 +127,8 @@ class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     imports: tuple[str, ...] = ()
     commands: dict[str, ToolCommand] = {}
     untrusted: tuple[str, ...] = ()
+    not_used: tuple[str, ...] = ()
+    own_settings: bool = False
 
 
 class IgnoreRule(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):

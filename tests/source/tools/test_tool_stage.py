@@ -25,12 +25,13 @@ class Played:
     def __init__(self, **_):
         self.started = 0
 
-    def run(self, words, *, folder, time_limit_s, safe_path=True):
+    def run(self, words, *, folder, time_limit_s, safe_path=True, sandbox=None):
         if words[1:] == ["--version"]:
             self.calls.append(["--version"])
             return Ended(0, self.version.encode(), b"")
         files = words[words.index("--") + 1 :]
         self.calls.append(files)
+        type(self).words = words
         for file in files:
             if file in self.fails:
                 raise ToolError(self.fails[file])
@@ -110,11 +111,28 @@ def test_a_second_run_starts_nothing(check, played, workspace):
 
 
 def test_settings_above_a_file_count(check, played, workspace):
-    check("--tools", "cpplint")
+    check("--tools", "cpplint", "--trust")
     played.calls.clear()
     (workspace / "CPPLINT.cfg").write_text("set noparent\n")
-    check("--tools", "cpplint")
+    check("--tools", "cpplint", "--trust")
     assert len(played.calls) == 1
+
+
+def test_settings_that_are_not_trusted_do_not_count(check, played, workspace, capfd):
+    check("--tools", "cpplint")
+    (workspace / "CPPLINT.cfg").write_text("set noparent\n")
+    played.calls.clear()
+    _, report, reported = check("--tools", "cpplint")
+    assert found(report) == ALL
+    assert "--config=roslens.no.settings" in played.words
+    assert "tools run without settings files of the workspace until `roslens trust`: CPPLINT.cfg" in reported
+    main(["trust", str(workspace)])
+    capfd.readouterr()
+    _, report, reported = check("--tools", "cpplint")
+    assert "--config=roslens.no.settings" not in played.words
+    assert "roslens trust" not in reported
+    (workspace / "CPPLINT.cfg").write_text("set noparent\nfilter=-x\n")
+    assert "CPPLINT.cfg" in check("--tools", "cpplint")[2]
 
 
 def test_a_tool_that_is_not_there(check, played):
@@ -174,10 +192,10 @@ def test_a_name_that_nothing_has(check, played):
 def test_the_configuration_names_tools(check, played, workspace):
     config = workspace / "roslens.toml"
     config.write_text('[tools]\nuse = ["cpplint"]\n\n[options.cpplint]\nline_length = 80\n')
-    assert found(check()[1]) == ALL
-    assert found(check("--tools", "none")[1]) == []
+    assert found(check("--trust")[1]) == ALL
+    assert found(check("--trust", "--tools", "none")[1]) == []
     config.write_text('disable = ["cpplint"]\n[tools]\nuse = ["cpplint"]\n')
-    assert found(check()[1]) == []
+    assert found(check("--trust")[1]) == []
     config.write_text("[tools]\nuses = 3\n")
     code, _, reported = check()
     assert code == 2
@@ -185,9 +203,25 @@ def test_the_configuration_names_tools(check, played, workspace):
     assert "unknown key 'tools.uses'" in reported
 
 
+def test_a_configuration_that_is_not_trusted_starts_no_tool(check, played, workspace, capfd):
+    (workspace / "roslens.toml").write_text('[tools]\nuse = ["cpplint"]\n[options.cpplint]\nline_length = 80\n')
+    code, report, reported = check()
+    assert (code, played.calls) == (3, [])
+    (failure,) = report["failures"]
+    assert failure["what"] == "cpplint was not run, because roslens.toml, which switches it on, is not trusted"
+    assert "[options.cpplint]" in reported
+    code, report, _ = check("--tools", "cpplint")
+    assert (code, found(report)) == (0, ALL)
+    assert "--linelength=100" in played.words, "options of the workspace are not used"
+    main(["trust", str(workspace)])
+    capfd.readouterr()
+    assert check()[0] == 0
+    assert "--linelength=80" in played.words
+
+
 def test_an_option_that_the_tool_does_not_have(check, played, workspace):
     (workspace / "roslens.toml").write_text("[options.cpplint]\nline_lenght = 80\n")
-    code, _, reported = check()
+    code, _, reported = check("--trust")
     assert code == 2
     assert "Did you mean 'line_length'?" in reported
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.graph.graph_stage import graph_look
 from roslens.cli.workplace.process_option import process_look, with_process
-from roslens.cli.workplace.tools_option import with_tools
+from roslens.cli.workplace.tools_option import with_tools, without_programs_of_models
 from roslens.cli.workplace.workplace import ANSWERS, CACHE, FOLDER, own_folder
 
 if TYPE_CHECKING:
@@ -125,7 +125,9 @@ def settings_of(
     if options.model:
         base = Path(configuration.base or ".")
         names = [_from_base(name, base) for given in options.model for name in given.split(",") if name]
-        settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
+        settings = msgspec.structs.replace(
+            settings, models=tuple(dict.fromkeys(names)), tools=without_programs_of_models(settings.tools)
+        )
     settings = with_process(options, with_tools(options, settings))
     # Conditions of manifests (REP-149) use the user's environment, unless the configuration overrides it.
     seen = {**environment_of(environment), **settings.workspace.environment}

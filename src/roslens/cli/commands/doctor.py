@@ -57,12 +57,25 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
         yield (
             ("ok", f"{program}: {place}") if place else ("note", f"{program} is not installed; it is needed for {use}")
         )
+    yield _sandbox()
     yield from _tools(options)
     try:
         yield from _configuration(options)
     except RoslensError as error:
         yield "fail", str(error)
     yield from _store(options)
+
+
+def _sandbox() -> tuple[str, str]:
+    """Report what confines tools and plug-ins."""
+    from roslens.children.sandbox import BUBBLEWRAP, LANDLOCK, sandbox_kind
+
+    kind = sandbox_kind()
+    if kind == LANDLOCK:
+        return "ok", "sandbox of tools: Landlock"
+    if kind == BUBBLEWRAP:
+        return "ok", "sandbox of tools: bubblewrap; this kernel has no Landlock"
+    return "note", "tools run without a sandbox: this kernel has no Landlock (Linux 5.13), and bwrap is not installed"
 
 
 def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:

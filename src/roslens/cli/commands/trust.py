@@ -1,15 +1,21 @@
-"""``roslens trust``: let the plug-ins that a workspace names run, as they are now."""
+"""``roslens trust``: let what a workspace configures run, as it is now."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-TEXT = "Trust the plug-ins that a workspace's configuration names by path, with their current content."
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from roslens.cli.workplace.configuration import Configuration
+
+TEXT = "Trust the plug-ins, commands and tools of a workspace's configuration, and settings of tools, as they are now."
 EXAMPLES = """\
-  roslens trust                     those of the nearest roslens.toml
+  roslens trust                     what the nearest roslens.toml names
   roslens trust ~/robot_ws/src --list    list what would run, and whether it is trusted
-  roslens trust --revoke            trust them no more"""
+  roslens trust --revoke            trust it no more"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,24 +37,40 @@ def run(options: argparse.Namespace) -> int:
     import os
 
     from roslens.cli.workplace.configuration import find_configuration
-    from roslens.cli.workplace.trust import code_of, hash_of, is_trusted, revoke, trust
+    from roslens.cli.workplace.tool_settings import settings_files, trust_settings
+    from roslens.cli.workplace.trust import code_of, folder_of, hash_of, revoke, trust
 
     configuration = find_configuration(Path(options.path).resolve(), options.config)
     where = configuration.path or f"{Path(options.path).resolve()} (no roslens.toml)"
-    code = code_of(configuration)
     if options.revoke:
         print(f"{where}: {'no longer trusted' if revoke(configuration, os.environ) else 'was not trusted'}")
         return 0
-    if not code:
-        print(f"{where} names no plug-in by path and no command: nothing of it runs")
+    code, files = code_of(configuration), settings_files(folder_of(configuration))
+    if not (code or files):
+        print(f"{where} names no program, and there are no settings files of tools: nothing of it runs")
         return 0
     if options.list:
-        state = "trusted" if is_trusted(configuration, os.environ) else "not trusted"
+        state = "trusted" if _is_trusted(configuration, code, files) else "not trusted"
     else:
-        trust(configuration, os.environ)
+        if code:
+            trust(configuration, os.environ)
+        trust_settings(configuration, os.environ)
         state = "trusted from now on, until one of them changes"
     print(f"{where}: {state}")
-    for name in code:
+    for name in (*code, *files):
         print(f"  {name}")
-    print(f"  sha256 {hash_of(configuration)}")
+    if code:
+        print(f"  sha256 {hash_of(configuration)}")
     return 0
+
+
+def _is_trusted(configuration: Configuration, code: Sequence[str], files: tuple[str, ...]) -> bool:
+    """Return whether everything that would run, and settings that tools would read, is trusted as it is now."""
+    import os
+
+    from roslens.cli.workplace.tool_settings import hash_of_settings
+    from roslens.cli.workplace.trust import folder_of, is_trusted, read_trusted
+
+    if code and not is_trusted(configuration, os.environ):
+        return False
+    return not files or read_trusted(os.environ).settings.get(folder_of(configuration)) == hash_of_settings(files)

@@ -19,6 +19,7 @@ from roslens.cli.editor.editor_findings import Shown, failure_as_finding, hover_
 from roslens.cli.editor.editor_fixes import EditorFix, FixableFolder
 from roslens.cli.workplace.configuration import find_configuration
 from roslens.cli.workplace.explainable import known
+from roslens.cli.workplace.trust import admitted
 from roslens.cli.workplace.workplace import CACHE, own_folder
 from roslens.model.edit import Edit
 from roslens.model.errors import RoslensError
@@ -40,7 +41,8 @@ class Folder:
     def __init__(self, root: Path, options: Any) -> None:
         """``options`` are those of ``roslens lsp``."""
         self.root = root.resolve()
-        configuration = find_configuration(self.root, options.config)
+        # An editor opens folders of strangers, and there is no one to ask.
+        configuration = admitted(find_configuration(self.root, options.config), given=False, environment=os.environ)
         settings = settings_of(options, configuration, os.environ)
         self.cache = Cache.open(None if options.no_cache else own_folder(self.root) / CACHE)
         self.fresh = FreshPackages([self.root], settings, Path(configuration.base or "."), self.cache)

@@ -59,9 +59,10 @@ def analyse_past(options: argparse.Namespace, root: Path) -> int:
     from roslens.cli.past.past_runs import past_runs, since_of
     from roslens.cli.terminal.streams import progress_for
     from roslens.cli.workplace.configuration import find_configuration
+    from roslens.cli.workplace.trust_option import admitted_by
 
     every = every_of(options.every)
-    settings = settings_of(options, find_configuration(root, options.config), os.environ)
+    settings = settings_of(options, admitted_by(options, find_configuration(root, options.config)), os.environ)
     progress = progress_for(options)
     with past_runs(root, settings) as runs:
         chosen = runs.states.chosen(every, since_s=since_of(options.since, runs.states))

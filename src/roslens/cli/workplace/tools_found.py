@@ -44,7 +44,7 @@ def found_tools(root: str, *, ask: bool) -> Iterator[FoundTool]:
         version, trouble = "", ""
         if ask and tool.version_words:
             try:
-                version = version_of(tool, program, runner, root)
+                version = version_of(tool, program, runner)
                 check_age(tool, version)
             except ToolError as error:
                 trouble = f"it {error}"

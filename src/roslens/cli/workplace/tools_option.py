@@ -7,11 +7,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.source.tools.used import NOT_RUN
+from roslens.source.tools.used import NOT_RUN, TOOLS, plain
 
 if TYPE_CHECKING:
     from roslens.model.result import RunHeader
-    from roslens.source.settings import SourceSettings
+    from roslens.source.settings import SourceSettings, ToolSettings
 
 
 def add_tools_arguments(parser: argparse.ArgumentParser) -> None:
@@ -45,7 +45,7 @@ def with_tools(options: argparse.Namespace, settings: SourceSettings) -> SourceS
         use = () if names == ("none",) else names
         commands = {name: command for name, command in tools.commands.items() if name in use or "all" in use}
         untrusted = tuple(name for name in tools.untrusted if name in use or "all" in use)
-        tools = msgspec.structs.replace(tools, use=use, commands=commands, untrusted=untrusted)
+        tools = msgspec.structs.replace(tools, use=use, commands=commands, untrusted=untrusted, not_used=_kept(tools))
     if imports := getattr(options, "imports", None):
         # Those of the configuration start from its folder, these from the current one.
         here = tuple(str(Path(name).absolute()) for name in imports)
@@ -61,3 +61,16 @@ def tell_not_run(header: RunHeader) -> None:
         if version.startswith(NOT_RUN):
             why = version.removeprefix(NOT_RUN)
             print(f"roslens: {name} was not run, because {why}", file=sys.stderr)
+
+
+def without_programs_of_models(tools: ToolSettings) -> ToolSettings:
+    """Return the settings without the programs that models of the workspace would have started."""
+    import msgspec
+
+    not_used = tuple(name for name in tools.not_used if plain(name) in TOOLS)
+    return msgspec.structs.replace(tools, not_used=not_used)
+
+
+def _kept(tools: ToolSettings) -> tuple[str, ...]:
+    """Return the programs that a model would have started: naming tools does not name these."""
+    return tuple(name for name in tools.not_used if plain(name) not in TOOLS)

@@ -1,15 +1,17 @@
-"""Which plug-ins of a workspace may run: those whose folder and content the user trusts.
+"""What a workspace may start: what the user trusts, for its folder and content.
 
-A ``roslens.toml`` comes with the source that is looked at, so a plug-in that it names by a path is a stranger's code.
-It runs once the user has said so, for this folder and this content: after any change the question is asked again.
+A ``roslens.toml`` comes with the source that is looked at, so a plug-in that it names by a path is a stranger's code,
+and a tool that it switches on reads what strangers wrote. Nothing of it starts a program before the user has said so,
+for this folder and this content: after any change the question is asked again.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import shlex
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from hashlib import sha256
 from pathlib import Path
 
@@ -18,21 +20,47 @@ import msgspec
 from roslens.cli.workplace.configuration import Configuration
 from roslens.cli.workplace.user_folder import user_folder, write_private
 from roslens.model.errors import UsageError
+from roslens.source.tools.used import plain
 
 _FILE = "trusted.json"
 
 
 class Trusted(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What a user trusts: the hash of what would run, by the folder of the configuration that names it."""
+    """What a user trusts, by the folder of the configuration: hashes of what would run, and of settings of tools."""
 
     folders: dict[str, str] = {}
+    settings: dict[str, str] = {}
+
+
+OWN_OPTIONS = frozenset({"graph"})
+"""Tables of ``[options]`` that reach no foreign program and no plug-in."""
+
+STARTED_BY_MODEL = {"paper2016": "cccc"}
+"""Quality models whose quantities a foreign program measures."""
 
 
 def code_of(configuration: Configuration) -> tuple[str, ...]:
-    """Return what the configuration would have run: paths of plug-ins, commands of tools, servers."""
+    """Return what the configuration would have run: plug-ins, commands, tools with their options, servers."""
     tools = configuration.source.tools.commands
     commands = (f"[tools.{name}] {shlex.join(one.command)}" for name, one in sorted(tools.items()))
-    return (*configuration.source.plugins, *commands, *servers_of(configuration))
+    return (*configuration.source.plugins, *commands, *switches_of(configuration), *servers_of(configuration))
+
+
+def switches_of(configuration: Configuration) -> tuple[str, ...]:
+    """Return by what it starts installed programs, and what it passes to them."""
+    source = configuration.source
+    use = (f"[tools] use = {', '.join(source.tools.use)}",) if source.tools.use else ()
+    options = tuple(
+        f"[options.{name}] {json.dumps(table, sort_keys=True, default=str)}"
+        for name, table in sorted(source.options.items())
+        if name not in OWN_OPTIONS
+    )
+    models = tuple(f"models = {name}, which starts {STARTED_BY_MODEL[name]}" for name in _starting(source.models))
+    return (*use, *options, *models)
+
+
+def _starting(models: Iterable[str]) -> list[str]:
+    return [name for name in models if name in STARTED_BY_MODEL]
 
 
 def servers_of(configuration: Configuration) -> tuple[str, ...]:
@@ -48,13 +76,15 @@ def hash_of(configuration: Configuration) -> str:
     for name in configuration.source.plugins:
         digest.update(f"plug-in {name}\0".encode("utf-8", "surrogateescape"))
         for file in _files(base / name):
-            digest.update(os.fsencode(file) + b"\0" + _content(file))
+            digest.update(os.fsencode(file) + b"\0" + content_of(file))
     for name, tool in sorted(configuration.source.tools.commands.items()):
         for word in (name, *tool.command):
             digest.update(f"command {word}\0".encode("utf-8", "surrogateescape"))
             # A script of the workspace is what would run, whether it comes first or behind an interpreter.
             if (base / word).is_file():
-                digest.update(_content(base / word))
+                digest.update(content_of(base / word))
+    for switch in switches_of(configuration):
+        digest.update(f"switch {switch}\0".encode("utf-8", "surrogateescape"))
     for server in servers_of(configuration):
         digest.update(f"server {server}\0".encode("utf-8", "surrogateescape"))
     return digest.hexdigest()
@@ -67,7 +97,8 @@ def _files(path: Path) -> Iterator[Path]:
         yield path
 
 
-def _content(file: Path) -> bytes:
+def content_of(file: Path) -> bytes:
+    """Return the hash of a file's content, or that it cannot be read."""
     try:
         with file.open("rb") as stream:
             digest = sha256()
@@ -106,24 +137,27 @@ def write_trusted(trusted: Trusted, environment: Mapping[str, str]) -> None:
 
 def is_trusted(configuration: Configuration, environment: Mapping[str, str]) -> bool:
     """Return whether the user trusts what this configuration would have run, as it is now."""
-    return read_trusted(environment).folders.get(_folder(configuration)) == hash_of(configuration)
+    return read_trusted(environment).folders.get(folder_of(configuration)) == hash_of(configuration)
 
 
 def trust(configuration: Configuration, environment: Mapping[str, str]) -> None:
     """Trust what this configuration would have run, as it is now."""
-    folders = {**read_trusted(environment).folders, _folder(configuration): hash_of(configuration)}
-    write_trusted(Trusted(folders), environment)
+    trusted = read_trusted(environment)
+    folders = {**trusted.folders, folder_of(configuration): hash_of(configuration)}
+    write_trusted(msgspec.structs.replace(trusted, folders=folders), environment)
 
 
 def revoke(configuration: Configuration, environment: Mapping[str, str]) -> bool:
     """Trust it no more; return whether it was trusted in any state."""
-    folders = dict(read_trusted(environment).folders)
-    known = folders.pop(_folder(configuration), "")
-    write_trusted(Trusted(folders), environment)
-    return bool(known)
+    trusted = read_trusted(environment)
+    folders, settings = dict(trusted.folders), dict(trusted.settings)
+    known = [held.pop(folder_of(configuration), "") for held in (folders, settings)]
+    write_trusted(Trusted(folders, settings), environment)
+    return any(known)
 
 
-def _folder(configuration: Configuration) -> str:
+def folder_of(configuration: Configuration) -> str:
+    """Return the folder that trust in a configuration is given for."""
     return os.path.realpath(configuration.base or ".")
 
 
@@ -155,11 +189,28 @@ def admitted(
 
 
 def withheld(configuration: Configuration) -> Configuration:
-    """Return the configuration without servers, plug-ins and commands; the latter are named as not trusted."""
-    tools = configuration.source.tools
-    tools = msgspec.structs.replace(tools, commands={}, untrusted=tuple(sorted(tools.commands)))
+    """Return the configuration without servers, plug-ins, commands, tools, their options and models that start one.
+
+    Plug-ins, commands and tools are named as not trusted.
+    """
+    source = configuration.source
+    tools = msgspec.structs.replace(
+        source.tools,
+        commands={},
+        untrusted=tuple(sorted(source.tools.commands)),
+        use=(),
+        not_used=(
+            *(name for name in source.tools.use if plain(name) not in source.disable),
+            *(STARTED_BY_MODEL[name] for name in _starting(source.models)),
+        ),
+    )
     source = msgspec.structs.replace(
-        configuration.source, plugins=(), untrusted=configuration.source.plugins, tools=tools
+        source,
+        plugins=(),
+        untrusted=source.plugins,
+        tools=tools,
+        options={name: table for name, table in source.options.items() if name in OWN_OPTIONS},
+        models=tuple(name for name in source.models if name not in STARTED_BY_MODEL),
     )
     engine = "" if "://" in configuration.engine else configuration.engine
     return msgspec.structs.replace(configuration, source=source, store="", engine=engine)
@@ -168,7 +219,7 @@ def withheld(configuration: Configuration) -> Configuration:
 def _question(configuration: Configuration) -> str:
     listed = "".join(f"  {name}\n" for name in code_of(configuration))
     return (
-        f"{configuration.path} names plug-ins or commands, which are programs that would run as you, or servers:\n"
+        f"{configuration.path} names plug-ins, commands or tools, which would run as you, or servers:\n"
         f"{listed}"
         f"Trust them as they are now? [y/N] "
     )

@@ -39,10 +39,14 @@ class ClangFormat(Tool):
     fixes_at_once = 1
     options = (Option("style", "str", "Google, LLVM …, or `file` for the .clang-format above each file.", FILE),)
 
-    def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:
+    def prepared(
+        self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any], *, own_settings: bool
+    ) -> Any:
         """Reject a workspace without a configured layout."""
         if options["style"] != FILE:
             return None
+        if not own_settings:
+            raise ToolError("has no layout to check: .clang-format counts once you trust it, see `roslens trust`")
         above = SettingsFiles(root)
         folders = {os.path.dirname(file.path): file for file in files if self.reads(file)}  # noqa: PTH120
         if folders and not any(above.key_of(file.path, self.settings_files[:2]) for file in folders.values()):

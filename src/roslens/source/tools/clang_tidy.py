@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -14,7 +14,8 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.intake.safe_yaml import MOST_BYTES, UnsafeYamlError, load_yaml
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.compile_commands import LOADS, Command, as_json, find_databases, merged
+from roslens.source.tools.compiling.compile_commands import Command, as_json, find_databases, merged
+from roslens.source.tools.compiling.compile_flags import allowed_flags
 from roslens.source.tools.running.run_tool import Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
 
@@ -69,7 +70,9 @@ class ClangTidy(Tool):
         """Return whether other files may include it."""
         return PurePosixPath(file.path).suffix.lower() in _HEADERS
 
-    def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:
+    def prepared(
+        self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any], *, own_settings: bool
+    ) -> Any:
         """Return how the files are compiled."""
         found = find_databases(root, options["database"])
         if not found:
@@ -87,12 +90,13 @@ class ClangTidy(Tool):
         if not commands:
             unread = f" ({database.unread[0]})" if database.unread else ""
             raise ToolError(f"finds no command for any file in {found[0]}{unread}; build the workspace again")
-        inside = _settings_files(root, commands)
-        for path in inside:
-            if what := loaded_by(path):
-                raise ToolError(f"would load code that {path} names: {what!r}; remove it from ExtraArgs")
-        above = any(Path(folder, ".clang-tidy").is_file() for folder in Path(root).parents)
-        return Build(commands, above or bool(inside))
+        if not own_settings:
+            return Build(commands, own_checks=False)
+        found_settings = _settings_files({command.file for command in commands.values()})
+        for path in found_settings:
+            if what := refused_by(path):
+                raise ToolError(f"is given {what!r} by {path}, which does more than shape what code means; remove it")
+        return Build(commands, bool(found_settings))
 
     def covers(self, file: SourceFile, beside: Any) -> bool:
         """Return whether the build defines how a file is compiled; headers are checked where they are included."""
@@ -120,6 +124,8 @@ class ClangTidy(Tool):
             "--quiet",
             f"--header-filter={request.options['headers']}",
             *([f"--checks={','.join(checks)}"] if checks else []),
+            # Settings on the command line take the place of all .clang-tidy.
+            *([] if request.own_settings else ["--config={}"]),
             *wanted,
         ]
 
@@ -148,24 +154,28 @@ class ClangTidy(Tool):
         return Reading(tuple(found))
 
 
-def _settings_files(root: str, paths: Mapping[str, object]) -> list[Path]:
-    """Return the settings from the root to the files."""
+def _settings_files(paths: Iterable[str]) -> list[Path]:
+    """Return the settings in the folders of files, by their real paths, and above."""
     folders = {parent for path in paths for parent in PurePosixPath(path).parents}
-    found = (Path(root, folder, ".clang-tidy") for folder in sorted(folders))
+    found = (Path(folder, ".clang-tidy") for folder in sorted(folders))
     return [path for path in found if path.is_file()]
 
 
-def loaded_by(path: Path) -> str:
-    """Return the first argument of settings by which the compiler would load or run something; empty for none."""
+def refused_by(path: Path) -> str:
+    """Return the first argument of settings that does more than shape what code means; empty for none."""
     try:
         settings = load_yaml(read_bounded(path, MOST_BYTES))
     except (OSError, UnsafeYamlError) as error:
         return str(error)
     if not isinstance(settings, Mapping):
         return ""
-    arguments = [settings.get("ExtraArgs"), settings.get("ExtraArgsBefore")]
-    words = [str(word) for given in arguments if isinstance(given, Sequence) for word in given]
-    return next((word for word in words if word.startswith(LOADS)), "")
+    for key in ("ExtraArgs", "ExtraArgsBefore"):
+        given = settings.get(key)
+        words = [str(word) for word in given] if isinstance(given, Sequence) else []
+        kept = list(allowed_flags(words))
+        if kept != words:
+            return next((word for word, other in zip(words, [*kept, ""], strict=False) if word != other), words[0])
+    return ""
 
 
 plugin = ClangTidy()

@@ -8,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
 from roslens.source.tools.running.run_tool import Ended, ToolError
-from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root
+from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, own_paths
 from roslens.source.tools.xml_output import number, xml_root
 
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl"})
@@ -57,6 +57,7 @@ class Cppcheck(Tool):
     oldest = (1, 90)
     whole_packages = True
     safe_path = False  # its addons import what lies beside them; they are started by their path
+    in_scratch = True  # addons and libraries are looked for in the current folder first
     clean_codes = frozenset({0})
     options = (
         Option("enable", "list", "Kinds of checks besides errors.", ["warning", "performance", "portability", "style"]),
@@ -89,8 +90,8 @@ class Cppcheck(Tool):
             f"--max-configs={options['most_configurations']}",
             f"--library={_library(request.scratch)}",
             *(f"-D{define}" for define in options["defines"]),
-            *(["--addon=misra"] if is_c and options["misra"] else []),
-            *request.files,
+            *(["--addon=misra", f"--cppcheck-build-dir={request.scratch}"] if is_c and options["misra"] else []),
+            *(f"{request.root}/{path}" for path in own_paths(request)),
         ]
 
     def read(self, ended: Ended, request: Request) -> Reading:

@@ -35,6 +35,9 @@ FILTER = (
 )
 """What ament_cpplint turns off for ROS 2, and header guards: what they should be called depends on the workspace."""
 
+NO_SETTINGS = "roslens.no.settings"
+"""The name by which cpplint looks for settings where those of the workspace do not count."""
+
 
 class Cpplint(Tool):
     """Google style, line by line; about 2,500 lines a second."""
@@ -58,6 +61,7 @@ class Cpplint(Tool):
             request.program,
             f"--filter={','.join(request.options['filter'])}",
             f"--linelength={request.options['line_length']}",
+            *([] if request.own_settings else [f"--config={NO_SETTINGS}"]),
             "--extensions=c,cc,cpp,cxx,c++,cu,h,hh,hpp,hxx,h++,cuh,ipp,tpp,inl",
             "--",
             *request.files,

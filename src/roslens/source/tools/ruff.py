@@ -62,7 +62,7 @@ class Ruff(Tool):
     )
 
     def words(self, request: Request) -> list[str]:
-        """Return the call; settings of the project are ruff's own affair, and hold nothing that runs."""
+        """Return the call; settings of the project count once they are trusted."""
         chosen = [f"--select={','.join(request.options['select'])}"] if request.options["select"] else []
         return [
             request.program,
@@ -71,6 +71,7 @@ class Ruff(Tool):
             "--no-cache",
             "--no-fix",
             "--force-exclude",
+            *([] if request.own_settings else ["--isolated"]),
             *chosen,
             "--",
             *request.files,

@@ -51,6 +51,7 @@ class Request(msgspec.Struct, frozen=True):
         packages: folders of all packages below ``root``, by name.
         beside: of the tool's own, for all calls; see :meth:`Tool.prepared`.
         group: of the files, see :meth:`Tool.group_of`.
+        own_settings: whether it may read its settings files in the workspace and above: the user trusts them.
     """
 
     program: str
@@ -61,6 +62,7 @@ class Request(msgspec.Struct, frozen=True):
     packages: Mapping[str, str] = {}
     beside: Any = None
     group: str = ""
+    own_settings: bool = False
 
 
 class Reading(msgspec.Struct, frozen=True):
@@ -107,7 +109,7 @@ class Tool(ABC):
     """The oldest version that was tried."""
 
     settings_files: tuple[str, ...] = ()
-    """Names of files in the folder of a source file, or above it, that shape what is reported."""
+    """Names of files in the folder of a source file, or above it, that shape what is reported once they are trusted."""
 
     whole_packages = False
     """Whether a finding in a file may depend on the other files of its package."""
@@ -123,6 +125,9 @@ class Tool(ABC):
 
     safe_path = True
     """Whether it runs where Python leaves the folder of a script off the path."""
+
+    in_scratch = False
+    """Whether its current folder is the scratch, as it looks for parts of its own in the current one."""
 
     asks_the_net = False
     """Whether it fetches anything: ``all`` does not stand for such a tool, it must be named."""
@@ -155,8 +160,12 @@ class Tool(ABC):
         """Return whether its results for *other* files may depend on a file."""
         return self.reads(file)
 
-    def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:  # noqa: B027 - most tools need nothing
+    def prepared(  # noqa: B027 - most tools need nothing
+        self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any], *, own_settings: bool
+    ) -> Any:
         """Return what all calls share; see :meth:`part_of` for what of it results depend on.
+
+        ``own_settings`` is that of :class:`Request`.
 
         Raises:
             ToolError: it cannot look at this workspace; the text states why, and what would help.

@@ -45,8 +45,16 @@ line_length = 120
   that it failed on are found by bisection, reported, and tried again by the next run.
 - Tools check own code and tests, not generated and vendored code. Suppression comments of the tool apply, and so do
   those of roslens: `NOLINT(runtime/int)`, `noqa: F401`, `roslens: ignore[cpplint.runtime/int] reason`.
-- No code of the workspace is executed: settings that would load code (`init-hook` of pylint, plug-ins of the compiler)
-  are not used. `use` in an untrusted configuration starts only tools that you have installed.
+- What a workspace configures starts no program before `roslens trust`: until then, `use`, `[tools.NAME]`, `options`
+  and models that need a program (`paper2016`) of its `roslens.toml` are not used, which is reported. A tool that you
+  name by `--tools` runs, but without settings files of the workspace (`.clang-tidy`, `pyproject.toml` …).
+  `roslens trust` lists what would run or be read; a change of any of it asks again.
+- Of a `compile_commands.json`, only flags that shape what code means are used (`-I -D -std -include -f[no-]rtti` …).
+- A tool imports no module of the workspace and runs in a sandbox where there is one: Landlock of the kernel, with
+  sockets refused, else bubblewrap (`roslens doctor` reports which). It reads the workspace, packages that are linked
+  into it, `build`, `install` and `devel` beside `src`, the system, and what `PYTHONPATH`, `AMENT_PREFIX_PATH` and the
+  like name; it writes to a folder of its own, which is its home. It reads nothing else of your home, uses no network
+  (`ament_xmllint` excepted), and starts no program of the workspace.
 - If several tools report the same place by [equivalent checks](#one-finding), it is one finding. Findings about layout
   are combined into one per package: "214 layout findings in 12 files: run clang-format"; `layout = "each"` below
   `[tools]` reports each.

@@ -10,6 +10,7 @@ import msgspec
 
 from roslens.model.source import SourceFile
 from roslens.source.tools.running.run_tool import ToolError, ToolHangError, ToolRunner
+from roslens.source.tools.running.tool_sandbox import sandbox_of
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding
 
 FEWEST_AT_ONCE = 8
@@ -130,9 +131,10 @@ class Batches:
             try:
                 ended = self._runner.run(
                     tool.words(request),
-                    folder=request.root,
+                    folder=scratch if tool.in_scratch else request.root,
                     time_limit_s=time_limit_s,
                     safe_path=tool.safe_path,
+                    sandbox=sandbox_of(request, network=tool.asks_the_net),
                 )
                 return tool.read(tool.checked(ended), request)
             except ToolError as error:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 import re
 import sys
+import tempfile
 from pathlib import Path
 
 import msgspec
 
+from roslens.children.sandbox import Sandbox, program_folders
 from roslens.source.tools.running.run_tool import ToolError, ToolRunner
 from roslens.source.tools.tool import Tool
 
@@ -40,13 +42,16 @@ def find_program(name: str, root: str) -> Program | None:
     return None
 
 
-def version_of(tool: Tool, program: Program, runner: ToolRunner, root: str) -> str:
+def version_of(tool: Tool, program: Program, runner: ToolRunner) -> str:
     """Ask a program for its version.
 
     Raises:
         ToolError: it does not say, or is older than any that was tried.
     """
-    ended = runner.run([program.path, *tool.version_words], folder=root, time_limit_s=VERSION_LIMIT_S)
+    with tempfile.TemporaryDirectory(prefix="roslens-version-") as scratch:
+        sandbox = Sandbox(run=program_folders(program.path), write=(scratch,))
+        words = [program.path, *tool.version_words]
+        ended = runner.run(words, folder=scratch, time_limit_s=VERSION_LIMIT_S, sandbox=sandbox)
     reported = (ended.stdout + b"\n" + ended.stderr)[:65536].decode("utf-8", "replace")
     match = re.search(tool.version_pattern, reported)
     if match is None:

@@ -15,6 +15,14 @@ from threading import Lock
 import msgspec
 
 from roslens.children.safe_path import python_words, safe_environment
+from roslens.children.sandbox import (
+    BUBBLEWRAP,
+    Sandbox,
+    bubblewrap_words,
+    environment_of,
+    sandbox_kind,
+    text_of_sandbox,
+)
 from roslens.children.session import number_in_session
 
 MOST_BYTES = 64 * 1024 * 1024
@@ -27,7 +35,13 @@ _START = """\
 import os
 from roslens.children.lifeline import end_with_parent
 end_with_parent({parent})
-os.execv(sys.argv[1], sys.argv[1:])"""
+{confined}os.execv(sys.argv[1], sys.argv[1:])"""
+
+_CONFINED = """\
+from roslens.children.sandbox import confine, sandbox_of_text
+confine(sandbox_of_text({sandbox!r}))
+os.environ.update({environment!r})
+"""
 
 
 class ToolError(Exception):
@@ -73,10 +87,12 @@ class ToolRunner:
         safe_path: bool = True,
         environment: Mapping[str, str] | None = None,
         most_processes: int = 0,
+        sandbox: Sandbox | None = None,
     ) -> Ended:
         """Run a program to its end and return what it left.
 
-        It hears nothing on standard input, and imports no Python module from the folder it is started in.
+        It hears nothing on standard input, and imports no Python module from the folder it is started in; one in a
+        sandbox none from what the sandbox lets it read.
 
         Args:
             words: the program's absolute path and its arguments.
@@ -85,13 +101,14 @@ class ToolRunner:
             safe_path: whether a Python that it starts leaves the folder of its script off the path, too.
             environment: its variables, where they are not those of this process.
             most_processes: with how many more at once it is ended; 0 for any number, as where the kernel tells none.
+            sandbox: what it may touch; None for all that this process may. Its first folder to write is its home.
 
         Raises:
             ToolError: it could not be started, did not end in time, or printed too much.
         """
         try:
             process = subprocess.Popen(
-                python_words(sys.executable, _START.format(parent=os.getpid()), words, sys.path),
+                _confined(words, sandbox),
                 cwd=folder,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
@@ -144,6 +161,17 @@ class ToolRunner:
             raise ToolHangError(f"did not end within {time_limit_s:g} s") from None
         stdout, stderr = (b"".join(pieces) for pieces in taken.values())
         return Ended(code, stdout, stderr)
+
+
+def _confined(words: Sequence[str], sandbox: Sandbox | None) -> list[str]:
+    """Return the command that runs words in a sandbox, and ends with this process."""
+    confined = ""
+    if sandbox is not None:
+        changed = environment_of(sandbox)
+        confined = _CONFINED.format(sandbox=text_of_sandbox(sandbox), environment=changed)
+        if sandbox_kind() == BUBBLEWRAP:
+            words = [*bubblewrap_words(sandbox), *words]
+    return python_words(sys.executable, _START.format(parent=os.getpid(), confined=confined), words, sys.path)
 
 
 def ended_how(code: int) -> str:

@@ -32,7 +32,7 @@ def tool_stage(
         UsageError: a tool is unknown.
     """
     tools = settings.tools
-    if not (tools.use or tools.commands or tools.imports or tools.untrusted):
+    if not (tools.use or tools.commands or tools.imports or tools.untrusted or tools.not_used):
         return None
     from roslens.source.tools.running.tool_stage import ToolStage
     from roslens.source.tools.table import chosen_tools

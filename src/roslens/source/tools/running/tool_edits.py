@@ -18,6 +18,7 @@ from roslens.source.settings import SourceSettings
 from roslens.source.tools.checks.tool_checks import rule_id
 from roslens.source.tools.running.programs import find_program
 from roslens.source.tools.running.run_tool import ToolError, ToolRunner
+from roslens.source.tools.running.tool_sandbox import sandbox_of
 from roslens.source.tools.table import chosen_tools
 from roslens.source.tools.tool import Request, Tool, ToolFix
 
@@ -83,12 +84,14 @@ def _reported(
         return
     with tempfile.TemporaryDirectory(prefix="roslens-tool-") as scratch:
         options = resolve_options(tool.manifest, settings.options.get(tool.name, {}))
-        request = Request(program.path, root, tuple(f"./{path}" for path in sorted(contents)), options, scratch)
+        paths = tuple(f"./{path}" for path in sorted(contents))
+        request = Request(program.path, root, paths, options, scratch, own_settings=settings.tools.own_settings)
         ended = runner.run(
             tool.words_for_fixes(request),
-            folder=root,
+            folder=scratch if tool.in_scratch else root,
             time_limit_s=settings.tools.time_limit_s,
             safe_path=tool.safe_path,
+            sandbox=sandbox_of(request, network=tool.asks_the_net),
         )
         yield from tool.read_fixes(tool.checked(ended), request, contents)
 

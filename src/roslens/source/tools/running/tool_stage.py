@@ -112,7 +112,7 @@ class ToolStage:
         for ready in self._ready:
             read = [file for file in self._files[package] if ready.tool.reads(file)]
             parts.append((ready.tool.name, ready.key, self._across(ready.tool)))
-            parts.append(sorted({self._above.key_of(file.path, ready.tool.settings_files) for file in read}))
+            parts.append(sorted({self._settings_key(ready.tool, file) for file in read}))
             parts.append([ready.tool.part_of(file, ready.beside) for file in read])
         return key_of(*parts) if parts else ""
 
@@ -177,12 +177,12 @@ class ToolStage:
             version = self._version(tool, program)
             if tool.version_words:
                 check_age(tool, version)
-            beside = tool.prepared(self._workspace.root, files, options)
+            beside = tool.prepared(self._workspace.root, files, options, own_settings=self._settings.tools.own_settings)
         except ToolError as error:
             self._rest(tool, f"it {error}", f"Check {program.path}, or install another: {tool.get}")
             return None
         which = version if tool.version_words else program.identity
-        key = key_of(analyser_version(), tool.name, which, options)
+        key = key_of(analyser_version(), tool.name, which, options, self._settings.tools.own_settings)
         return ReadyTool(tool, program, version, options, beside, key)
 
     def _rest(self, tool: Tool, why: str, advice: str) -> None:
@@ -197,7 +197,7 @@ class ToolStage:
         key = f"tool-version:{tool.name}:{program.identity}"
         if known := self._cache.get([key]):
             return known[key].decode()
-        version = version_of(tool, program, self._runner, self._workspace.root) if tool.version_words else "unknown"
+        version = version_of(tool, program, self._runner) if tool.version_words else "unknown"
         self._cache.put({key: version.encode()})
         return version
 
@@ -206,10 +206,14 @@ class ToolStage:
         others: object = None
         if tool.whole_packages:
             others = self._beside(tool, self._owner[file.path])
-        above = self._above.key_of(file.path, tool.settings_files)
+        above = self._settings_key(tool, file)
         part = tool.part_of(file, ready.beside)
         key = key_of(ready.key, file.path, file.content_hash, above, part, others, self._across(tool))
         return f"tool:{tool.name}:{key}"
+
+    def _settings_key(self, tool: Tool, file: SourceFile) -> str:
+        """Return a key of the settings files that count for a file; none do where they are not trusted."""
+        return self._above.key_of(file.path, tool.settings_files) if self._settings.tools.own_settings else ""
 
     def _across(self, tool: Tool) -> str:
         return self._beside(tool, *self._files) if tool.across_packages else ""
@@ -232,7 +236,14 @@ class ToolStage:
     ) -> dict[str, tuple[ToolFinding, ...]]:
         packages = {found.package.name: found.package.path for found in self._workspace.packages}
         request = Request(
-            ready.program.path, self._workspace.root, (), ready.options, "", packages=packages, beside=ready.beside
+            ready.program.path,
+            self._workspace.root,
+            (),
+            ready.options,
+            "",
+            packages=packages,
+            beside=ready.beside,
+            own_settings=self._settings.tools.own_settings,
         )
         limit = self._settings.tools.time_limit_s
         found: dict[str, tuple[ToolFinding, ...]] = {}

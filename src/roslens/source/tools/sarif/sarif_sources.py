@@ -42,7 +42,10 @@ class SarifSources:
         self._base = base
         self._cache = cache
         self._runner = runner
-        self.failures: list[Failure] = [_not_trusted(name) for name in tools.untrusted]
+        self.failures: list[Failure] = [
+            *map(_not_trusted, tools.untrusted),
+            *map(_not_used, tools.not_used),
+        ]
         self.has_failed = False
         self._paths = tuple(base / name for name in tools.imports)
         whole = [(file.path, file.content_hash) for held in files.values() for file in held] if tools.commands else []
@@ -158,4 +161,13 @@ def _not_trusted(name: str) -> Failure:
         f"{name} was not run, because it is not trusted: [tools.{name}] of roslens.toml names a program",
         "a command whose folder and content you trust",
         "Review it, then run `roslens trust`; use --trust for a single run, for example in CI",
+    )
+
+
+def _not_used(name: str) -> Failure:
+    return Failure(
+        name,
+        f"{name} was not run, because roslens.toml, which switches it on, is not trusted",
+        "a workspace whose settings you trust",
+        "Review them, then run `roslens trust`; or name the tool, or the model that needs it, on the command line",
     )

@@ -1,27 +1,25 @@
 """How files are compiled: every ``compile_commands.json`` of a workspace's build folders, as one without side effects.
 
 colcon and catkin leave one for each package, and clang-tidy takes one. Commands come from the folder that is looked at:
-what would load code into the compiler is left out of them.
+only flags that shape what the code means are taken from them, see :mod:`~roslens.source.tools.compiling.compile_flags`.
 """
 
 from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.source.tools.compiling.compile_flags import allowed_flags, compiler_of
 
 NAME = "compile_commands.json"
 MOST_BYTES = 200_000_000
 PLACES = (NAME, f"build*/{NAME}", f"build*/*/{NAME}", f".build*/{NAME}", f"*/build*/{NAME}", f"src/build*/{NAME}")
 """Where builds leave them, below the root."""
-
-LOADS = ("-fplugin", "-fpass-plugin", "-specs", "--specs", "-load", "-plugin", "-add-plugin", "--config", "-B", "@")
-"""How arguments begin by which a compiler loads or runs something."""
 
 
 class Command(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -69,32 +67,13 @@ def merged(paths: Iterable[Path]) -> Database:
 
 
 def harmless(entry: Command, file: str) -> Command:
-    """Return an entry with a list of arguments, without those that load code, and with the real path of its file."""
+    """Return an entry whose arguments only shape what its code means, for the file by its real path."""
     try:
         words = list(entry.arguments) or shlex.split(entry.command)
     except ValueError:
         words = []
-    return Command(entry.directory, file, tuple(_kept(words)))
-
-
-def _kept(words: Sequence[str]) -> Iterator[str]:
-    at = 0
-    while at < len(words):
-        left_out = _left_out(words, at) if at else 0
-        if not left_out:
-            yield words[at]
-        at += left_out or 1
-
-
-def _left_out(words: Sequence[str], at: int) -> int:
-    """Return how many words from one on would load something into the compiler."""
-    word, *after = words[at : at + 3]
-    if word == "-Xclang" and after and after[0].startswith(LOADS):
-        # What it loads, or the option of a plug-in, comes as a second pair.
-        return 4 if after[1:] == ["-Xclang"] and at + 3 < len(words) else 2
-    if not word.startswith(LOADS):
-        return 0
-    return 2 if word in LOADS and word != "@" else 1
+    program = compiler_of(words[0] if words else "", file)
+    return Command(entry.directory, file, (program, *allowed_flags(words[1:]), file))
 
 
 def as_json(commands: Mapping[str, Command], files: Iterable[str]) -> bytes:

@@ -1,0 +1,1 @@
+"""How files are compiled, read from what a build left. Start with ``compile_commands``."""

@@ -56,7 +56,7 @@ def _expected(name: str, code: LaunchCode) -> str:
         return f"`from {home} import {name}`"
     if name in _MODULES:
         return f"`import {name}`"
-    known = {one for scope in code.names.scopes.values() for one in scope.bound}
+    known = {one for scope in code.names.scopes.values() for one in scope.bound} - {name}
     close = get_close_matches(name, sorted(known), 1)
     return f"`{close[0]}`, or its definition" if close else "its import or definition"
 

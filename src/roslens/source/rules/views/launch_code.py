@@ -12,7 +12,7 @@ import msgspec
 from tree_sitter import Node
 
 from roslens.source.rules.file_view import FileView
-from roslens.source.rules.signatures.read_signatures import Signature, signature_of
+from roslens.source.rules.signatures.read_signatures import ENTITY, Signature, signature_of
 from roslens.source.rules.views.python_names import PythonNames, Scope, text_of
 
 MENTIONS = ("from launch", "import launch")
@@ -268,3 +268,37 @@ def _of_types(root: Node, types: tuple[str, ...]) -> Iterator[Node]:
 
 def _operator(node: Node) -> str:
     return text_of(node.child_by_field_name("operator"))
+
+
+def shown(node: Node, code: LaunchCode, most: int = 60) -> str:
+    """Return the beginning of an expression on one line, as a message quotes it."""
+    text = " ".join(code.view.text(node).split())
+    return f"`{text}`" if len(text) <= most else f"`{text[: most - 1]}…`"
+
+
+def in_words(sort: str) -> str:
+    """Return a sort of value as a message says it."""
+    names = {NUMBER: "a number", TRUTH: "a bool", NOTHING: "None", DICTIONARY: "a dictionary", ENTITY: "a description"}
+    article = "an" if sort[:1] in "aeo" else "a"
+    return names.get(sort, f"{article} {sort}")
+
+
+def tested(node: Node) -> Iterator[Node]:
+    """Yield the expressions whose truth a statement or operator asks for; none for other nodes."""
+    match node.type:
+        case "boolean_operator":
+            yield from _operands(node)
+        case "conditional_expression":
+            yield from node.named_children[1:2] if node.named_child_count == 3 else ()
+        case "not_operator":
+            yield from node.children_by_field_name("argument")
+        case "if_statement" | "elif_clause" | "while_statement":
+            yield from node.children_by_field_name("condition")
+
+
+def _operands(node: Node) -> Iterator[Node]:
+    """Yield the operands of ``and`` and ``or`` that are tested: the last one only where the result is."""
+    yield from node.children_by_field_name("left")
+    parent = node.parent
+    if parent is not None and node in tested(parent):
+        yield from node.children_by_field_name("right")

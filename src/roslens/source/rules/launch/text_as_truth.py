@@ -10,7 +10,7 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
-from roslens.source.rules.views.launch_code import MENTIONS, TRUTH, LaunchCode, launch_code, shown, tested
+from roslens.source.rules.views.launch_code import MENTIONS, TRUTH, LaunchCall, LaunchCode, launch_code, shown, tested
 from roslens.source.rules.views.python_names import text_of
 
 _BOOLS = frozenset({"true", "false", "0", "1"})
@@ -65,10 +65,13 @@ def _argument(node: Node, code: LaunchCode) -> str:
         return ""
     of, method = function.child_by_field_name("object"), text_of(function.child_by_field_name("attribute"))
     if method in ("perform", "perform_substitution"):
-        call = code.call(code.value(of if method == "perform" else first))
-        is_one = call is not None and call.name == "LaunchConfiguration"
-        return (code.text(call.argument("variable_name")) or "") if call is not None and is_one else ""
+        return _of_configuration(code.call(code.value(of if method == "perform" else first)), code)
     return _of_context(of, first, code) if method == "get" else ""
+
+
+def _of_configuration(call: LaunchCall | None, code: LaunchCode) -> str:
+    is_one = call is not None and call.name == "LaunchConfiguration"
+    return (code.text(call.argument("variable_name")) or "") if call is not None and is_one else ""
 
 
 def _of_context(of: Node | None, key: Node | None, code: LaunchCode) -> str:

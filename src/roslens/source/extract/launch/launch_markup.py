@@ -72,6 +72,23 @@ def yaml_actions(path: str, content: bytes) -> tuple[Action, ...]:
     raise DocumentError("no list `launch`", where=Location(path, 1, 1), expected="launch: with a list of actions")
 
 
+def read_entities(path: str, content: bytes) -> tuple[Entity, ...]:
+    """Return the outermost elements of a launch file in XML or YAML, by its name; in XML those before a fault.
+
+    Raises:
+        DocumentError: it is no YAML.
+    """
+    if not path.endswith((".yaml", ".yml")):
+        document = read_elements(content)
+        children = document.root.elements() if document.root is not None else ()
+        return tuple(_xml_entity(path, document, child) for child in children)
+    tree = read_tree(content, path)
+    match tree.root:
+        case Table(nodes={"launch": Items() as inner}):
+            return tuple(_yaml_entities(path, tree, inner))
+    return ()
+
+
 def _xml_entity(path: str, document: Document, element: Element) -> Entity:
     return Entity(
         element.tag,

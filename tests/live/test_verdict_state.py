@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
+from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Timing
+from roslens.live.standing.ready_constraint import Bounds
 from roslens.live.standing.verdict_state import NEVER, VerdictState
 from roslens.model.verdict import State
 
@@ -47,3 +51,25 @@ def test_what_is_unknown_is_no_alarm():
     state.step(1, State.HIGH, 9.0)
     assert state.step(2, State.UNKNOWN, None)
     assert state.value is None
+
+
+@pytest.mark.parametrize(
+    ("limits", "counted", "value"),
+    [("1..1", False, 1.0), ("9.9..10.1", False, 10.0), ("<= 1", True, 1.0), ("3..4", True, 4.0)],
+)
+def test_a_healthy_value_is_firm_whatever_the_margin(limits, counted, value):
+    bounds = Bounds(Range.parse(limits), 0.05, counted=counted)
+    assert bounds.firm(value, State.HIGH)
+    assert counted or bounds.firm(value, State.LOW)
+
+
+def test_what_stays_inside_at_its_bound_recovers_at_last():
+    state = VerdictState(Timing(), 0.0)
+    state.step(1, State.HIGH, 9.0)
+    assert not state.step(2, State.OK, 5.0, firm=False)
+    assert state.due == 62
+    state.step(30, State.HIGH, 9.0)
+    assert not state.step(31, State.OK, 5.0, firm=False)
+    assert not state.step(90, State.OK, 5.0, firm=False)
+    assert state.step(91, State.OK, 5.0, firm=False)
+    assert (state.state, state.since) == (State.OK, 31)

@@ -103,6 +103,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     from roslens.cli.react.reference_reactions import reactions_table, types_not_checked
+    from roslens.judge.reference.merge_references import constraints_of
+    from roslens.judge.reference.wide_margin import wide_margins
 
     merged = _merged(options.files)
     for contradiction in merged.contradictions:
@@ -111,6 +113,8 @@ def _check(options: argparse.Namespace) -> int:
         print(_table(merged))
         if reactions := reactions_table(merged.reference.reactions):
             print(reactions)
+    for text in wide_margins(constraints_of(merged.reference)):
+        print(f"roslens: {text}", file=sys.stderr)
     for text in types_not_checked(merged.reference.reactions):
         print(f"roslens: {text}", file=sys.stderr)
     for text in _about_nothing(merged, options) if options.bag or options.graph else ():

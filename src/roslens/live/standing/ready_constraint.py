@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Details, Expectation, Timing
+from roslens.live.window.signals import ENDS
 from roslens.live.window.window import LONGEST_S, PERIODS
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
@@ -16,15 +17,23 @@ _SILENT = frozenset({"rate", "bandwidth"})
 
 
 class Bounds:
-    """A range with its hysteresis worked out."""
+    """A range with its hysteresis worked out.
+
+    A margin that is wider than the range leaves at least its middle firm: a value that is exact recovers. What is
+    counted comes back to the bound itself and does not swing about it, so it has no margin.
+    """
 
     __slots__ = ("_firm_high", "_firm_low", "high", "low")
 
-    def __init__(self, range_: Range, margin: float) -> None:
+    def __init__(self, range_: Range, margin: float, *, counted: bool = False) -> None:
+        margin = 0.0 if counted else margin
         self.low = range_.minimum if range_.minimum is not None else -float("inf")
         self.high = range_.maximum if range_.maximum is not None else float("inf")
         self._firm_low = self.low + abs(self.low) * margin if range_.minimum is not None else self.low
         self._firm_high = self.high - abs(self.high) * margin if range_.maximum is not None else self.high
+        if range_.minimum is not None and range_.maximum is not None:
+            middle = (self.low + self.high) / 2
+            self._firm_low, self._firm_high = min(self._firm_low, middle), max(self._firm_high, middle)
 
     def state(self, value: float | None) -> State:
         """Return ok, low, high, or unknown for a value that is missing or not a number."""
@@ -77,7 +86,7 @@ class ReadyConstraint:
         self.details: Details = source.details
         self.key = source.quantity
         self.timing: Timing = source.details.timing
-        self.bounds = Bounds(source.range, self.timing.margin)
+        self.bounds = Bounds(source.range, self.timing.margin, counted=self.key in ENDS)
         self.written = source.written or str(source.range)
         self.percentile = source.percentile
         self.literal = literal

@@ -30,7 +30,9 @@ class _Watched(Standing):
     def __init__(self, check: StateCheck, entity: EntityId, now: float) -> None:
         super().__init__(entity, check.details, check.of.value, check.written, now)
         self.check = check
-        self.bounds = Bounds(check.range, check.details.timing.margin) if check.range is not None else None
+        self.bounds = (
+            Bounds(check.range, check.details.timing.margin, counted=True) if check.range is not None else None
+        )
         self.appeared = now
         self.is_: str | None = None
 

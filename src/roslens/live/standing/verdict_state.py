@@ -6,6 +6,8 @@ from roslens.judge.reference.expectation import Timing
 from roslens.model.verdict import State
 
 NEVER = float("inf")
+_AT_ITS_BOUND_S = 60.0
+"""After so long inside its range without a break a value counts as fine again, however near to the bound."""
 
 
 class VerdictState:
@@ -22,7 +24,18 @@ class VerdictState:
         due: when the state may change without any news.
     """
 
-    __slots__ = ("_bad_since", "_began", "_fine_since", "due", "since", "state", "time", "timing", "value")
+    __slots__ = (
+        "_bad_since",
+        "_began",
+        "_fine_since",
+        "_inside_since",
+        "due",
+        "since",
+        "state",
+        "time",
+        "timing",
+        "value",
+    )
 
     def __init__(self, timing: Timing, now: float) -> None:
         self.timing = timing
@@ -33,6 +46,7 @@ class VerdictState:
         self._bad_since: float | None = None
         self._began = now
         self._fine_since: float | None = None
+        self._inside_since: float | None = None
 
     def step(
         self, now: float, raw: State, value: float | None, *, firm: bool = True, began: float = NEVER, grace: float = 0
@@ -51,16 +65,17 @@ class VerdictState:
         self.value = value
         self.due = NEVER
         if raw.bad:
+            self._inside_since = None
             return self._bad(now, raw, min(began, now), grace)
         self._bad_since = None
         if raw is State.OK and self.state.bad:
             return self._recover(now, firm=firm)
-        self._fine_since = None
+        self._fine_since = self._inside_since = None
         return self._become(raw, now)
 
     def forget(self, now: float, state: State) -> bool:
         """Begin anew in ``state``, because time itself broke."""
-        self._bad_since = self._fine_since = None
+        self._bad_since = self._fine_since = self._inside_since = None
         self.due = now
         return self._become(state, now)
 
@@ -81,9 +96,14 @@ class VerdictState:
         return self._become(raw, self._began)
 
     def _recover(self, now: float, *, firm: bool) -> bool:
+        if self._inside_since is None:
+            self._inside_since = now
         if not firm:
             self._fine_since = None
-            return False
+            if now - self._inside_since < _AT_ITS_BOUND_S:
+                self.due = self._inside_since + _AT_ITS_BOUND_S
+                return False
+            return self._become(State.OK, self._inside_since)
         if self._fine_since is None:
             self._fine_since = now
         needed = self.timing.recovering or self.timing.lasting

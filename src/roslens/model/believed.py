@@ -114,7 +114,16 @@ def _wrong_entity(entity: EntityId) -> str:
 
 
 def _wrong_node(node: Node) -> str:
-    return _wrong_name(node.name) or _wrong_pid(node.pid) or _too_long(node.host, node.lifecycle, *node.proofs)
+    return (
+        _wrong_name(node.name)
+        or _wrong_pid(node.pid)
+        or _too_long(
+            node.host,
+            node.lifecycle,
+            *node.proofs,
+            *(text for one in node.instances for text in (one.host, one.context)),
+        )
+    )
 
 
 def _wrong_endpoint(end: Endpoint) -> str:

@@ -42,12 +42,21 @@ class Endpoint(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     gid: str = ""
 
 
+class Instance(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
+    """One of several nodes that bear the same name; ``pid`` 0 is unknown, ``context`` is its participant."""
+
+    host: str = ""
+    pid: int = 0
+    context: str = ""
+
+
 class Node(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """A node and where it runs.
 
     ``proofs`` name what shows that the node lives in process ``pid`` on ``host`` (``counters``, ``address``, ``gid``,
     ``processes``, ``api``, ``command line``, ``memory map``, ``started``); ``pid`` 0 is unknown.
-    ``lifecycle`` is the state of a managed node.
+    ``lifecycle`` is the state of a managed node. ``instances`` are all nodes of this name where there are several: a
+    name is no process then.
     """
 
     name: str
@@ -55,6 +64,7 @@ class Node(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     pid: int = 0
     proofs: tuple[str, ...] = ()
     lifecycle: str = ""
+    instances: tuple[Instance, ...] = ()
 
 
 class Process(msgspec.Struct, frozen=True, order=True, omit_defaults=True):

@@ -141,7 +141,7 @@ def _presence(one: Presence, names: Sequence[str], row: _Row) -> Iterator[Dispar
             text = f"{one.details.id} expects it to be there. {one.details.text}".strip()
             yield row.of(kind, _name(one.selector), expects, ABSENT, one.details, text, Reason.MISSING)
         return
-    if len(names) > (one.mode is PresenceMode.AT_MOST_ONE):
+    if names and one.mode is PresenceMode.NEVER:
         text = f"{one.details.id} does not expect it: {', '.join(names[:_MOST_NAMED])}. {one.details.text}".strip()
         yield row.of(kind, _name(one.selector), expects, "there", one.details, text, Reason.NOT_EXPECTED)
 

@@ -83,7 +83,10 @@ CONDITIONAL = (PresenceMode.WHILE, PresenceMode.ANY_WHILE)
 
 
 class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Selected entities are there: always, while another is there, at most one of them, or never.
+    """Selected entities are there: always, while another is there, at most once each, or never.
+
+    At most one node bears each name, serves each service or action, publishes each topic; of other kinds at most one is
+    there that matches.
 
     With ``always`` and ``while`` each of the names that braces list must exist, and where one of them has wildcards,
     something that it matches; with ``any`` one that matches is enough. ``condition`` is the other entity of ``while``.

@@ -80,7 +80,7 @@ NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
 
 EXPECTED_KEY = {
     "expected": "presence: `always`, or `while KIND NAME` is present, of each name that `{a,b}` lists; `any` or "
-    "`any while KIND NAME`: one match is enough; `at most one`; `never`"
+    "`any while KIND NAME`: one match is enough; `at most one` node, server or publisher of each name; `never`"
 }
 
 STATE_KEYS = {

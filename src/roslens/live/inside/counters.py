@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.opened_file import CutOffError, OpenedFile, open_file
 from roslens.live.inside.snapshot import Snapshot, difference, lost_by
 from roslens.model.failure import Failure
-from roslens.model.traffic.tally import Observer, Tally
+from roslens.model.traffic.tally import NOTHING, Observer, Tally
 
 _LOOK_S = 0.9
 """How long what changes rarely need not be looked at again."""
@@ -272,13 +272,16 @@ def _still(pid: int, of: Snapshot, start: float, end: float) -> Counted:
     return Counted(pid, _gid(of), tally, of.other)
 
 
-def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: str) -> list[Tally]:
+def joined(
+    counted: list[Counted], node_of: Callable[[str], str | None], host: str, several: Container[tuple[str, str]] = ()
+) -> list[Tally]:
     """Return one tally per connection, publishers by name and processing times with what was published.
 
     Args:
         counted: what one read yielded.
         node_of: the node of a publisher by its hexadecimal identifier; None for one that is not there any more.
         host: on which all this was counted.
+        several: node and topic of publishers that are there more than once under one name.
     """
     whole: dict[tuple[str, str, str], Tally] = {}
     for one in counted:
@@ -294,8 +297,18 @@ def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: s
         else:
             tally = msgspec.structs.replace(tally, publisher=publisher, host=host)
         key = (tally.topic, tally.publisher, tally.subscriber)
+        if (tally.publisher, tally.topic) in several:
+            tally = superposed(tally)
         whole[key] = merged(whole[key], tally) if key in whole else tally
     return [whole[key] for key in sorted(whole)]
+
+
+def superposed(tally: Tally) -> Tally:
+    """Return a tally to be merged with those of other publishers of the same name: their messages add up.
+
+    The times between the messages of each of them are none between those of all, which the counts tell.
+    """
+    return msgspec.structs.replace(tally, period=NOTHING, longest_at=0.0) if tally.period.count else tally
 
 
 def merged(one: Tally, other: Tally) -> Tally:

@@ -6,11 +6,11 @@ makes several tallies about the same time, and silent ones at times of their own
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
 import msgspec
 
-from roslens.live.inside.counters import merged
+from roslens.live.inside.counters import merged, superposed
 from roslens.live.window.newest import keep_newest
 from roslens.model.traffic.tally import Tally
 
@@ -22,15 +22,21 @@ _Key = tuple[str, str, str, str]
 
 
 class OneStretch:
-    """Joins the tallies of one read, and cuts off what was reported before."""
+    """Joins the tallies of one read, and cuts off what was reported before.
+
+    Attributes:
+        several: node and topic of publishers that are there more than once under one name.
+    """
 
     def __init__(self) -> None:
         self._until: dict[_Key, float] = {}
+        self.several: Container[tuple[str, str]] = ()
 
     def of(self, tallies: Iterable[Tally]) -> list[Tally]:
         """Return at most one tally for each connection, none about a time that an earlier one was about."""
         groups: dict[_Key, list[Tally]] = {}
-        for tally in tallies:
+        for given in tallies:
+            tally = superposed(given) if (given.publisher, given.topic) in self.several else given
             groups.setdefault((tally.topic, tally.publisher, tally.subscriber, tally.host), []).append(tally)
         if len(self._until) > MOST:
             keep_newest(self._until, MOST // 2)

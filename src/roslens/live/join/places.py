@@ -22,6 +22,7 @@ from typing import NamedTuple
 import msgspec
 
 from roslens.live.join.gid_places import GidPlaces
+from roslens.live.join.instances import contexts_by_node, instances_of
 from roslens.model.graph import Change, Event, Graph, Node
 
 
@@ -72,16 +73,18 @@ class Places:
         self._remember(gids)
         nodes = []
         gone = set()
+        dead = {context for context, one in self._process_of.items() if one.process in self._ended}
+        contexts = contexts_by_node(graph.endpoints, dead)
         for node in graph.nodes:
             found = self._placed(node, gids)
             if found is None:
                 gone.add(node.name)
             else:
-                nodes.append(found)
+                several = instances_of(node, contexts.get(node.name, ()), lambda one: self._place_of(one, gids)[:2])
+                nodes.append(msgspec.structs.replace(found, instances=several) if several else found)
         listed = {f"{process.host}/{process.pid}" for process in graph.processes}
         known = {one.process for one in self._process_of.values()}
         self._ended &= listed | known | _named(graph, self._host_at)
-        dead = {context for context, one in self._process_of.items() if one.process in self._ended}
         return msgspec.structs.replace(
             graph,
             nodes=tuple(nodes),

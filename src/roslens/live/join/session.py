@@ -12,6 +12,7 @@ from roslens.judge.reference.unmatched import Subject
 from roslens.live.join.counted_once import CountedOnce
 from roslens.live.join.gid_names import GidNames
 from roslens.live.join.graph_union import GraphUnion
+from roslens.live.join.instances import several_publishers
 from roslens.live.join.node_processes import NodeProcesses
 from roslens.live.join.note import Note
 from roslens.live.join.one_stretch import OneStretch
@@ -173,6 +174,7 @@ class Session:
         if whole is not None:
             self._whole = whole
             self._names.take_graph(whole, now)
+            self._stretches.several = several_publishers(whole)
             self._hosts = {node.name: node.host for node in whole.nodes if node.host}
             self._processes.add_graph("", whole)
             self._seen.add_graph(whole)

@@ -13,6 +13,8 @@ from roslens.live.standing.presence import Key, Presences
 from roslens.live.standing.rulebook import Rulebook
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.state_checks import StateChecks
+from roslens.live.standing.twins import Twins
+from roslens.live.system.copies import place_words
 from roslens.live.system.world import World
 
 _CHAINS_S = 0.2
@@ -26,6 +28,7 @@ class Checks:
         presences: of what has to exist, or must not.
         fields: of messages.
         states: of managed nodes.
+        twins: names that several nodes bear.
     """
 
     def __init__(self, rules: Rulebook, world: World, now: float) -> None:
@@ -34,6 +37,7 @@ class Checks:
         self.presences = Presences(rules, now)
         self.fields = FieldChecks(reference.field_checks, now)
         self.states = StateChecks(reference.states, now)
+        self.twins = Twins(rules, place_words)
         self._chains = AgeChains(reference.chains, now)
         self._chains_due = now
         self._world = world
@@ -44,13 +48,14 @@ class Checks:
         self.presences = Presences(rules, now, self.presences)
         self.fields = FieldChecks(reference.field_checks, now, self.fields)
         self.states = StateChecks(reference.states, now, self.states)
+        self.twins = Twins(rules, place_words, self.twins)
         self._chains = AgeChains(reference.chains, now, self._chains)
         return before - set(self.standing)
 
     @property
     def standing(self) -> Iterator[Standing]:
         """Everything that is judged."""
-        return chain(self.presences.standing, self.traffic, self.states.standing)
+        return chain(self.presences.standing, self.traffic, self.states.standing, self.twins.standing)
 
     @property
     def traffic(self) -> Iterator[Standing]:
@@ -60,13 +65,14 @@ class Checks:
     @property
     def due(self) -> float:
         """When something has to be judged again; infinity where only news can change it."""
-        due = min(self.presences.due, self.fields.due, self.states.due)
+        due = min(self.presences.due, self.fields.due, self.states.due, self.twins.due)
         return min(due, self._chains_due) if self._chains.standing else due
 
     def look_again(self) -> None:
         """Judge who is there again: another observer reports, or is silent."""
         self.presences.look_again()
         self.states.look_again()
+        self.twins.look_again()
 
     def jump(self, now: float) -> None:
         """Judge again what depends on time, which broke."""
@@ -87,4 +93,5 @@ class Checks:
     ) -> list[Standing]:
         """Judge who is there and in which state; return what changed."""
         changed = self.states.judge(now, began, observers.silent_of_graph)
+        changed += self.twins.judge(now, observers.silent_of_graph)
         return changed + self.presences.judge(now, began, vanished, observers.waits_for)

@@ -173,6 +173,7 @@ class Monitor:
             self._evaluator.wait(entity)
         self._existence.take_graph(graph, time, now)
         self._checks.states.take(graph, now)
+        self._checks.twins.take(graph, now)
         self._explained.stale = True
 
     def add_event(self, event: Event) -> None:

@@ -37,7 +37,10 @@ class NodePlaces:
     def _take_homes(self, graph: Graph) -> None:
         within: dict[tuple[str, int], list[str]] = {}
         for node in graph.nodes:
-            if node.host and node.pid:
+            if node.instances:
+                # Which of them would be ended is anybody's guess.
+                self._homes[node.name] = Home(node.host, 0)
+            elif node.host and node.pid:
                 within.setdefault((node.host, node.pid), []).append(node.name)
         for (host, pid), names in within.items():
             for name in names:

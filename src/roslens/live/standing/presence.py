@@ -24,6 +24,8 @@ _RANGES = {
     PresenceMode.NEVER: "<= 0",
 }
 _SHOWN = 3
+_WITH_COPIES = frozenset({EntityKind.NODE, EntityKind.TOPIC, EntityKind.SERVICE, EntityKind.ACTION})
+"""Several nodes may bear one name, several may serve a service or publish a topic."""
 
 
 class _Watched(Standing):
@@ -36,7 +38,7 @@ class _Watched(Standing):
         entity = EntityId(presence.selector.kind, name)
         super().__init__(entity, presence.details, "presence", _RANGES[presence.mode], now)
         self.presence = presence
-        self.matching: set[str] = set()
+        self.matching: dict[str, tuple[str, ...]] = {}
         self.enabling: set[str] = set()
 
     def raw(self) -> State:
@@ -44,9 +46,17 @@ class _Watched(Standing):
         mode, count = self.presence.mode, len(self.matching)
         if mode in CONDITIONAL and not self.enabling:
             return State.SUSPENDED
-        if mode in (PresenceMode.AT_MOST_ONE, PresenceMode.NEVER):
-            return State.HIGH if count > (mode is PresenceMode.AT_MOST_ONE) else State.OK
+        if mode is PresenceMode.NEVER:
+            return State.HIGH if count else State.OK
+        if mode is PresenceMode.AT_MOST_ONE:
+            return State.HIGH if self.count() > 1 else State.OK
         return State.OK if count else State.ABSENT
+
+    def count(self) -> int:
+        """Return what is compared: how many match, or how often that name is there which is there most often."""
+        if self.presence.mode is not PresenceMode.AT_MOST_ONE or self.presence.selector.kind not in _WITH_COPIES:
+            return len(self.matching)
+        return max((max(len(copies), 1) for copies in self.matching.values()), default=0)
 
     def explain(self) -> str:
         """Return what matches, in words."""
@@ -56,8 +66,19 @@ class _Watched(Standing):
         if not self.matching:
             return f"{_written(self.presence.selector)} is not there"
         names = sorted(self.matching)
+        if self.presence.mode is PresenceMode.AT_MOST_ONE and (several := self._several()):
+            return several
         more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
         return f"there: {', '.join(names[:_SHOWN])}{more}"
+
+    def _several(self) -> str:
+        """Return which names are there more than once, and where."""
+        found = [(name, copies) for name, copies in sorted(self.matching.items()) if len(copies) > 1]
+        more = f" and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
+        return (
+            "; ".join(f"{name} is there {len(copies)} times: {', '.join(copies)}" for name, copies in found[:_SHOWN])
+            + more
+        )
 
 
 def _written(selector: Selector) -> str:
@@ -103,14 +124,20 @@ class Presences:
         if hits:
             self._hits[key] = hits
         for watched, condition in hits:
-            (watched.enabling if condition else watched.matching).add(key[1])
+            if condition:
+                watched.enabling.add(key[1])
+            else:
+                watched.matching[key[1]] = facts.copies
             self._waiting.add(watched)
 
     def vanish(self, key: Key) -> None:
         """Note that an entity exists no more."""
         self._existing.pop(key, None)
         for watched, condition in self._hits.pop(key, ()):
-            (watched.enabling if condition else watched.matching).discard(key[1])
+            if condition:
+                watched.enabling.discard(key[1])
+            else:
+                watched.matching.pop(key[1], None)
             self._waiting.add(watched)
 
     def judge(
@@ -140,7 +167,7 @@ class Presences:
             one.evidence, one.silent_observer = one.explain(), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
             grace = appeared + one.details.timing.grace
-            if one.state.step(now, one.raw(), float(len(one.matching)), began=began, grace=grace):
+            if one.state.step(now, one.raw(), float(one.count()), began=began, grace=grace):
                 changed.append(one)
         self.due = min((one.state.due for one in self.standing), default=NEVER)
         return changed

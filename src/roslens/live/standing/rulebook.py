@@ -19,7 +19,8 @@ T = TypeVar("T")
 class Facts(NamedTuple):
     """What is known of an entity besides its id; an entity may have several hosts, types or publishers.
 
-    ``name`` is what selectors call it, where that is not the name in its id: of a connection its topic.
+    ``name`` is what selectors call it, where that is not the name in its id: of a connection its topic. ``copies`` says
+    where each one is, where several bear the name.
     """
 
     hosts: frozenset[str] = frozenset()
@@ -27,6 +28,7 @@ class Facts(NamedTuple):
     publishers: frozenset[str] = frozenset()
     subscriber: str = ""
     name: str = ""
+    copies: tuple[str, ...] = ()
 
 
 NOTHING_KNOWN = Facts()

@@ -29,6 +29,7 @@ class Topic(Measured):
         subscribers: nodes that subscribe to it, by the graph.
         types: of its messages.
         known: whether the graph has it.
+        more: publishers and subscribers beyond these names: several nodes of one name.
         misfits: pairs of nodes that exchange nothing over it; None where that is not known.
         lengths: of the windows that its constraints need.
         most: buckets that these keep.
@@ -41,6 +42,7 @@ class Topic(Measured):
         "known",
         "lengths",
         "misfits",
+        "more",
         "most",
         "name",
         "publishers",
@@ -57,6 +59,7 @@ class Topic(Measured):
         self.subscribers: frozenset[str] = frozenset()
         self.types: frozenset[str] = frozenset()
         self.known = False
+        self.more = (0, 0)
         self.misfits: int | None = None
         self.most = MAX_BUCKETS
         self.lengths: tuple[float, ...] = ()
@@ -127,7 +130,8 @@ class Topic(Measured):
         if key == "misfits":
             return None if self.misfits is None else float(self.misfits)
         if self.known:
-            return float(len(self.publishers if key == "publishers" else self.subscribers))
+            of_publishers = key == "publishers"
+            return float(len(self.publishers if of_publishers else self.subscribers) + self.more[not of_publishers])
         ends = {getattr(one, key[:-1]) for one in (self.all_connections() if every is None else every)} - {""}
         return float(len(ends)) if ends else None
 

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-import msgspec
-
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.presence import Key
 from roslens.live.standing.rulebook import Facts
 from roslens.live.system.connection import Connection
 from roslens.live.system.connection_name import connection_ends
+from roslens.live.system.copies import proven_copies
 from roslens.live.system.halted import Halted
 from roslens.live.system.misfit import misfits_by_topic
 from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
+from roslens.live.system.topic_ends import NOBODY, ends_of, lacks_end, take_ends
 from roslens.live.window.newest import MOST_GONE
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.graph import Graph, Role
+from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.traffic.tally import Tally
 
 MAX_ENTITIES = 100_000
@@ -90,7 +90,7 @@ class World:
                 return None
             found = self.connections[key] = Connection(*key, now)
             topic = self.topic(tally.topic, now)
-            found.gone = topic.known and _lacks_end(topic, found)
+            found.gone = topic.known and lacks_end(topic, found)
         return found
 
     def entity(self, entity: EntityId, now: float) -> Sampled | None:
@@ -198,7 +198,7 @@ class World:
 
     def take_graph(self, graph: Graph, now: float) -> Iterator[Connection | Topic | Sampled]:
         """Replace the graph; yield every entity of which something else is known than before."""
-        ends = self._ends_of(graph)
+        ends, self.published, self.subscribed = ends_of(graph)
         self.graph = graph
         self._take_servers(graph)
         moved = self._take_hosts(graph)
@@ -209,35 +209,15 @@ class World:
                 break
             self.topic(name, now)
         for topic in self.topics.values():
-            of_topic = ends.get(topic.name, _NOBODY)
+            of_topic = ends.get(topic.name, NOBODY)
             before, topic.misfits = topic.misfits, misfits.get(topic.name)
-            if _take_ends(topic, of_topic) or moved & of_topic.publishers or before != topic.misfits:
+            if take_ends(topic, of_topic) or moved & of_topic.publishers or before != topic.misfits:
                 yield topic
                 yield from chain.from_iterable(topic.connections.values())
         for sampled in self.sampled.values():
             if sampled.id.kind is EntityKind.NODE and sampled.id.name in moved:
                 sampled.host = self.host_of(sampled.id.name)
                 yield sampled
-
-    def _ends_of(self, graph: Graph) -> dict[str, _Ends]:
-        """Return who publishes and subscribes to each topic, and keep the same by nodes."""
-        self.published, self.subscribed = {}, {}
-        found: dict[str, _Ends] = {}
-        for end in graph.endpoints:
-            if not end.name or end.role not in _OF_TOPICS:
-                continue
-            ends = found.get(end.name)
-            if ends is None:
-                ends = found[end.name] = _Ends(set(), set(), set())
-            if end.role is Role.PUBLISHER:
-                ends.publishers.add(end.node)
-                self.published.setdefault(end.node, set()).add(end.name)
-            else:
-                ends.subscribers.add(end.node)
-                self.subscribed.setdefault(end.node, set()).add(end.name)
-            if end.type:
-                ends.types.add(end.type)
-        return found
 
     def _take_servers(self, graph: Graph) -> None:
         """Note the servers; a service that has no server any more depends on its last ones."""
@@ -264,7 +244,8 @@ class World:
         if isinstance(entity, Topic):
             publishers = entity.publishers or frozenset(filter(None, entity.connections))
             hosts = {self.host_of(node) for node in publishers} - {""}
-            return Facts(frozenset(hosts or _observers(entity)), entity.types, publishers)
+            copies = tuple(sorted(publishers)) if len(publishers) > 1 else ()
+            return Facts(frozenset(hosts or _observers(entity)), entity.types, publishers, copies=copies)
         if isinstance(entity, Connection):
             host = self.host_of(entity.publisher) or entity.host
             topic = self.topics.get(entity.topic)
@@ -276,7 +257,7 @@ class World:
         """Return what exists by a graph."""
         found: dict[Key, Facts] = {}
         for node in graph.nodes:
-            found[EntityKind.NODE, node.name] = Facts(_one(node.host))
+            found[EntityKind.NODE, node.name] = Facts(_one(node.host), copies=proven_copies(node))
             if node.host:
                 found[EntityKind.HOST, node.host] = Facts(_one(node.host))
             for parameter in graph.parameters.get(node.name, ()):
@@ -285,10 +266,16 @@ class World:
             found[EntityKind.HOST, host] = Facts(_one(host))
         for process in graph.processes:
             found[EntityKind.PROCESS, f"{process.host}/{process.pid}"] = Facts(_one(process.host))
+        servers: dict[Key, list[Endpoint]] = {}
         for end in graph.endpoints:
-            kind = _ENDS.get(end.role)
-            if kind is not None:
-                found[kind, end.name] = Facts(_one(self.host_of(end.node)), _one(end.type), _one(end.node))
+            if (kind := _ENDS.get(end.role)) is not None:
+                servers.setdefault((kind, end.name), []).append(end)
+        for key, ends in servers.items():
+            copies = tuple(sorted({end.node for end in ends}))
+            found[key] = Facts(
+                _one(self.host_of(ends[-1].node)), _one(ends[-1].type), _one(ends[-1].node),
+                copies=copies if len(copies) > 1 else (),
+            )  # fmt: skip
         for topic in self.topics.values():
             if topic.known:
                 found[EntityKind.TOPIC, topic.name] = self.facts(topic)
@@ -336,39 +323,6 @@ class World:
         if entity.kind is EntityKind.PROCESS:
             return [EntityId(EntityKind.HOST, entity.name.rpartition("/")[0])]
         return []
-
-
-class _Ends(msgspec.Struct):
-    """Who is on a topic, and with which types."""
-
-    publishers: set[str]
-    subscribers: set[str]
-    types: set[str]
-
-
-_OF_TOPICS = (Role.PUBLISHER, Role.SUBSCRIPTION)
-_NOBODY = _Ends(set(), set(), set())
-
-
-def _take_ends(topic: Topic, ends: _Ends) -> bool:
-    """Note who is on a topic; return whether that is something else than before."""
-    publishers, subscribers, types = frozenset(ends.publishers), frozenset(ends.subscribers), frozenset(ends.types)
-    known = bool(publishers or subscribers)
-    if (topic.publishers, topic.subscribers, topic.types, topic.known) == (publishers, subscribers, types, known):
-        return False
-    topic.former = topic.publishers or topic.former
-    topic.publishers, topic.subscribers = publishers, subscribers
-    topic.types = types or topic.types
-    topic.known = known
-    topic.seen |= known
-    for one in chain.from_iterable(topic.connections.values()):
-        one.gone = _lacks_end(topic, one)
-    return True
-
-
-def _lacks_end(topic: Topic, connection: Connection) -> bool:
-    lost = connection.publisher and connection.publisher not in topic.publishers
-    return bool(lost or (connection.subscriber and connection.subscriber not in topic.subscribers))
 
 
 def _one(text: str) -> frozenset[str]:

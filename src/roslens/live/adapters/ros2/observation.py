@@ -14,6 +14,7 @@ from roslens.live.adapters.ros2.reported_topics import Reported
 from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.call_times import CallTimes
 from roslens.live.inside.counters import Called, Counted, joined
+from roslens.live.join.instances import several_publishers
 from roslens.live.system.misfit import misfits
 from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.failure import Failure
@@ -93,6 +94,7 @@ class Observation:
         self._changes = Changes()
         self._graph: Graph | None = None
         self._there: set[tuple[str, str]] = set()
+        self._several: frozenset[tuple[str, str]] = frozenset()
         self._reported: set[Failure] = set()
         self._left: dict[str, tuple[str, float]] = {}
         self._domain = SameDomain()
@@ -126,6 +128,7 @@ class Observation:
         self._domain.take(graph, now)
         self._graph = graph
         self._there = {(end.node, end.name) for end in graph.endpoints}
+        self._several = several_publishers(graph)
         found = set(misfits(graph.endpoints))
         fresh = found - self._reported
         # What is mended and breaks again is reported again.
@@ -149,7 +152,7 @@ class Observation:
         Of who was not ``attentive`` all the time, taps lost messages that nobody else lost.
         """
         counted_here = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
-        counted = joined(counted_here, self._name_of, self._host)
+        counted = joined(counted_here, self._name_of, self._host, self._several)
         self._calls.add(one for one in self._counters.called() if self._domain.has(one.tally.publisher, one.pid))
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from roslens.judge.reference.unmatched import Subject
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.unmatched import Subject, unmatched
 from roslens.live.join import seen
 from roslens.live.join.seen import Seen
 from roslens.live.system.world import World
+from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.traffic.tally import Tally
@@ -56,3 +58,14 @@ def test_of_names_that_differ_in_numbers_alone_the_first_hundred_are_remembered(
     named = [one.name for one in found.subjects(World()) if one.kind is EntityKind.NODE]
     assert len(named) == seen.MOST_ALIKE + 1
     assert {"/_ros2cli_0", "/_ros2cli_99", "/stays"} <= set(named)
+
+
+def test_parameters_are_remembered_with_their_node():
+    found = Seen()
+    found.add_graph(Graph("ros2", (Node("/cam/driver", "one"),), parameters={"/cam/driver": {"exposure": "20"}}))
+    found.add_graph(AFTER)
+    there = Subject(EntityKind.PARAMETER, "/cam/driver/exposure", "one")
+    assert there in found.subjects(World())
+    text = "kind: reference\nname: p\nconstraints: [{parameter: /cam/driver/exposure, value: 10..40}]"
+    reference = load_reference([GivenText("p.yaml", text.encode())], BY_KEY)
+    assert not unmatched(reference, found.subjects(World()))

@@ -9,6 +9,7 @@ import pytest
 from live.random_traffic import of
 
 from roslens.live.window.round import Round
+from roslens.live.window.traffic import largest_gap, loss, rate
 from roslens.live.window.window import Window
 from roslens.model.traffic.tally import NOTHING, Observer, Tally
 from roslens.model.traffic.tally_columns import row_of
@@ -47,6 +48,7 @@ def following(draw: Random, many: int):
 def held(window: Window):
     """Return everything that a window knows."""
     known = {name: getattr(window, name) for name in Window.__slots__ if name not in ("buckets", "_strange", "cache")}
+    known["_former"] = list(window._former._before)
     buckets = []
     for bucket in window.buckets:
         fields = msgspec.structs.asdict(bucket)
@@ -77,3 +79,37 @@ def test_both_ways_lead_to_the_same(seed):
             now = one.noticed + draw.choice([0.0, 0.1])
             one.settle(now)
             other.settle(now)
+
+
+def receipts(window, count, *, every=13, period=0.1, start=100.0, observer=Observer.INSIDE):
+    """Let a subscriber take every so many messages; what it missed is known a moment after each receipt."""
+    shares = []
+    slot, missed = 0.1, 0
+    for number in range(round(count * every * period / slot)):
+        begin = start + number * slot
+        came = number % every == 0
+        first = begin + 0.05 if came else 0.0
+        lost, missed = missed, every - 1 if came and number else 0
+        tally = Tally(
+            "/big", "/p", "/slow", begin, begin + slot, int(came), -1, first, first, lost=lost, observer=observer
+        )
+        window.add(tally, begin + slot)
+        window.settle(begin + slot)
+        shares.append(loss(window))
+    return shares
+
+
+def test_the_loss_of_a_subscriber_that_takes_few_messages_is_over_ten_receipts():
+    shares = receipts(Window(Observer.INSIDE, "", 1.0), 60)
+    known = [share for share in shares if share is not None]
+    assert min(known) > 90
+    assert max(known) < 94
+    assert shares[: 9 * 13] == [None] * (9 * 13), "of fewer receipts nothing is known"
+    assert all(share is not None for share in shares[11 * 13 :])
+
+
+def test_what_a_tap_loses_is_its_own():
+    window = Window(Observer.TAP, "", 1.0)
+    assert set(receipts(window, 60, every=2, observer=Observer.TAP)) == {None}
+    assert rate(window) == pytest.approx(10.0, rel=0.1)
+    assert largest_gap(window) is None

@@ -21,6 +21,7 @@ from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import (
     AgeChain,
     Details,
+    End,
     Expectation,
     FieldCheck,
     FieldCondition,
@@ -82,6 +83,7 @@ def reference(line: dict[str, Any]) -> Reference:
                 selector(row),
                 PresenceMode(row["mode"]),
                 selector(row["while"]) if "while" in row else None,
+                End(row.get("by", "publisher")),
             )
             for row in line.get("presence", ())
         ),

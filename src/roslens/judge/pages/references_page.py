@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from roslens.judge.pages.reaction_schema import condition_schema, described, named_condition_schema, reaction_schema
 from roslens.judge.ranges.amount import UNITS
 from roslens.judge.reading.read_state_check import LIFECYCLE
-from roslens.judge.reference.expectation import CONDITIONAL, PresenceMode
+from roslens.judge.reference.expectation import CONDITIONAL, End, PresenceMode
 from roslens.judge.reference.reference_keys import (
     CHAIN_KEYS,
     DEFAULT_KEYS,
@@ -234,6 +234,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
             **{key: dict(amount) for key in known},
             "lifecycle": {"anyOf": [state, {"type": "array", "minItems": 1, "items": state}]},
             "value": {"anyOf": [dict(word), {"type": "array", "minItems": 1, "items": dict(word)}]},
+            "by": {"enum": [end.value for end in End]},
             "expected": {
                 "anyOf": [{"enum": modes}, {"type": "string", "pattern": f"^(any\\s+)?while\\s+({kinds})\\s+\\S"}]
             },
@@ -241,7 +242,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     )
     constraint["oneOf"] = [{"required": [kind.value]} for kind in KINDS]
     constraint["anyOf"] = [{"required": [key]} for key in ("expected", *STATE_KEYS, *known)]
-    constraint["dependentRequired"] = {"override": ["id"]}
+    constraint["dependentRequired"] = {"override": ["id"], "by": ["expected"]}
     when = described(WHEN_KEYS, {"range": amount}, "field", "range")
     to = described(TO_KEYS, {}, "field")
     measures = ("range", "change", "difference")

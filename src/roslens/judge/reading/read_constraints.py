@@ -15,6 +15,7 @@ from roslens.judge.reference.alternatives import alternatives
 from roslens.judge.reference.expectation import (
     CONDITIONAL,
     AgeChain,
+    End,
     Expectation,
     Presence,
     PresenceMode,
@@ -22,6 +23,7 @@ from roslens.judge.reference.expectation import (
 )
 from roslens.judge.reference.reference_document import Declared, Scope
 from roslens.judge.reference.reference_keys import CHAIN_KEYS, FIELD_KEYS, KINDS, constraint_keys
+from roslens.model.entity import EntityKind
 from roslens.model.quantity import Quantity
 from roslens.plugins.nearest import did_you_mean
 
@@ -51,6 +53,8 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
             "a constraint that expects nothing",
             expected=f"a signal with a range, such as `{example}`, or `expected`" if example else "`expected: always`",
         )
+    if "by" in section and "expected" not in section:
+        raise section.fault("by", "'by' without `expected`", expected="`expected: always`, or no 'by'")
     if "expected" in section:
         constraint = _presence(section, scope, selector, name)
         yield declared(section, scope, constraint, name, "expected")
@@ -85,16 +89,27 @@ def _presence(section: Section, scope: Scope, selector: Selector, name: str) -> 
     words = section.text("expected")
     details = details_of(section, scope, name, "presence", "expected")
     reading(section, selector.kind.value, lambda: alternatives(selector.name))
+    by = _end(section, selector, words)
     for mode in CONDITIONAL:
         if words.startswith(f"{mode.value} "):
             condition = read_condition(section, scope, "expected", words.removeprefix(mode.value).strip())
-            return Presence(details, selector, mode, condition)
+            return Presence(details, selector, mode, condition, by)
     modes = [mode.value for mode in PresenceMode if mode not in CONDITIONAL]
     if words not in modes:
         valid = [f"{mode.value} KIND NAME" if mode in CONDITIONAL else mode.value for mode in PresenceMode]
         expected = f"one of {', '.join(valid)}"
         raise section.fault("expected", f"expected is {words!r}", expected=expected, advice=did_you_mean(words, valid))
-    return Presence(details, selector, PresenceMode(words))
+    return Presence(details, selector, PresenceMode(words), by=by)
+
+
+def _end(section: Section, selector: Selector, words: str) -> End:
+    """Return the end of a topic that has to be there."""
+    if "by" not in section:
+        return End.PUBLISHER
+    if selector.kind is not EntityKind.TOPIC or words == PresenceMode.NEVER.value:
+        found = f"'by' of a {selector.kind.value}, which is expected {words}"
+        raise section.fault("by", found, expected="it of a topic that has to be there")
+    return section.choice("by", End)
 
 
 def _chain(section: Section, scope: Scope) -> Declared:

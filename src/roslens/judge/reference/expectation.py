@@ -78,6 +78,13 @@ class PresenceMode(str, Enum):
     ANY_WHILE = "any while"
 
 
+class End(str, Enum):
+    """An end of a topic."""
+
+    PUBLISHER = "publisher"
+    SUBSCRIBER = "subscriber"
+
+
 CONDITIONAL = (PresenceMode.WHILE, PresenceMode.ANY_WHILE)
 """Modes that ask for something only while another entity is there."""
 
@@ -90,12 +97,14 @@ class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
 
     With ``always`` and ``while`` each of the names that braces list must exist, and where one of them has wildcards,
     something that it matches; with ``any`` one that matches is enough. ``condition`` is the other entity of ``while``.
+    A topic is there if it has the end that ``by`` names; ``never`` asks for neither.
     """
 
     details: Details
     selector: Selector
     mode: PresenceMode
     condition: Selector | None = None
+    by: End = End.PUBLISHER
 
 
 class FieldCondition(msgspec.Struct, frozen=True, omit_defaults=True):

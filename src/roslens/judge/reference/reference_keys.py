@@ -80,7 +80,9 @@ NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
 
 EXPECTED_KEY = {
     "expected": "presence: `always`, or `while KIND NAME` is present, of each name that `{a,b}` lists; `any` or "
-    "`any while KIND NAME`: one match is enough; `at most one` node, server or publisher of each name; `never`"
+    "`any while KIND NAME`: one match is enough; `at most one` node, server or publisher of each name; `never`. "
+    "A topic is there if it has a publisher, a service if it has a server",
+    "by": "the end that a topic is expected to have: `publisher` (default) or `subscriber`",
 }
 
 STATE_KEYS = {

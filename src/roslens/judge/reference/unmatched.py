@@ -80,6 +80,11 @@ def subjects_of(graph: Graph) -> tuple[Subject, ...]:
     found |= {Subject(EntityKind.PROCESS, f"{process.host}/{process.pid}", process.host) for process in graph.processes}
     hosts = {node.name: node.host for node in graph.nodes}
     found |= {Subject(EntityKind.NODE, name, host) for name, host in hosts.items()}
+    found |= {
+        Subject(EntityKind.PARAMETER, f"{node}/{name}", hosts.get(node, ""))
+        for node, values in graph.parameters.items()
+        for name in values
+    }
     ends: dict[str, tuple[list[tuple[str, str]], list[str]]] = defaultdict(lambda: ([], []))
     for endpoint in graph.endpoints:
         if endpoint.role is Role.PUBLISHER:

@@ -30,11 +30,14 @@ class Seen:
         self._alike: dict[tuple[str, ...], int] = {}
         self._processes: set[tuple[str, int]] = set()
         self._ends: set[_End] = set()
+        self._parameters: set[tuple[str, str]] = set()
 
     def add_graph(self, graph: Graph) -> None:
         """Remember what is in a graph."""
-        if len(self._nodes) + len(self._processes) + len(self._ends) >= MOST:
+        if len(self._nodes) + len(self._processes) + len(self._ends) + len(self._parameters) >= MOST:
             return
+        for node_name, values in graph.parameters.items():
+            self._parameters.update((node_name, name) for name in values)
         self._hosts.update(graph.hosts)
         for node in graph.nodes:
             if (one := (node.name, node.host)) not in self._nodes and self._is_new(*one):
@@ -62,8 +65,15 @@ class Seen:
             tuple(Endpoint(node, role, name, type_) for role, name, node, type_ in self._ends),
             tuple(self._hosts),
             tuple(Process(host, pid) for host, pid in self._processes),
+            {node: dict.fromkeys(names, "") for node, names in self._by_node().items()},
         )
         return tuple(sorted({*subjects_of(graph), *_measured(world)}))
+
+    def _by_node(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for node, name in self._parameters:
+            found.setdefault(node, []).append(name)
+        return found
 
 
 def _measured(world: World) -> Iterator[Subject]:

@@ -48,6 +48,9 @@ class Existence:
     def take_sample(self, sampled: Sampled, time: float) -> None:
         """Note that something was sampled."""
         key = (sampled.id.kind, sampled.id.name)
+        if sampled.id.kind is EntityKind.SERVICE and self._world.graph is not None:
+            # Its clients count calls too; who serves it is in the graph.
+            return
         if key not in self.presences.existing and time > self.vanished.get(key, time - 1):
             self.appear(key, self._world.facts(sampled))
 
@@ -80,6 +83,7 @@ class Existence:
             # Grace counts from when a topic is there, not from when a subscriber began to wait for it.
             topic.appeared = now
         topic.add(connection)
+        self._part(connection, topic)
         topic.planless = topic.planless or len(topic.connections) == 1
         self.presences.appear((connection.id.kind, connection.id.name), self._world.facts(connection))
         graph = self._world.graph
@@ -89,6 +93,12 @@ class Existence:
             for node in filter(None, (tally.publisher, tally.subscriber)):
                 self.presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
         return connection
+
+    def _part(self, connection: Connection, topic: Topic) -> None:
+        """Have what is seen at the publisher alone planned again: a subscriber of it reports now."""
+        for one in topic.connections[connection.publisher]:
+            if connection.subscriber and not one.subscriber:
+                one.planless = topic.planless = True
 
     def let_go(self, now: float) -> tuple[list[Measured], list[Topic]]:
         """Forget what is gone for long, so that memory stays bounded.

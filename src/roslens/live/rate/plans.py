@@ -96,6 +96,11 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
 
 
 def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[ReadyConstraint, ...]:
+    """Return the constraints on a connection; what is seen at a publisher alone is none where its subscribers tell."""
+    if not connection.subscriber:
+        beside = world.topics[connection.topic].connections.get(connection.publisher, ())
+        if any(one.subscriber and not one.gone for one in beside):
+            return ()
     return rules.about(EntityKind.CONNECTION, connection.topic, world.facts(connection))
 
 

@@ -41,6 +41,10 @@ class _Watched(Standing):
         self.matching: dict[str, tuple[str, ...]] = {}
         self.enabling: set[str] = set()
 
+    def takes(self, facts: Facts) -> bool:
+        """Whether a topic has the end that is asked for; of what no graph tells any end may be there."""
+        return facts.by is None or self.presence.mode is PresenceMode.NEVER or self.presence.by in facts.by
+
     def raw(self) -> State:
         """Return how it stands at this moment."""
         mode, count = self.presence.mode, len(self.matching)
@@ -64,7 +68,9 @@ class _Watched(Standing):
         if condition is not None and not self.enabling:
             return f"{_written(condition)} is not there"
         if not self.matching:
-            return f"{_written(self.presence.selector)} is not there"
+            of_topic = self.presence.selector.kind is EntityKind.TOPIC
+            end = f"no {self.presence.by.value} of " if of_topic else ""
+            return f"{end}{_written(self.presence.selector)} is{'' if end else ' not'} there"
         names = sorted(self.matching)
         if self.presence.mode is PresenceMode.AT_MOST_ONE and (several := self._several()):
             return several
@@ -126,7 +132,7 @@ class Presences:
         for watched, condition in hits:
             if condition:
                 watched.enabling.add(key[1])
-            else:
+            elif watched.takes(facts):
                 watched.matching[key[1]] = facts.copies
             self._waiting.add(watched)
 

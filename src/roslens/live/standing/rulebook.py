@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.alternatives import each
-from roslens.judge.reference.expectation import Expectation, Presence, Reference, Selector, essence
+from roslens.judge.reference.expectation import End, Expectation, Presence, Reference, Selector, essence
 from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.live.standing.ready_constraint import ReadyConstraint
 from roslens.model.entity import EntityKind
@@ -20,7 +20,7 @@ class Facts(NamedTuple):
     """What is known of an entity besides its id; an entity may have several hosts, types or publishers.
 
     ``name`` is what selectors call it, where that is not the name in its id: of a connection its topic. ``copies`` says
-    where each one is, where several bear the name.
+    where each one is, where several bear the name. ``by`` are the ends of a topic that are there, where a graph tells.
     """
 
     hosts: frozenset[str] = frozenset()
@@ -29,6 +29,7 @@ class Facts(NamedTuple):
     subscriber: str = ""
     name: str = ""
     copies: tuple[str, ...] = ()
+    by: frozenset[End] | None = None
 
 
 NOTHING_KNOWN = Facts()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
+from roslens.judge.reference.expectation import End
 from roslens.live.standing.measured import Measured
 from roslens.live.standing.presence import Key
 from roslens.live.standing.rulebook import Facts
@@ -245,7 +246,9 @@ class World:
             publishers = entity.publishers or frozenset(filter(None, entity.connections))
             hosts = {self.host_of(node) for node in publishers} - {""}
             copies = tuple(sorted(publishers)) if len(publishers) > 1 else ()
-            return Facts(frozenset(hosts or _observers(entity)), entity.types, publishers, copies=copies)
+            return Facts(
+                frozenset(hosts or _observers(entity)), entity.types, publishers, copies=copies, by=_ends_there(entity)
+            )
         if isinstance(entity, Connection):
             host = self.host_of(entity.publisher) or entity.host
             topic = self.topics.get(entity.topic)
@@ -266,20 +269,22 @@ class World:
             found[EntityKind.HOST, host] = Facts(_one(host))
         for process in graph.processes:
             found[EntityKind.PROCESS, f"{process.host}/{process.pid}"] = Facts(_one(process.host))
+        found.update(self._served(graph))
+        for topic in self.topics.values():
+            if topic.known:
+                found[EntityKind.TOPIC, topic.name] = self.facts(topic)
+        return found
+
+    def _served(self, graph: Graph) -> Iterator[tuple[Key, Facts]]:
+        """Yield the services and actions that have a server: a client alone is none."""
         servers: dict[Key, list[Endpoint]] = {}
         for end in graph.endpoints:
             if (kind := _ENDS.get(end.role)) is not None:
                 servers.setdefault((kind, end.name), []).append(end)
         for key, ends in servers.items():
-            copies = tuple(sorted({end.node for end in ends}))
-            found[key] = Facts(
-                _one(self.host_of(ends[-1].node)), _one(ends[-1].type), _one(ends[-1].node),
-                copies=copies if len(copies) > 1 else (),
-            )  # fmt: skip
-        for topic in self.topics.values():
-            if topic.known:
-                found[EntityKind.TOPIC, topic.name] = self.facts(topic)
-        return found
+            last, nodes = ends[-1], tuple(sorted({end.node for end in ends}))
+            copies = nodes if len(nodes) > 1 else ()
+            yield key, Facts(_one(self.host_of(last.node)), _one(last.type), _one(last.node), copies=copies)
 
     def stopped(self, now: float) -> Iterator[tuple[EntityId, float]]:
         """Yield the nodes whose process is stopped, as it was sampled lately, and since when."""
@@ -331,6 +336,14 @@ def _one(text: str) -> frozenset[str]:
 
 def _observers(topic: Topic) -> set[str]:
     return {one.host for group in topic.connections.values() for one in group} - {""}
+
+
+def _ends_there(topic: Topic) -> frozenset[End] | None:
+    """Return the ends that a graph has of a topic; None of one that is known by its traffic alone."""
+    if not topic.known:
+        return None
+    ends = ((End.PUBLISHER, topic.publishers), (End.SUBSCRIBER, topic.subscribers))
+    return frozenset(end for end, nodes in ends if nodes)
 
 
 def _gone(topic: Topic) -> bool:

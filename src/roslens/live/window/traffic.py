@@ -8,7 +8,7 @@ from operator import attrgetter
 
 from roslens.live.window.bucket import Bucket
 from roslens.live.window.window import Window
-from roslens.model.traffic.tally import Moments
+from roslens.model.traffic.tally import Moments, Observer
 
 _INSTANT_S = 1e-9
 """No two messages are closer together."""
@@ -24,6 +24,8 @@ def rate(window: Window) -> float | None:
     intervals = window.intervals
     quiet = window.quiet
     if intervals:
+        # Its numbers say how many more were sent than a tap itself took.
+        intervals += missed_by_tap(window)
         span = window.span
         if quiet * intervals > span:
             span += max(quiet - longest_interval(window), 0.0)
@@ -36,13 +38,20 @@ def rate(window: Window) -> float | None:
     return 1 / quiet if window.last and not window.count and quiet > 0 else None
 
 
+def missed_by_tap(window: Window) -> int:
+    """Return how many messages a tap lost itself; 0 for any other observer."""
+    return sum(bucket.lost for bucket in window.buckets) if window.observer is Observer.TAP else 0
+
+
 def period(window: Window) -> float | None:
     """Return the mean time between messages."""
-    return window.span / window.intervals if window.intervals else None
+    return window.span / (window.intervals + missed_by_tap(window)) if window.intervals else None
 
 
 def jitter(window: Window) -> float | None:
-    """Return the standard deviation of the times between messages."""
+    """Return the standard deviation of the times between messages; of those that a tap missed some of it is unknown."""
+    if missed_by_tap(window):
+        return None
     count, total, squares = 0, 0.0, 0.0
     for bucket in window.buckets:
         moments = bucket.period
@@ -81,6 +90,8 @@ def largest_gap(window: Window) -> float | None:
     """Return the longest time without a message, the one that goes on included."""
     gap = longest_interval(window)
     quiet = window.quiet
+    if missed_by_tap(window) and quiet < window.length:
+        return None
     if quiet <= gap:
         return gap
     # Counts alone give no gaps, unless the silence is longer than the window.
@@ -104,12 +115,9 @@ def bandwidth(window: Window) -> float | None:
 
 
 def loss(window: Window) -> float | None:
-    """Return the share of messages that did not arrive, in percent."""
-    if not any(bucket.losses_counted for bucket in window.buckets):
-        return None
-    lost = sum(bucket.lost for bucket in window.buckets)
-    sent = lost + sum(bucket.losable for bucket in window.buckets)
-    return 100 * lost / sent if sent else None
+    """Return the share of messages that did not arrive, in percent; what a tap loses, nobody else has lost."""
+    losses = window.losses() if window.observer is not Observer.TAP else None
+    return None if losses is None else 100 * losses[0] / (losses[0] + losses[1])
 
 
 def _mean_of(field: str) -> Measure:

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from roslens.live.window.bucket import Bucket
 from roslens.live.window.cut_tally import cut
+from roslens.live.window.losses import Losses
 from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.traffic.tally_columns import Row
@@ -60,6 +61,7 @@ class Window:
 
     __slots__ = (
         "_automatic",
+        "_former",
         "_grain",
         "_least",
         "_strange",
@@ -108,6 +110,7 @@ class Window:
         self.additions = 0
         self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
+        self._former = Losses()
 
     def add(self, tally: Tally, now: float) -> bool:
         """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it holds anything new."""
@@ -255,11 +258,17 @@ class Window:
         self.noticed, self.spacing = source.noticed, source.spacing
         self.news, self.horizon = source.news, source.horizon
         self.buckets.extend(buckets)
+        self._former = source._former.twin()
         self._summed = False
+
+    def losses(self) -> tuple[int, int] | None:
+        """Return how many messages were lost and how many came lately; None where that is not known."""
+        return self._former.of(self.buckets, self.horizon)
 
     def clear(self) -> None:
         """Forget everything: time itself broke."""
         self.buckets.clear()
+        self._former.clear()
         self.cache = {}
         self._strange.clear()
         self.count = self.intervals = self.bytes = self.sized = 0
@@ -314,7 +323,7 @@ class Window:
                 break
             if len(buckets) <= self._least and self.horizon == self.until:
                 break
-            buckets.popleft()
+            self._former.keep(buckets.popleft())
             self._summed = False
 
     def _merge(self) -> None:

@@ -36,10 +36,19 @@ def test_what_left_is_known_for_a_while():
     assert not domain.has("/lidar", 7)
 
 
-def test_nothing_is_left_out_where_identifiers_say_nothing():
+def test_where_the_identifiers_of_a_node_say_nothing_its_name_has_to_do():
     domain = SameDomain()
     domain.take(graph(("/lidar", "0110" + "00" * 14)), 0.0)
-    assert domain.has("/planner", 7)
+    assert domain.has("/lidar", 7)
+    assert not domain.has("/planner", 7)
+
+
+def test_a_participant_without_a_node_lets_no_other_domain_in():
+    domain = SameDomain()
+    domain.take(graph(("/_CREATED_BY_BARE_DDS_APP_", "0110" + "00" * 14), ("/hear", gid(7))), 0.0)
+    assert domain.has("/hear", 7)
+    assert not domain.has("/hear", 8)
+    assert not domain.has("/r1/base", 9)
 
 
 def test_nobody_is_there_before_the_graph_is_known():

@@ -1,7 +1,8 @@
 """Whose counters are of the domain that is observed: processes of all domains count in the same folder.
 
 The identifiers of a node's endpoints hold the low 16 bits of its process id, and a counter file the whole of it. A node
-of the same name in another domain has another process. Where identifiers are of another layout nothing is left out.
+of the same name in another domain has another process. Where the identifiers of a node are of another layout its name
+alone has to do; those of other participants show nothing of it.
 """
 
 from __future__ import annotations
@@ -20,18 +21,18 @@ class SameDomain:
     def __init__(self) -> None:
         self._there: set[tuple[str, int]] = set()
         self._left: dict[tuple[str, int], float] = {}
-        self._other_layout = False
+        self._other_layout: set[str] = set()
 
     def take(self, graph: Graph, now: float) -> None:
         """Take who is there at ``now``."""
         there = set()
-        self._other_layout = False
+        self._other_layout = set()
         for end in graph.endpoints:
             if not end.gid:
                 continue
             bits = pid_bits(end.gid)
             if bits is None:
-                self._other_layout = True
+                self._other_layout.add(end.node)
             else:
                 there.add((end.node, bits))
         self._left.update(dict.fromkeys(self._there - there, now))
@@ -41,4 +42,4 @@ class SameDomain:
     def has(self, node: str, pid: int) -> bool:
         """Return whether what ``node`` counts in the process ``pid``, as that sees itself, is of this domain."""
         one = (node, pid & _BITS)
-        return self._other_layout or one in self._there or one in self._left
+        return node in self._other_layout or one in self._there or one in self._left

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.calls import constructed, number_of, whole_name
+from roslens.source.rules.calls import constructed, function_around, number_of, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
@@ -23,6 +23,7 @@ _ROS_TIME = re.compile(
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a time of the system's clock beside one of the node's."""
+    yield from _of_member(node, view)
     given = constructed(node)
     made = whole_name(node).parent
     around = made.parent if made is not None else None
@@ -48,12 +49,56 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     )
 
 
+_BRANCHES = ("if_statement", "conditional_expression", "switch_statement", "while_statement")
+
+
+def _of_member(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield where a member without a value, which is of the system's clock, meets the node's clock before it is set."""
+    field = whole_name(node).parent
+    if field is None or field.type != "field_declaration" or field.child_by_field_name("default_value") is not None:
+        return
+    declared = [view.text(one) for one in field.children_by_field_name("declarator")]
+    if len(declared) != 1 or not declared[0].isidentifier():
+        return
+    name = declared[0]
+    member = rf"(?:[\w\]]+(?:\.|->))*{name}\b(?![\w(.\[]|->)"
+    now = r"(?:this->)?(?:get_clock\(\)->)?\bnow\(\)"
+    meets = re.search(rf"{now}\s*(?:-|[<>]=?|==|!=)\s*{member}|{member}\s*(?:[<>]=?|==|!=)\s*{now}".encode(), view.code)
+    if meets is None or re.search(rf"\b{name}\s*[({{]".encode(), view.code):
+        return
+    place = view.node_at(meets.start(), meets.end())
+    function = function_around(place) if place is not None else None
+    if place is None or function is None or _may_be_skipped(place, function, view):
+        return
+    first = re.search(rf"\b{name}\s*=[^=]".encode(), view.code)
+    if first is None or meets.end() < first.start() < function.end_byte:
+        yield view.hit(
+            "node.mixed_clocks",
+            place,
+            f"`{view.text(place)}`: `{name}` has no value yet and is of the system's clock, the other side of "
+            f"ROS time, so the first call throws; expected `{name}{{0, 0, RCL_ROS_TIME}}` where it is declared",
+            certainty=Certainty.LIKELY,
+        )
+
+
+def _may_be_skipped(place: Node, function: Node, view: FileView) -> bool:
+    """Return whether something decides before a place is reached: a branch around it, or a return before it."""
+    inner: Node = place
+    while (around := inner.parent) is not None and around != function:
+        if around.type in _BRANCHES and around.child_by_field_name("condition") != inner:
+            return True
+        if around.type == "binary_expression" and view.text(around.child_by_field_name("operator")) in ("&&", "||"):
+            return True
+        inner = around
+    return re.search(rb"\b(?:return|throw)\b", view.code[function.start_byte : place.start_byte]) is not None
+
+
 RULE = FileRule(
     id="node.mixed_clocks",
     title="Times of different clocks compared",
-    finds="`rclcpp::Time()` or `rclcpp::Time(0)` compared with, or subtracted from, a time of the node's clock. Name "
-    "the "
-    "clock: `rclcpp::Time(0, 0, RCL_ROS_TIME)`.",
+    finds="`rclcpp::Time()` or `rclcpp::Time(0)` compared with, or subtracted from, a time of the node's clock; and "
+    "likewise a member that is declared without a value and not set before. Name the clock: "
+    "`rclcpp::Time(0, 0, RCL_ROS_TIME)`.",
     why="A time without a clock type is of the system's clock, those of nodes and messages are of ROS time, and rclcpp "
     "throws «can't compare times with different time sources»: the process ends.",
     consequence=Consequence.WRONG,

@@ -1,0 +1,91 @@
+"""Rule ``node.parameter_undeclared_python``: a parameter that is read and that nothing declares, in rclpy."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.rules.calls import arguments, call_at, receiver
+from roslens.source.rules.file_view import FileView, above, below
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.parameters.undeclared import declares_nothing, is_always_there
+from roslens.source.rules.rule import RCLPY, FileRule
+
+_NODES = ("(Node)", "(rclpy.node.Node)")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a read of a parameter by a node of a file that declares nothing."""
+    call = call_at(node)
+    given = arguments(call) if call is not None else ()
+    if call is None or len(given) != 1 or is_always_there(view.text(given[0])) or not declares_nothing(view):
+        return
+    if _is_node(receiver(call), call, view):
+        name = view.text(given[0])
+        yield view.hit(
+            "node.parameter_undeclared_python",
+            call,
+            f"parameter `{name}` is declared nowhere in this file, so that `get_parameter` raises "
+            f"ParameterNotDeclaredException; expected `declare_parameter({name}, …)` before it",
+        )
+
+
+def _is_node(one: Node | None, call: Node, view: FileView) -> bool:
+    """Return whether an object is a node whose parameters this file alone declares."""
+    name = view.text(one)
+    if name == "self":
+        around = above(call, "class_definition")
+        if around is None or view.text(around.child_by_field_name("superclasses")) not in _NODES:
+            return False
+        return _is_early(call, around, view)
+    made = rf"\b{re.escape(name)}\s*=\s*rclpy\.create_node\("
+    return re.fullmatch(r"(?:self\.)?\w+", name) is not None and re.search(made.encode(), view.code) is not None
+
+
+def _is_early(call: Node, around: Node, view: FileView) -> bool:
+    """Return whether a call stands in ``__init__``, or in a method that it calls: others may declare later on."""
+    function = above(call, "function_definition")
+    name = _name(function, view) if function is not None else ""
+    if name == "__init__":
+        return True
+    first = next((one for one in below(around, "function_definition") if _name(one, view) == "__init__"), None)
+    return bool(name) and first is not None and f"self.{name}(" in view.text(first)
+
+
+def _name(function: Node, view: FileView) -> str:
+    return view.text(function.child_by_field_name("name"))
+
+
+RULE = FileRule(
+    id="node.parameter_undeclared_python",
+    title="Parameter read and not declared (rclpy)",
+    finds="`get_parameter` in the constructor of a class derived from `Node` alone, or of a node that "
+    "`rclpy.create_node` makes, in a file that declares no parameter at all and sets neither "
+    "`allow_undeclared_parameters` nor `automatically_declare_parameters_from_overrides`.",
+    why="Since ROS 2 Dashing only declared parameters exist: `get_parameter` raises ParameterNotDeclaredException, "
+    "also where a parameter file gives a value. Mostly the node ends at start.",
+    consequence=Consequence.STOPS_START,
+    certainty=Certainty.LIKELY,
+    profiles=("ros2",),
+    tags=("parameters",),
+    bad="""import rclpy
+class Arm(Node):
+    def __init__(self):
+        super().__init__('arm')
+        self.limit = self.get_parameter('limit').value
+""",
+    good="""import rclpy
+class Arm(Node):
+    def __init__(self):
+        super().__init__('arm')
+        self.limit = self.declare_parameter('limit', 0.5).value
+""",
+    syntax="python",
+    anchors=("get_parameter",),
+    mentions=RCLPY,
+    spares_tests=True,
+    found=found,
+)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from roslens.source.extract.parameters.assemble_lists import each_of, items_among
-from roslens.source.extract.symbolic.reason import MAKER, EachOf, ItemOf, OfParameter, PartOf
+from roslens.source.extract.parameters.assemble_lists import each_of, items_among, parameter_of
+from roslens.source.extract.symbolic.reason import MAKER, EachOf, ItemOf, NumberBelow, OfParameter, PartOf
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 EACH = Hole(EachOf(OfParameter("names")), "names")
@@ -80,3 +80,27 @@ def test_what_nobody_knows_stays():
 )
 def test_the_items_of_a_list(hole, value, found):
     assert items_among(hole, None if value is None else Text.of(value)) == found
+
+
+@pytest.mark.parametrize(
+    ("default", "value", "expected"),
+    [
+        ("2", None, ["0", "1"]),
+        ("2", "3", ["0", "1", "2"]),
+        ("", "1", ["0"]),
+        ("", None, None),
+        ("2", "0", []),
+        ("2", "many", None),
+        ("2", "1000", None),
+        ("2", unknown("argument n"), None),
+    ],
+)
+def test_numbers_below_a_parameter_are_as_many_as_it_says(default, value, expected):
+    given = Text.of(value) if isinstance(value, str) else value
+    assert items_among(Hole(NumberBelow(OfParameter("n"), default)), given) == expected
+
+
+def test_the_parameter_that_ends_a_loop_decides_its_numbers():
+    assert parameter_of(Hole(NumberBelow(OfParameter("n")))) == "n"
+    assert parameter_of(Hole(NumberBelow(OfParameter("n", MAKER)))) == ""
+    assert parameter_of(EACH) == "names"

@@ -6,7 +6,7 @@ import msgspec
 
 from roslens.source.extract.domain.abstract_value import Foreign, Unknown, Value, as_text
 from roslens.source.extract.domain.kinds import is_whole
-from roslens.source.extract.symbolic.reason import EachOf, ItemOf, PartOf
+from roslens.source.extract.symbolic.reason import EachOf, ItemOf, NumberBelow, OfParameter, PartOf
 from roslens.source.extract.symbolic.text import Choice, Hole, Text, unknown
 from roslens.source.extract.symbolic.text_lists import is_list, listed
 
@@ -33,6 +33,14 @@ def each_of(value: Value) -> Value:
         case Unknown():
             return Unknown(EachOf(value.reason))
     return Unknown("an item")
+
+
+def number_below(end: Value) -> Unknown | None:
+    """Return what stands for each number that a loop counts from 0 up to a parameter; None for other ends."""
+    match end:
+        case Text(only=Hole(reason=OfParameter(), choice=(), named=()) as hole) if hole.parameter:
+            return Unknown(NumberBelow(hole.reason, hole.default or ""))
+    return None
 
 
 def _each(choice: Choice) -> Choice:

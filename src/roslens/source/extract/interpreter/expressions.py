@@ -43,6 +43,7 @@ from roslens.source.extract.ir.program import (
     Sequence,
 )
 from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.reason import NumberBelow
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
 from roslens.source.extract.transfer.closures import names_around
@@ -293,7 +294,7 @@ class Expressions:
                 return [*one, *other]
             case int() | float(), int() | float():
                 return one + other
-            case Unknown(), _:
+            case Unknown(reason=reason), _ if type(reason) is not NumberBelow:
                 return one
         return Unknown("a sum")
 

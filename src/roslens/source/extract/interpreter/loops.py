@@ -10,7 +10,7 @@ from roslens.source.extract.domain.abstract_value import Names, Unknown, Value, 
 from roslens.source.extract.domain.frame import LoopExit, PendingExits
 from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import is_number
-from roslens.source.extract.domain.unknown_lists import Each, each_of
+from roslens.source.extract.domain.unknown_lists import Each, each_of, number_below
 from roslens.source.extract.interpreter.vocabulary_streams import words_read
 from roslens.source.extract.ir.program import (
     Assign,
@@ -178,11 +178,14 @@ def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> 
     changes, frame = ctx.state.store, ctx.state.frame
     since = changes.count
     changes.open += 1
+    counted = _counted_to_parameter(ctx, statement)
     _forget_counters(ctx, statement)
+    if counted is not None:
+        ctx.state.frame.names[counted[0]] = counted[1]
     forget_set_by_methods(ctx, statement)
     if statement.target is not None:
         ctx.assign(statement.target, _each(ctx, over, statement))
-    _perhaps_turned(ctx, statement, over)
+    _perhaps_turned(ctx, statement, over, always=counted is not None)
     if changes.count > since and not once:
         way = changes.roll_back(since, frame.members)
         why = (_written(ctx, statement), ALWAYS)
@@ -190,13 +193,13 @@ def _turn_for_all(ctx: Context, statement: Loop, over: Value, *, once: bool) -> 
     changes.close()
 
 
-def _perhaps_turned(ctx: Context, statement: Loop, over: Value) -> None:
+def _perhaps_turned(ctx: Context, statement: Loop, over: Value, *, always: bool) -> None:
     """Follow the one turn that stands for all, under the condition that there is one.
 
     A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
     """
     written = _written(ctx, statement)
-    always = statement.over is None or (ctx.truth(over) is True and statement.target is None)
+    always = always or statement.over is None or (ctx.truth(over) is True and statement.target is None)
     match over:
         case Each() | Text():
             always = True
@@ -291,6 +294,16 @@ def _count(ctx: Context, statement: Loop) -> int | None:
     turns = float(last - first) / step[1]
     whole = math.floor(turns) + 1 if operator in ("<=", ">=") else math.ceil(turns)
     return max(0, whole)
+
+
+def _counted_to_parameter(ctx: Context, statement: Loop) -> tuple[str, Unknown] | None:
+    """Return the counter of a loop from 0 up to a parameter, and what stands for each number; None of other loops."""
+    step = _step(statement) if statement.target is None else None
+    match statement.over:
+        case Operation(operator="<" | "!=", operands=(Name(name=name) as counter, end)) if step == (name, 1):
+            number = number_below(ctx.value(end)) if ctx.value(counter) == 0 else None
+            return None if number is None else (name, number)
+    return None
 
 
 def _step(statement: Loop) -> tuple[str, int | float] | None:

@@ -10,6 +10,7 @@ from roslens.source.extract.symbolic.reason import (
     FIRST,
     EachOf,
     ItemOf,
+    NumberBelow,
     OfParameter,
     Reason,
 )
@@ -19,6 +20,7 @@ from roslens.source.extract.symbolic.text_lists import listed
 Items = Callable[[Hole], "list[str | Hole] | None"]
 """Returns the items that a hole stands for; None where it stands for none, or they are unknown."""
 _DEEPEST = 4
+_MOST_NUMBERS = 64
 
 
 def each_of(texts: tuple[Text, ...], items: Items) -> tuple[tuple[Text, ...], ...]:
@@ -79,6 +81,8 @@ def _of_parameter(reason: Reason, name: str) -> Reason:
             return EachOf(_of_parameter(of, name))
         case ItemOf(place=place, of=of):
             return ItemOf(place, _of_parameter(of, name))
+        case NumberBelow(of=of):
+            return NumberBelow(_of_parameter(of, name))
     return OfParameter(name)
 
 
@@ -93,8 +97,25 @@ def _is_own_list(hole: Hole) -> bool:
     return False
 
 
+def parameter_of(hole: Hole) -> str:
+    """Return the parameter that decides which items a hole stands for; empty where none of this node does."""
+    match hole.reason:
+        case NumberBelow(of=OfParameter(name=name, node=node)):
+            return name if node == FIRST else ""
+    return hole.parameter
+
+
+def _numbers(below: str | None) -> list[str] | None:
+    """Return the numbers that a loop counts; None where it is unknown how many, or they are too many."""
+    count = int(below) if below is not None and below.isdecimal() else None
+    return None if count is None or count > _MOST_NUMBERS else [str(one) for one in range(count)]
+
+
 def items_among(hole: Hole, value: Text | None) -> list[str] | None:
     """Return the items that a hole stands for where its parameter is set to a value, or to none; None where unknown."""
+    match hole.reason:
+        case NumberBelow(default=default):
+            return _numbers(default if value is None else value.known)
     if not _is_own_list(hole):
         return None
     known = (hole.among or hole.default) if value is None else value.known

@@ -15,7 +15,7 @@ from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.facts.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
 from roslens.source.extract.parameters.assemble_choices import Filled, IsGiven, Why, decided_by, doubt
-from roslens.source.extract.parameters.assemble_lists import each_of, items_among
+from roslens.source.extract.parameters.assemble_lists import each_of, items_among, parameter_of
 from roslens.source.extract.parameters.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.parameters.assemble_written import Write, after_writes
 from roslens.source.extract.parameters.ros2_values import LIST
@@ -89,9 +89,10 @@ class Values:
 
     def items_of(self, hole: Hole) -> list[str | Hole] | None:
         """Return the elements of a list that a parameter is; None where it is none."""
-        if not hole.parameter or hole.choice:
+        parameter = parameter_of(hole)
+        if not parameter or hole.choice:
             return None
-        found = self.value(Text.of(hole.parameter))
+        found = self.value(Text.of(parameter))
         names = items_among(hole, None if found is None else found.value)
         if names is None:
             return None

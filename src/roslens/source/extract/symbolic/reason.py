@@ -109,6 +109,22 @@ class PartOf(_Reason, frozen=True, tag="part of"):
         return f"{self.key} of {self.of}"
 
 
+class NumberBelow(_Reason, frozen=True, tag="number below"):
+    """Whichever number a loop counts, from 0 on, that ends at the value of a parameter.
+
+    Attributes:
+        of: the value.
+        default: of the parameter; empty where it has none, or an unknown one.
+    """
+
+    of: Reason
+    default: str = ""
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"each number below {self.of}"
+
+
 class OfEnvironment(_Reason, frozen=True, tag="of environment"):
     """A variable of the environment."""
 
@@ -174,7 +190,8 @@ class OfMany(_Reason, frozen=True, tag="of many"):
 
 
 Reason = (
-    str | OfNode | OfParameter | OfHandle | OfController | EachOf | ItemOf | PartOf | OfEnvironment | RandomEnd | NotSet
+    str | OfNode | OfParameter | OfHandle | OfController | EachOf | ItemOf | PartOf | NumberBelow
+    | OfEnvironment | RandomEnd | NotSet
     | InstalledAt | RewrittenFile | OfMany
 )  # fmt: skip
 """Why something is unknown; nothing depends on the content of plain text."""
@@ -183,7 +200,7 @@ Reason = (
 def is_of_many(reason: Reason) -> bool:
     """Return whether something is one of many strings, or a part of one."""
     match reason:
-        case EachOf(of=of) | ItemOf(of=of) | PartOf(of=of) | OfHandle(of=of):
+        case EachOf(of=of) | ItemOf(of=of) | PartOf(of=of) | NumberBelow(of=of) | OfHandle(of=of):
             return is_of_many(of)
     return isinstance(reason, OfMany)
 
@@ -193,7 +210,7 @@ def node_of_reason(reason: Reason) -> int:
     match reason:
         case OfParameter(node=node) | OfNode(node=node):
             return node
-        case EachOf(of=of) | ItemOf(of=of) | PartOf(of=of) | OfHandle(of=of):
+        case EachOf(of=of) | ItemOf(of=of) | PartOf(of=of) | NumberBelow(of=of) | OfHandle(of=of):
             return node_of_reason(of)
     return FIRST
 
@@ -211,6 +228,8 @@ def for_node(reason: Reason, node: int) -> Reason:
             return ItemOf(place, for_node(of, node))
         case PartOf(key=key, of=of):
             return PartOf(key, for_node(of, node))
+        case NumberBelow(of=of, default=default):
+            return NumberBelow(for_node(of, node), default)
         case OfHandle(of=of):
             return OfHandle(for_node(of, node))
     return reason

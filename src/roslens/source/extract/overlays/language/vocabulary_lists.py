@@ -9,7 +9,7 @@ from roslens.source.extract.domain.guarded import in_place_of, is_counted, ungua
 from roslens.source.extract.domain.kinds import are_of_kind, is_whole, known_text
 from roslens.source.extract.domain.parameter_types import ITEM, VECTOR, array_of_cpp
 from roslens.source.extract.domain.typed_list import TypedList
-from roslens.source.extract.domain.unknown_lists import Each, each_of
+from roslens.source.extract.domain.unknown_lists import Each, each_of, number_below
 from roslens.source.extract.domain.word_list import Words
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.symbolic.text import Text
@@ -84,6 +84,8 @@ def collected(ctx: Context, _thing: Value, called: CallSite) -> Value:
 def counted(_ctx: Context, _thing: Value, called: CallSite) -> Value:
     """Numbers in a row."""
     given = [one for one in called.arguments if is_whole(one)]
+    if len(called.arguments) == 1 and (number := number_below(called.arguments[0])) is not None:
+        return Each(number)
     if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
         return Each(Unknown("a number"))
     numbers = range(*given)

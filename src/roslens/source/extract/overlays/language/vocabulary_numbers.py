@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Unknown, Value
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
+from roslens.source.extract.symbolic.reason import NumberBelow
 from roslens.source.extract.symbolic.text import Text
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ def _number(called: CallSite, kind: type[int] | type[float]) -> Value:
     match value:
         case Text(known=None):
             # A parameter stays what decides the number.
+            return value
+        case Unknown(reason=NumberBelow()) if kind is int:
             return value
         case Text(known=str(known)) | (str() | int() | float() as known) if len(called.arguments) == 1:
             if len(str(known)) <= _MOST_SIGNS:

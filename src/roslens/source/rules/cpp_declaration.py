@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from operator import attrgetter
@@ -16,6 +17,10 @@ from roslens.source.rules.file_view import FileView
 _SCOPES = ("compound_statement", "for_statement", "for_range_loop", "if_statement", "while_statement")
 _START = attrgetter("start_byte")
 _ENDS = ("function_definition", "lambda_expression", "class_specifier", "struct_specifier")
+
+_WORD = re.compile(rb"[\w\x80-\xff]+")
+_NEAR = 10_000
+"""Within so many bytes a word is looked for anew each time."""
 
 _Names = Mapping[str, tuple[int, Node]]
 
@@ -85,25 +90,43 @@ def hidden_by(name: str, declaration: Declaration, view: FileView) -> Node | Non
 
 
 def _is_named_before(word: bytes, end: int, view: FileView) -> bool:
-    """Return whether a word stands before a place, in the function around it or behind the one before."""
-    starts = _outermost(view)
-    place = bisect_right(starts, end)
-    start = starts[place - 1] if place else 0
+    """Return whether a word stands before a place: in the function around it, or near by where there is none."""
+    starts, ends = _outermost(view)
+    place = bisect_right(starts, end) - 1
+    start = starts[place] if place >= 0 else 0
+    if place < 0 or ends[place] <= end:
+        # Outside of functions only a lambda has local names.
+        start = max(start, end - _NEAR)
+    elif end - start > _NEAR:
+        return _first_places(start, ends[place], view).get(word, end) < end
     # Most are not there at all, and to ask for places begins a walk.
     return view.code.find(word, start, end) >= 0 and any(True for _ in word_places(word, view, start, end))
 
 
-def _outermost(view: FileView) -> Sequence[int]:
-    """Return where functions begin that stand in no other."""
+def _outermost(view: FileView) -> tuple[Sequence[int], Sequence[int]]:
+    """Return where functions begin that stand in no other, and where they end."""
     found = view.kept.get("outermost functions")
     if found is None:
-        starts, last = [], 0
+        starts: list[int] = []
+        ends: list[int] = []
         for start, end in sorted(one.byte_range for one in view.nodes("function_definition")):
-            if start >= last:
+            if not ends or start >= ends[-1]:
                 starts.append(start)
-                last = end
-        found = view.kept["outermost functions"] = starts
-    return cast("Sequence[int]", found)
+                ends.append(end)
+        found = view.kept["outermost functions"] = (starts, ends)
+    return cast("tuple[Sequence[int], Sequence[int]]", found)
+
+
+def _first_places(start: int, end: int, view: FileView) -> Mapping[bytes, int]:
+    """Return where each word of a long function stands first."""
+    key = ("first places", start)
+    found = view.kept.get(key)
+    if found is None:
+        places: dict[bytes, int] = {}
+        for match in _WORD.finditer(view.code, start, end):
+            places.setdefault(match.group(), match.start())
+        found = view.kept[key] = places
+    return cast("Mapping[bytes, int]", found)
 
 
 def _scopes_around(scope: Node, view: FileView) -> Sequence[tuple[_Names, int]]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import cast
 
 from tree_sitter import Node
 
@@ -54,6 +56,7 @@ class FileView:
         self.root = root
         self.of_kinds = of_kinds or {}
         self._text_lines = text_lines or TextLines(content)
+        self._mentioned: dict[bytes, bool] = {}
 
     @property
     def lines(self) -> list[bytes]:
@@ -64,6 +67,28 @@ class FileView:
     def words(self) -> frozenset[bytes]:
         """The words of the code, of its strings too; a set is quicker to ask than the code for hundreds of them."""
         return frozenset(self.code.translate(_WORDS).split())
+
+    def mentions(self, parts: Sequence[bytes]) -> bool:
+        """Return whether one of some texts stands anywhere in the file; each is looked for once."""
+        known = self._mentioned
+        for part in parts:
+            if part not in known:
+                known[part] = part in self.content
+        return any(known[part] for part in parts)
+
+    def has(self, pattern: re.Pattern[bytes]) -> bool:
+        """Return whether a pattern matches anywhere in the code; it is looked for once."""
+        key = ("has", pattern)
+        if key not in self.kept:
+            self.kept[key] = pattern.search(self.code) is not None
+        return bool(self.kept[key])
+
+    def names(self, pattern: re.Pattern[bytes]) -> frozenset[bytes]:
+        """Return what the one group of a pattern matches in the code; it is looked for once, whatever name is asked."""
+        key = ("names", pattern)
+        if key not in self.kept:
+            self.kept[key] = frozenset(pattern.findall(self.code))
+        return cast("frozenset[bytes]", self.kept[key])
 
     @cached_property
     def top_level(self) -> list[Node]:

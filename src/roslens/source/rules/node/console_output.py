@@ -26,7 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     function = function_around(node)
     if function is not None and _STREAM.search(view.code, function.start_byte, node.start_byte):
         return
-    if any(word in view.content for word in _ROS) and not _MAIN.search(view.code):
+    if view.mentions(_ROS) and not _MAIN.search(view.code):
         yield view.hit(
             "node.console_output",
             node,

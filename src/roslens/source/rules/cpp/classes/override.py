@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import cast
 
 from tree_sitter import Node
 
@@ -35,13 +36,23 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 def _virtual_in(bases: Collection[str], before: int, view: FileView) -> dict[str, set[int]]:
     """Return the virtual functions of classes that stand before a place: their keys, by name."""
     found: dict[str, set[int]] = {}
-    for other in _classes(view):
-        if class_name(other, view) not in bases or other.start_byte >= before:
-            continue
+    by_name = _by_name(view)
+    for other in (one for name in bases for one in by_name.get(name, ()) if one.start_byte < before):
         for member in members_of(other, view):
             if member.declarator is not None and member.is_virtual and not member.name.startswith("~"):
                 found.setdefault(member.name, set()).add(_key(member.declarator, view))
     return found
+
+
+def _by_name(view: FileView) -> Mapping[str, Sequence[Node]]:
+    """Return the classes of a file by their name."""
+    known = view.kept.get("classes by name")
+    if known is None:
+        found: dict[str, list[Node]] = {}
+        for one in _classes(view):
+            found.setdefault(class_name(one, view), []).append(one)
+        known = view.kept["classes by name"] = found
+    return cast("Mapping[str, Sequence[Node]]", known)
 
 
 def _key(declarator: Node, view: FileView) -> int:

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import cast
 
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import Member, class_name, has_token, members_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _CALLED = re.compile(rb"(?<![\w.>:])(?:this\s*->\s*)?\b(\w+)\s*\(")
-_BEHIND_CLASS = re.compile(rb"\s*::\s*~?([^\s(~]+)\s*\(")
+_OF_ITS_CLASS = re.compile(rb"(?<![\w\x80-\xff])([\w\x80-\xff]+)\s*::\s*~?\1\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -72,17 +72,22 @@ def above_lambda(call: Node, body: Node) -> bool:
 
 
 def _outside(name: str, view: FileView) -> Iterator[Node]:
-    word = name.encode()
-    if word + b"::" not in view.code:
-        return
-    for start in word_places(word, view):
-        match = _BEHIND_CLASS.match(view.code, start + len(word))
-        if match is None or match[1] != word:
-            continue
-        at = view.node_at(start, match.end())
+    for start, end in _constructors(view).get(name.encode(), ()):
+        at = view.node_at(start, end)
         function = at if at is None or at.type == "function_definition" else above(at, "function_definition")
         if function is not None:
             yield function
+
+
+def _constructors(view: FileView) -> Mapping[bytes, Sequence[tuple[int, int]]]:
+    """Return where constructors and destructors are defined outside of their class, by its name."""
+    known = view.kept.get("constructors outside")
+    if known is None:
+        found: dict[bytes, list[tuple[int, int]]] = {}
+        for match in _OF_ITS_CLASS.finditer(view.code):
+            found.setdefault(match[1], []).append(match.span())
+        known = view.kept["constructors outside"] = found
+    return cast("Mapping[bytes, Sequence[tuple[int, int]]]", known)
 
 
 RULE = FileRule(

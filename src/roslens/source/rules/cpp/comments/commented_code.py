@@ -17,7 +17,7 @@ _CODE = re.compile(rb"//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t\r]*\n[ \t]*//[^\n]*[
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each block of comments that reads like code."""
-    if b"//" not in view.content:
+    if not view.mentions((b"//",)):
         return
     end = -1
     for match in _CODE.finditer(view.content):

@@ -17,7 +17,7 @@ _NOTE = re.compile(rb"//[ \t]*TODO(?!\([^)\n]+\):?[ \t])[^\n]*")
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each note without a name."""
-    if b"TODO" not in view.content:
+    if not view.mentions((b"TODO",)):
         return
     for match in _NOTE.finditer(view.content):
         text = match[0].decode("utf-8", "replace").strip()

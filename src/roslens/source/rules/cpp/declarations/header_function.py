@@ -16,6 +16,8 @@ from roslens.source.rules.rule import FileRule
 
 _FREE = re.compile(rb"\b(?:inline|static|constexpr|consteval|template|[A-Z_]*INLINE[A-Z_]*|__inline\w*|friend)\b")
 
+_DECLARED_INLINE = re.compile(rb"\b(?:inline|constexpr)\b[^;{}()]*?(~?\w+)\s*\([^;{}]*;")
+
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function with a body at the level of a namespace that has external linkage."""
@@ -74,8 +76,7 @@ def _is_inline_inside(name: str, view: FileView) -> bool:
     """Return whether the class, in this file, declares a member function ``inline`` or ``constexpr``."""
     if view.words.isdisjoint((b"inline", b"constexpr")):
         return False
-    last = re.escape(name.rpartition("::")[2].encode())
-    return re.search(rb"\b(?:inline|constexpr)\b[^;{}()]*\b" + last + rb"\s*\([^;{}]*;", view.code) is not None
+    return name.rpartition("::")[2].encode() in view.names(_DECLARED_INLINE)
 
 
 def _edits(definition: Node, view: FileView) -> tuple[Edit, ...]:

@@ -41,9 +41,9 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
 
 def _may_refer(text: str, call: bytes, view: FileView) -> bool:
     """Return whether what is called may give back a reference or a view: a path of Boost, a part of a string_view."""
-    if text.endswith("string()") and b"boost" in view.content:
+    if text.endswith("string()") and view.mentions((b"boost",)):
         return True
-    return ".substr(" in text and b"data" in call and b"string_view" in view.content
+    return ".substr(" in text and b"data" in call and view.mentions((b"string_view",))
 
 
 RULE = FileRule(

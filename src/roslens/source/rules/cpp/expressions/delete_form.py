@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from typing import cast
 
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import function_around
-from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_NEW = re.compile(rb"\s*(?:=|\()\s*new\b([^;]*)")
+_NEW = re.compile(rb"(?<![\w\x80-\xff])([\w\x80-\xff]+)\s*(?:=|\()\s*new\b(?=([^;]*))")
+
+_POINTER_TO_VOID = re.compile(rb"\bvoid\s*(?:const\s*)?\*\s*(?:const\s+)?(\w+)\s*[=;,){(]")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -25,12 +27,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     name = view.text(operand)
     word = re.split(r"->|\.|::", name)[-1].encode()
-    places = list(word_places(word, view)) if b"new" in view.words else []
-    function = function_around(node) if places else None
+    gets = _made_by_new(view).get(word, ()) if b"new" in view.words else ()
+    function = function_around(node) if gets else None
     if operand.type == "identifier" and function is not None and _is_declared_in(function, word, view):
-        places = [at for at in places if function.start_byte <= at < function.end_byte]
-    gets = [match for at in places if (match := _NEW.match(view.code, at + len(word)))]
-    forms = {b"[" in _made(match[1]) for match in gets}
+        gets = [match for match in gets if function.start_byte <= match.start() < function.end_byte]
+    forms = {b"[" in _made(match[2]) for match in gets}
     is_array = has_token(node, "[")
     # Where an argument of a template is an array, `new T` makes one.
     if forms != {not is_array} or (is_array and any(_is_dependent(match, view) for match in gets)):
@@ -44,19 +45,29 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     yield view.hit("cpp.delete_form", node, f"{made}; expected {expected}")
 
 
+def _made_by_new(view: FileView) -> Mapping[bytes, Sequence[re.Match[bytes]]]:
+    """Return where the file gets what ``new`` makes, by the name that gets it."""
+    found = view.kept.get("made by new")
+    if found is None:
+        made: dict[bytes, list[re.Match[bytes]]] = {}
+        for match in _NEW.finditer(view.code):
+            made.setdefault(match[1], []).append(match)
+        found = view.kept["made by new"] = made
+    return cast("Mapping[bytes, Sequence[re.Match[bytes]]]", found)
+
+
 def _is_void(name: bytes, view: FileView) -> bool:
     """Return whether a file declares a pointer to void of a name."""
-    declared = re.compile(rb"\bvoid\s*(?:const\s*)?\*\s*(?:const\s+)?%s\s*[=;,){(]" % re.escape(name))
-    return declared.search(view.code) is not None
+    return name in view.names(_POINTER_TO_VOID)
 
 
 def _is_dependent(made: re.Match[bytes], view: FileView) -> bool:
     """Return whether the type that ``new`` makes depends on a parameter of a template around it."""
-    kind = _made(made[1])
+    kind = _made(made[2])
     words = set(re.findall(rb"\w+", kind))
     if b"typename" in words:
         return True
-    node = view.node_at(made.start(), made.end())
+    node = view.node_at(made.end(1), made.end())
     templates = (one for one in all_above(node) if one.type == "template_declaration") if node is not None else ()
     return any(
         not words.isdisjoint(re.findall(rb"\w+", view.code[listed.start_byte : listed.end_byte]))

@@ -13,6 +13,8 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, FileRule
 
+_MAY_VARY = re.compile(r"[a-z]")
+"""Of what a length that varies has a letter: the name of a variable or of a function."""
 _KEYWORD = re.compile(r"\b(?:class|new|this|template|namespace|typename)\b")
 
 _FIRMWARE = (*FIRMWARE, b"Arduino.h")
@@ -21,17 +23,19 @@ _FIRMWARE = (*FIRMWARE, b"Arduino.h")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local array whose length is a parameter, a call of ``size`` or a local variable that may change."""
-    size, parent = node.child_by_field_name("size"), node.parent
+    size = node.child_by_field_name("size")
+    text = view.text(size)
+    # What stands around a node is asked from the root of the tree on; most lengths are numbers or constants.
+    if size is None or not _MAY_VARY.search(text) or view.mentions(_FIRMWARE):
+        return
+    parent = node.parent
     while parent is not None and parent.type in ("init_declarator", "array_declarator", "pointer_declarator"):
         parent = parent.parent
-    if any(one in view.content for one in _FIRMWARE):
-        return
-    if size is None or parent is None or parent.type != "declaration" or node.has_error:
+    if parent is None or parent.type != "declaration" or node.has_error:
         return
     function = above(node, "function_definition", "lambda_expression", "class_specifier", "struct_specifier")
     if function is None or function.type != "function_definition":
         return
-    text = view.text(size)
     if _KEYWORD.search(text):  # a name that only C allows: what stands here is no declaration
         return
     inner = node.child_by_field_name("declarator")

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or not view.text(call.child_by_field_name("function")).startswith(("rclpy.", "rospy.")):
         return
     given = arguments(call)
-    if given and view.text(given[0]) != "self" and _OWN_EXECUTOR.search(view.code):
+    if given and view.text(given[0]) != "self" and view.has(_OWN_EXECUTOR):
         # Another node is spun by the global executor while this one runs in its own.
         return
     callback = callback_around(call, view)

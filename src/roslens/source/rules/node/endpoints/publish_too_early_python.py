@@ -39,10 +39,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if body is None or not name or "[" in name or (function is not None and is_conditional(call, function)):
         return
     start = statement_around(call).end_byte
-    match = re.search(rb"(?<![\w.])" + re.escape(name.encode()) + rb"\.(publish)\b", view.code[start : body.end_byte])
-    if match is None or _TIME_PASSES.search(view.code[call.start_byte : start + match.end()]):
+    passes = _TIME_PASSES.search(view.code, call.start_byte, body.end_byte)
+    published = re.compile(rb"(?<![\w.])" + re.escape(name.encode()) + rb"\.(publish)\b")
+    match = published.search(view.code, start, body.end_byte if passes is None else passes.end() - 1)
+    if match is None:
         return
-    place = view.node_at(start + match.start(1), start + match.end(1))
+    place = view.node_at(match.start(1), match.end(1))
     if place is None or function_around(place) != function or loop_around(place) != loop_around(call):
         return
     if not _publishes_elsewhere(name, call, view) and not _is_made_again(node, function, view):

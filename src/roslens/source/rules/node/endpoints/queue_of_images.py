@@ -37,7 +37,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         kind in LARGE - SELDOM - _SMALL
         and "queue_size" not in named
         and "**" not in named
-        and b"message_filters" not in view.content
+        and not view.mentions((b"message_filters",))
         and not _only_keeps(given, view)
     ):
         yield view.hit(

@@ -37,7 +37,7 @@ _LOOKED_AT = re.compile(
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield ``client.call(request)`` as a statement of its own."""
     call, function = call_at(node), function_around(node)
-    if any(one in view.content for one in FIRMWARE):
+    if view.mentions(FIRMWARE):
         return
     if call is None or not is_discarded(call) or len(arguments(call)) not in (1, 2):
         return

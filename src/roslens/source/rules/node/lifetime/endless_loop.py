@@ -26,7 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     loop, body = node, body_of(node)
     if body is None or not _FOREVER.fullmatch(view.text(loop)[:_LONGEST_HEAD].partition(")")[0]):
         return
-    if any(one in view.content for one in FIRMWARE):
+    if view.mentions(FIRMWARE):
         return
     if _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
@@ -34,7 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if b"signal(SIGINT" in view.code or (b"detach" in view.code and b"main" not in _function(node, view)):
         return
     head = " ".join(view.code[loop.start_byte : body.start_byte].decode("utf-8", "replace").split())
-    expected = "rclcpp::ok()" if b"rclcpp" in view.content else "ros::ok()"
+    expected = "rclcpp::ok()" if view.mentions((b"rclcpp",)) else "ros::ok()"
     yield view.hit(
         "node.endless_loop",
         node,

@@ -31,7 +31,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "node.exit_in_callback",
             call,
             f"`{view.text(call)}` in {spoken(callback)} ends the process with no destructor run; expected "
-            + ("`rclcpp::shutdown()`" if b"rclcpp" in view.content else "`ros::shutdown()`")
+            + ("`rclcpp::shutdown()`" if view.mentions((b"rclcpp",)) else "`ros::shutdown()`")
             + ", and `main` to return",
             callback=callback,
         )

@@ -54,7 +54,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 def _is_loaded_otherwise(view: FileView) -> bool:
     """Return whether a file is firmware, or a plug-in, whose process has called ``ros::init`` before."""
-    if any(one in view.content for one in FIRMWARE):
+    if view.mentions(FIRMWARE):
         return True
     return b"PLUGIN" in view.code and _PLUGIN.search(view.code) is not None
 

@@ -33,7 +33,7 @@ _RETURNS = re.compile(
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield the beginning of a program that subscribes, in a file in which nothing waits."""
     call = call_at(node)
-    if call is None or (b"__main__" not in view.content and b"def main" not in view.content):
+    if call is None or (not view.mentions((b"__main__",)) and not view.mentions((b"def main",))):
         return
     if _NEEDS_SPIN.search(view.code) is None or _STAYS.search(view.code) or _may_stay_elsewhere(call, view):
         return

@@ -26,13 +26,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         statement.type == "call" and view.text(statement.child_by_field_name("function")) != "print"
     ):
         return
-    if _TALKS.search(view.code) or _again(statement, view):
+    if view.has(_TALKS) or _again(statement, view):
         return
     of_class = above(statement, "class_definition")
     is_node = of_class is not None and _NODE.search(view.text(of_class.child_by_field_name("superclasses")))
     callback = "" if is_node else callback_around(statement, view)
     if callback is not None and (is_node or callback):
-        logger = "self.get_logger().info" if b"rclpy" in view.content else "rospy.loginfo"
+        logger = "self.get_logger().info" if view.mentions((b"rclpy",)) else "rospy.loginfo"
         yield view.hit(
             "node.print_in_node",
             statement,

@@ -27,7 +27,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     call = call_at(node)
     given = arguments(call) if call is not None else ()
     of = view.text(receiver(call)) if call is not None else ""
-    if not of or not given or any(one in view.content for one in FIRMWARE) or not _is_node_handle(of, view):
+    if not of or not given or view.mentions(FIRMWARE) or not _is_node_handle(of, view):
         return
     if given[0].type == "string_literal" and view.text(given[0]).startswith('"~'):
         yield view.hit(

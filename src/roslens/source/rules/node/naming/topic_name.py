@@ -22,12 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a literal name that is refused where the endpoint is made."""
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if (
-        call is None
-        or len(given) < 2
-        or given[0].type != "string_literal"
-        or any(one in view.content for one in FIRMWARE)
-    ):
+    if call is None or len(given) < 2 or given[0].type != "string_literal" or view.mentions(FIRMWARE):
         return
     name, is_ros1 = view.text(given[0])[1:-1], not view.text(node).startswith("create_")
     if _OF_OTHERS.search(name) or (not is_ros1 and not template_argument(call, view)):

@@ -14,11 +14,13 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
+_OWN = re.compile(rb"\b(?:void|Quaternion|auto)\s+(?:\w+::)*(\w+)\s*\(")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a literal angle beyond a full turn."""
     call = call_at(node)
-    if re.search(rb"\b(?:void|Quaternion|auto)\s+(?:\w+::)*" + view.text(node).encode() + rb"\s*\(", view.code):
+    if view.text(node).encode() in view.names(_OWN):
         # A function of the file's own may take degrees.
         return
     for one in arguments(call) if call is not None else ():

@@ -21,7 +21,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     is_listener = view.text(node).endswith("Listener")
     # All publishers of rospy on a topic are one, which stays.
-    callback = callback_around(call, view) if is_listener or b"rclpy" in view.content else None
+    callback = callback_around(call, view) if is_listener or view.mentions((b"rclpy",)) else None
     if callback is not None:
         does = "it hears nothing before it is asked" if is_listener else "what it sends at once is lost"
         yield view.hit(

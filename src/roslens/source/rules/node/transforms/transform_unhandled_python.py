@@ -27,7 +27,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     body = body_of(function) if function is not None else None
     start = body.start_byte if body is not None else 0
     # rospy hands what a service or action raises on to whoever asked.
-    callback = callback_around(call, view, of_stream=b"rclpy" not in view.content)
+    callback = callback_around(call, view, of_stream=not view.mentions((b"rclpy",)))
     before = view.code[start : call.start_byte]
     # The first look-up of a function raises for those behind it.
     if callback is not None and not _ASKS_FIRST.search(before) and not _LOOKS_UP.search(before):

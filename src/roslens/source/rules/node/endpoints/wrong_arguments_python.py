@@ -47,12 +47,14 @@ _REFUSED = {
     _PERIOD: (*_TEXTS, "lambda"),
 }
 """Types of nodes that an argument cannot be: rclpy raises TypeError, or fails at the first call."""
+_DEFINED = re.compile(rb"\bdef\s+(\w+)\b")
+_MADE_NODES = re.compile(rb"\b(\w+)\s*=\s*[\w.]*(?:create_node|Node)\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call with an argument too few, too many, of another kind, or of rospy."""
     call, name = call_at(node), view.text(node)
-    if call is None or not _is_node(receiver(call), view) or re.search(rf"\bdef\s+{name}\b".encode(), view.code):
+    if call is None or not _is_node(receiver(call), view) or name.encode() in view.names(_DEFINED):
         return
     given, named = arguments(call), keywords(call, view)
     takes = _TAKES[name]
@@ -98,7 +100,7 @@ def _is_function(one: Node, view: FileView) -> bool:
     name = text.removeprefix("self.")
     if one.type not in ("identifier", "attribute") or not name.isidentifier():
         return False
-    defined = re.search(rf"\bdef\s+{name}\b".encode(), view.code) is not None
+    defined = name.encode() in view.names(_DEFINED)
     # A property is a value, and a name that is set is one, too.
     return defined and not re.search(
         rf"@[\w.]*property\s+def\s+{name}\b|\b{name}\s*(?::[^=\n]*)?=[^=]".encode(), view.code
@@ -128,10 +130,7 @@ def _is_node(one: Node | None, view: FileView) -> bool:
     name = view.text(one)
     if name == "self" or "node" in name.lower():
         return True
-    return (
-        name.isidentifier()
-        and re.search(rf"\b{name}\s*=\s*[\w.]*(?:create_node|Node)\(".encode(), view.code) is not None
-    )
+    return name.isidentifier() and name.encode() in view.names(_MADE_NODES)
 
 
 def _is_own_node(call: Node, view: FileView) -> bool:

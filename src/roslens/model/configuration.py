@@ -186,6 +186,19 @@ class Missing(str, Enum):
     """A call of a function of the workspace that is named as what makes an endpoint, and makes none."""
 
 
+class Standing(str, Enum):
+    """What is known of something that could not be evaluated.
+
+    - undecidable: what it comes to depends on what is known only while it runs, or is not followed
+    - outside: it is in a package or a file that is not in the workspace
+    - failure: what starts it ends there with an error
+    """
+
+    UNDECIDABLE = "undecidable"
+    OUTSIDE = "outside the workspace"
+    FAILURE = "certain failure"
+
+
 class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """What could not be evaluated.
 
@@ -198,6 +211,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         role: whose code it is in where that is not own code: ``vendored``, ``generated`` or ``test``.
         missing: what is not known.
         cause: in words what a name depends on.
+        standing: whether it is undecidable, outside of the workspace, or certain to fail.
     """
 
     text: str
@@ -208,6 +222,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     role: str = ""
     missing: Missing = Missing.OTHER
     cause: str = ""
+    standing: Standing = Standing.UNDECIDABLE
 
 
 class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):

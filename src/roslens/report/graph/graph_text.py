@@ -14,6 +14,7 @@ from roslens.model.configuration import (
     Missing,
     Origin,
     Proof,
+    Standing,
     Unresolved,
 )
 from roslens.model.graph import Role
@@ -52,8 +53,9 @@ def unresolved_lines(missed: Sequence[Unresolved]) -> Iterator[str]:
     if not missed:
         return
     yield ""
-    yield f"unresolved: {len(missed)}"
-    own = [one for one in missed if not one.role]
+    failing = sum(one.standing is Standing.FAILURE for one in missed)
+    yield f"unresolved: {len(missed)}{f', of which {failing} certain to fail' if failing else ''}"
+    own = sorted((one for one in missed if not one.role), key=lambda one: one.standing is not Standing.FAILURE)
     yield from _unresolved(folded_by_file([one for one in own if one.missing is not Missing.NAMED_ALIKE]))
     alike = sum(one.missing is Missing.NAMED_ALIKE for one in own)
     if alike:
@@ -79,6 +81,9 @@ def folded_by_file(missed: Sequence[Unresolved]) -> list[Unresolved]:
     return found
 
 
+_STANDING = {one: "" if one is Standing.UNDECIDABLE else f" ({one.value})" for one in Standing}
+
+
 def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
     """Yield a line for each, but one for a node together with the names below it that depend on the same."""
     causes = {(one.node, one.cause): [one] for one in missed if one.missing is Missing.NODE_NAME}
@@ -93,7 +98,7 @@ def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
         node = f"{one.node}: " if one.node else ""
         text = f' "{_short(one.text)}"' if one.text else ""
         more = f", and {below} of its endpoints with it" if below > 0 else ""
-        yield f"  {one.proof.place}  {node}{one.reason}{more}{text}"
+        yield f"  {one.proof.place}  {node}{one.reason}{more}{text}{_STANDING[one.standing]}"
 
 
 def _head(configuration: Configuration) -> Iterator[str]:

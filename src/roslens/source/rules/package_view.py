@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from roslens.source.rules.edits.manifest_edits import ManifestEdits
     from roslens.source.rules.views.cmake_view import CmakeView
     from roslens.source.rules.views.dependency_uses import Use
+    from roslens.source.rules.views.launch_outcome import LaunchOutcome
     from roslens.source.rules.views.launch_view import LaunchXml
     from roslens.source.rules.views.registered_classes import Registered
     from roslens.source.workspace.mistakes import Mistake
@@ -62,6 +63,13 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         from roslens.source.rules.views.launch_view import launch_files
 
         return launch_files(self)
+
+    @cached_property
+    def outcome(self) -> LaunchOutcome:
+        """What comes of starting its launch files."""
+        from roslens.source.rules.views.launch_outcome import LaunchOutcome
+
+        return LaunchOutcome(self)
 
     @cached_property
     def registered(self) -> tuple[tuple[Registered, ...], bool]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from hashlib import sha256
 from posixpath import dirname
 
 import msgspec
@@ -10,6 +11,19 @@ import msgspec
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 
 _SOURCES = "src/"
+_STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
+
+
+class Started(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What starts nodes in a workspace, so that the findings of a package may depend on it.
+
+    Attributes:
+        paths: of the launch files, sorted.
+        digest: of these files and of all files of parameters.
+    """
+
+    paths: tuple[str, ...] = ()
+    digest: str = ""
 
 
 class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -20,11 +34,15 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
             looks for packages there.
         asked_by: names of the packages that depend on it, sorted.
         launched_by: launch files in XML of these, where it has any that they could include.
+        folders: of the packages of the workspace, by name, where it has launch files, which name others.
+        started: launch files, and files of parameters, of all these packages.
     """
 
     inside: str = ""
     asked_by: tuple[str, ...] = ()
     launched_by: tuple[SourceFile, ...] = ()
+    folders: tuple[tuple[str, str], ...] = ()
+    started: Started = Started()
 
 
 def surroundings_of(
@@ -37,6 +55,8 @@ def surroundings_of(
         files: of each, by its id.
     """
     own = [one for one in packages if one.id != OUTSIDE_PACKAGES]
+    every = tuple(sorted((one.name, one.path) for one in own))
+    started = _started([file for one in own for file in files.get(one.id, ())])
     folders = frozenset(one.path for one in own)
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
@@ -50,8 +70,21 @@ def surroundings_of(
         if not any(map(_is_launched, files.get(one.id, ()))):
             launched_by = ()
         inside = next((above for above in _above(one.path) if above in folders), "")
-        found[one.id] = Surroundings(inside, tuple(sorted({other.name for other in by})), launched_by)
+        starts = any(file.language in _STARTING for file in files.get(one.id, ()))
+        found[one.id] = Surroundings(
+            inside,
+            tuple(sorted({other.name for other in by})),
+            launched_by,
+            every if starts else (),
+            started if starts else Started(),
+        )
     return found
+
+
+def _started(files: Sequence[SourceFile]) -> Started:
+    read = sorted((file.path, file.content_hash) for file in files if file.language in (*_STARTING, Language.YAML))
+    paths = tuple(sorted(file.path for file in files if file.language in _STARTING))
+    return Started(paths, sha256(repr(read).encode()).hexdigest()[:32])
 
 
 def _is_launched(file: SourceFile) -> bool:

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from roslens.source.extract.facts.files import FolderFiles
-from roslens.source.extract.launch.launch_ros2 import evaluate_ros2, full_name, within
+from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+from roslens.source.extract.launch.ros2_names import full_name, within
 from roslens.source.extract.symbolic.condition import as_written
 from roslens.source.extract.symbolic.text import Text
 

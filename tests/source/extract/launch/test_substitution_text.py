@@ -84,7 +84,7 @@ def test_what_is_unknown_says_why():
     assert resolve(parse("$(nothing a)"), SCOPE).holes[0].reason == "unsupported substitution $(nothing a)"
     assert "never closed" in resolve(parse("$(var a"), SCOPE).holes[0].reason
     assert "too deep" in str(resolve(parse("$(not " * 50 + "true" + ")" * 50), SCOPE))
-    assert "package gone" in resolve(parse("$(find-pkg-share gone)"), SCOPE).holes[0].reason
+    assert "package gone" in str(resolve(parse("$(find-pkg-share gone)"), SCOPE).holes[0].reason)
 
 
 @given(st.text(st.sampled_from("$()'\" varenvgotpkh-\\"), max_size=60))

@@ -2,7 +2,8 @@
 
 import pytest
 
-from roslens.source.extract.launch.launch_ros2 import evaluate_ros2, full_name
+from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+from roslens.source.extract.launch.ros2_names import full_name
 
 HEAD = """
 import os, sys

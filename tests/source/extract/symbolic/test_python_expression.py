@@ -39,7 +39,7 @@ def test_values(expression, value):
 @pytest.mark.parametrize(
     ("expression", "reason"),
     [
-        ("missing", "'missing' is unknown"),
+        ("missing", "'missing' is not defined"),
         ("__import__('os').system('true')", "not evaluated"),
         ("(1).__class__", "not evaluated"),
         ("'{0.__class__}'.format(1)", "not evaluated"),

@@ -76,7 +76,14 @@ def assemble(
         whole.start(launched)
     whole.end()
     unresolved = [
-        Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, missing=one.missing)
+        Unresolved(
+            one.text,
+            launch_proof(one.evidence),
+            one.reason,
+            opens=one.opens,
+            missing=one.missing,
+            standing=one.standing,
+        )
         for one in launch.unresolved
     ]
     unresolved += whole.unresolved

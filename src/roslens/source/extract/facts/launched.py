@@ -6,9 +6,11 @@ the condition, and a condition that is known to be false leaves it out.
 
 from __future__ import annotations
 
+from enum import Enum
+
 import msgspec
 
-from roslens.model.configuration import Missing
+from roslens.model.configuration import Missing, Standing
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
 from roslens.source.extract.symbolic.text import Conditions, Text
 
@@ -116,14 +118,58 @@ class Argument(msgspec.Struct, frozen=True, omit_defaults=True):
     choices: tuple[str, ...] = ()
 
 
+class Fault(str, Enum):
+    """Why launch or roslaunch end with an error."""
+
+    UNREADABLE = "a file that cannot be read"
+    MISSING_FILE = "a file that is not there"
+    CYCLE = "a file that includes itself"
+    NOT_SET = "a launch configuration that nothing sets"
+    EXPRESSION = "an expression or condition that fails"
+    PARAMETERS = "a file of parameters that is refused"
+    REFUSED = "an element that is refused"
+
+
 class Unresolved(msgspec.Struct, frozen=True, array_like=True):
-    """What could not be evaluated: as written, where, why, whether it may start further nodes, and what is missing."""
+    """What could not be evaluated: as written, where, why, whether it may start further nodes, and what is missing.
+
+    ``standing`` says whether it is certain to fail, and ``fault`` why then.
+    """
 
     text: str
     evidence: Evidence
     reason: str
     opens: bool = False
     missing: Missing = Missing.OTHER
+    standing: Standing = Standing.UNDECIDABLE
+    fault: Fault | None = None
+
+
+class Failed(msgspec.Struct, frozen=True, array_like=True):
+    """Where launch or roslaunch end with an error.
+
+    Attributes:
+        fault: the kind of error.
+        text: what fails, as written.
+        evidence: where.
+        reason: in words.
+        open: whether it is reached under conditions only that are not known.
+        through: places of the includes that lead there, outermost first.
+    """
+
+    fault: Fault
+    text: str
+    evidence: Evidence
+    reason: str
+    open: bool = False
+    through: tuple[Evidence, ...] = ()
+
+
+class ParameterFileUse(msgspec.Struct, frozen=True, array_like=True):
+    """A file of parameters as a node is given it, unchanged: its path, and where it is given."""
+
+    path: str
+    evidence: Evidence
 
 
 class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -136,6 +182,8 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
         arguments: that the file itself declares.
         included: files that it includes, directly or not, in order; each once.
         unresolved: what could not be evaluated.
+        failed: where it ends with an error.
+        raw_files: files of parameters that rcl reads as they are.
     """
 
     generation: str
@@ -144,3 +192,5 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
     arguments: tuple[Argument, ...] = ()
     included: tuple[str, ...] = ()
     unresolved: tuple[Unresolved, ...] = ()
+    failed: tuple[Failed, ...] = ()
+    raw_files: tuple[ParameterFileUse, ...] = ()

@@ -11,19 +11,22 @@ from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
+from roslens.model.configuration import Standing
 from roslens.source.extract.facts.files import Files, joined
-from roslens.source.extract.facts.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
+from roslens.source.extract.facts.launched import Argument, Fault, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import absolute, tidy
 from roslens.source.extract.launch.gazebo_plugins import with_plugins
+from roslens.source.extract.launch.launch_failures import Failures
 from roslens.source.extract.launch.ros1_doubt import Doubt, only_if, setting_if
 from roslens.source.extract.launch.ros1_names import private, remap_also, without_end
 from roslens.source.extract.launch.ros1_nodelet import as_nodelet
 from roslens.source.extract.launch.ros1_settings import Reading, boolean, of_param, of_rosparam
+from roslens.source.extract.launch.ros1_space import Given, Space
 from roslens.source.extract.launch.ros1_substitution import (
     Scope,
     SubstitutionError,
-    UnknownInsideError,
+    fault_of,
     needed,
     substitute,
     truth,
@@ -31,7 +34,7 @@ from roslens.source.extract.launch.ros1_substitution import (
 from roslens.source.extract.launch.ros1_words import words_of
 from roslens.source.extract.launch.ros_controllers import with_controllers
 from roslens.source.extract.symbolic.reason import RandomEnd
-from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
+from roslens.source.extract.symbolic.text import Not, Text, Written, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
 MOST_FILES = 200
@@ -40,27 +43,6 @@ MOST_DEPTH = 30
 _LEGAL = re.compile(r"[~/A-Za-z][\w/]*")
 _IGNORED = frozenset({"env", "machine", "master"})
 _STARTING = frozenset({"include", "group", "node"})
-
-
-class _Space(msgspec.Struct, frozen=True):
-    """What holds at a place of a file: the namespace, remappings and conditions around it."""
-
-    namespace: Text
-    conditions: Conditions = ()
-    private: tuple[Setting, ...] = ()
-    """Parameters with ``~`` outside of nodes, which later nodes get."""
-    around: tuple[Doubt, ...] = ()
-    """The conditions, with what they usually come to."""
-    own: tuple[Doubt, ...] = ()
-    """Those of the element itself."""
-
-
-class _Given(msgspec.Struct, frozen=True):
-    """Arguments of a file; whether they are of the command line, or all of who includes it."""
-
-    arguments: dict[str, Text]
-    outer: bool = False
-    every: bool = False
 
 
 def evaluate_ros1(
@@ -76,10 +58,10 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    whole.file(path, _Given(given, outer=True), _Space(Text.of("/")), Evidence(path, 0), [])
+    whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
-        tuple(whole.unresolved),
+        tuple(whole.unresolved), whole.failures.failed,
     )  # fmt: skip
     return with_controllers(with_plugins(launch, files, environment or {}), files)
 
@@ -90,6 +72,7 @@ class _Whole:
     def __init__(self, files: Files, environment: Mapping[str, str]) -> None:
         self.files = files
         self.environment = environment
+        self.failures = Failures()
         self.nodes: list[Launched] = []
         self.set_before: list[int] = []
         self.settings: list[Setting] = []
@@ -100,18 +83,19 @@ class _Whole:
         self._read = 0
 
     def file(
-        self, path: str, given: _Given, space: _Space, evidence: Evidence, remaps: list[Remap]
+        self, path: str, given: Given, space: Space, evidence: Evidence, remaps: list[Remap]
     ) -> tuple[Setting, ...]:
         """Evaluate a file with the arguments that it is given; return the parameters that later nodes get."""
         if path in self._open:
-            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
+            reason = f"it includes itself: {' > '.join([*self._open, path])}"
+            self.miss(path, evidence, reason, opens=True, fault=Fault.CYCLE)
             return space.private
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
             self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} levels of includes", opens=True)
             return space.private
         content = self.files.content(path)
         if content is None:
-            self.miss(path, evidence, "there is no such file in the workspace", opens=True)
+            self.miss(path, evidence, "there is no such file in the workspace", opens=True, fault=Fault.MISSING_FILE)
             return space.private
         self._read += 1
         document = read_elements(content)
@@ -141,15 +125,18 @@ class _Whole:
             later = [one for one in self.settings[before:] if one.name.pattern.startswith(own)]
             yield msgspec.structs.replace(node, settings=(*node.settings, *later)) if later else node
 
-    def miss(self, text: str, evidence: Evidence, reason: str, *, opens: bool = False) -> None:
-        """Note what could not be evaluated, and whether it may start further nodes."""
-        self.unresolved.append(Unresolved(text, evidence, reason, opens))
+    def miss(
+        self, text: str, evidence: Evidence, reason: str, *, opens: bool = False, fault: Fault | None = None
+    ) -> None:
+        """Note what could not be evaluated, whether it may start further nodes, and why it is certain to fail."""
+        standing = Standing.UNDECIDABLE if fault is None else self.failures.report(fault, text, reason, evidence)
+        self.unresolved.append(Unresolved(text, evidence, reason, opens, standing=standing))
 
 
 class _File:
     """One launch file on its way."""
 
-    def __init__(self, whole: _Whole, path: str, document: Document, given: _Given) -> None:
+    def __init__(self, whole: _Whole, path: str, document: Document, given: Given) -> None:
         self._whole = whole
         self._path = path
         self._document = document
@@ -167,12 +154,13 @@ class _File:
         self._scope = Scope(self._whole.files, self._path.rpartition("/")[0], known, self._whole.environment)
         self._reading = Reading(self._scope, self._path, self._place, self._miss)
 
-    def children(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
+    def children(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate what is in an element; ``remaps`` grows, as they hold from where they stand on."""
         for child in element.elements():
             inner = self._if(child, space)
             if inner is None:
                 continue
+            self._whole.failures.is_open = bool(inner.conditions)
             method = _TAGS.get(child.tag)
             if method is None:
                 if child.tag not in _IGNORED:
@@ -180,13 +168,12 @@ class _File:
                 continue
             try:
                 space = msgspec.structs.replace(space, private=method(self, child, inner, remaps))
-            except UnknownInsideError as error:
-                self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
             except SubstitutionError as error:
-                self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
+                is_starting = child.tag in _STARTING
+                self._miss(child, child.written()[:80], str(error), opens=is_starting, fault=fault_of(error))
         return space.private
 
-    def arg(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
+    def arg(self, element: Element, space: Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Declare an argument."""
         name = substitute(needed(element, "name"), self._scope).pattern
         default = element.attributes.get("default")
@@ -219,7 +206,7 @@ class _File:
             self._miss(element, name, "the argument is required, but not given")
         return before or unknown(f"argument {name}, which is not given")
 
-    def group(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
+    def group(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate a group: what it sets holds inside it, and what it declares too."""
         inner = msgspec.structs.replace(space, namespace=self._namespace(element, space))
         known, declared = self._known, self.declared
@@ -230,7 +217,7 @@ class _File:
         self._in_scope(known)
         return space.private
 
-    def include(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
+    def include(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate another file with the arguments it is given."""
         whole = substitute(element.attributes.get("pass_all_args", "false"), self._scope)
         every = whole.known is not None and boolean(whole.known, "pass_all_args")
@@ -247,30 +234,30 @@ class _File:
                 found = substitute(written, self._scope)
                 given[name] = only_if(inside.own, found, given.get(name))
         file = substitute(needed(element, "file"), self._scope)
-        if file.known is None:
-            self._miss(element, str(file), str(file.holes[0].reason), opens=True)
+        if file.known is None or file.known.startswith("/"):
+            self._miss(element, str(file), _why(file), opens=True)
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []
         inner = msgspec.structs.replace(space, namespace=self._namespace(element, space))
-        after = self._whole.file(path, _Given(given, every=every), inner, self._place(element), list(remaps))
+        after = self._whole.file(path, Given(given, every=every), inner, self._place(element), list(remaps))
         # roslaunch keeps them in one list, which both files have where there was anything in it before.
         return after if space.private else space.private
 
-    def remap(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
+    def remap(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Remap for all nodes that follow in this scope."""
         remap_also(remaps, self._remap(element, space))
         return space.private
 
-    def param(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
+    def param(self, element: Element, space: Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Set a parameter outside of nodes."""
         return self._set(of_param(element, self._reading), space)
 
-    def rosparam(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
+    def rosparam(self, element: Element, space: Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Set parameters of a file outside of nodes."""
         return self._set(of_rosparam(element, self._reading), space)
 
-    def node(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
+    def node(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Start a node."""
         given = element.attributes.get
         written = given("name") or (needed(element, "test-name") if element.tag == "test" else needed(element, "name"))
@@ -296,7 +283,7 @@ class _File:
         self._whole.set_before.append(len(self._whole.settings))
         return space.private
 
-    def _inside(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[list[Remap], list[Setting]]:
+    def _inside(self, element: Element, space: Space, remaps: list[Remap]) -> tuple[list[Remap], list[Setting]]:
         """Return remappings and parameters of a node: files first, then what is set outside of it, then ``<param>``."""
         inner_remaps, files, own = list(remaps), list[Setting](), list[Setting]()
         for child in element.elements():
@@ -323,10 +310,11 @@ class _File:
             holds = truth(text)
             return holds, truth(Text.of(text.usual)) if holds is None and text.usual is not None else None
         except SubstitutionError as error:
-            self._miss(element, f'{attribute}="{written}"', str(error))
+            fault = None if fault_of(error) is None else Fault.EXPRESSION
+            self._miss(element, f'{attribute}="{written}"', str(error), fault=fault)
             return None, None
 
-    def _if(self, element: Element, space: _Space) -> _Space | None:
+    def _if(self, element: Element, space: Space) -> Space | None:
         """Return the space inside an element; None where a condition says that it is not there."""
         space = msgspec.structs.replace(space, own=()) if space.own else space
         if "if" in element.attributes and "unless" in element.attributes:
@@ -346,7 +334,7 @@ class _File:
                 return None
         return space
 
-    def _namespace(self, element: Element, space: _Space) -> Text:
+    def _namespace(self, element: Element, space: Space) -> Text:
         given = substitute(element.attributes.get("ns", ""), self._scope)
         if not given.parts:
             if "ns" in element.attributes:
@@ -357,7 +345,7 @@ class _File:
         before: Text | str = "" if absolute else "/" if top else Text.of(space.namespace, "/")
         return without_end(Text.of(before, given))
 
-    def _remap(self, element: Element, space: _Space) -> Remap:
+    def _remap(self, element: Element, space: Space) -> Remap:
         source = substitute(needed(element, "from"), self._scope)
         target = only_if(space.own, substitute(needed(element, "to"), self._scope), None)
         for one in (source, target):
@@ -365,7 +353,7 @@ class _File:
                 raise SubstitutionError(f"{one.known!r} is not a valid ROS name; expected letters, digits, `_` and `/`")
         return Remap(tidy(source), tidy(target), self._place(element))
 
-    def _set(self, found: list[Setting], space: _Space) -> tuple[Setting, ...]:
+    def _set(self, found: list[Setting], space: Space) -> tuple[Setting, ...]:
         private = list(space.private)
         for one in found:
             if one.name.head.startswith("~"):
@@ -381,11 +369,18 @@ class _File:
     def _place(self, element: Element) -> Evidence:
         return Evidence(self._path, *self._document.place(element.start))
 
-    def _miss(self, element: Element, text: str, reason: str, *, opens: bool = False) -> None:
-        self._whole.miss(text, self._place(element), reason, opens=opens)
+    def _miss(
+        self, element: Element, text: str, reason: str, *, opens: bool = False, fault: Fault | None = None
+    ) -> None:
+        self._whole.miss(text, self._place(element), reason, opens=opens, fault=fault)
 
 
-_TAGS: dict[str, Callable[[_File, Element, _Space, list[Remap]], tuple[Setting, ...]]] = {
+def _why(file: Text) -> str:
+    """Return why a file that is included is not read."""
+    return str(file.holes[0].reason) if file.holes else "an absolute path"
+
+
+_TAGS: dict[str, Callable[[_File, Element, Space, list[Remap]], tuple[Setting, ...]]] = {
     "arg": _File.arg,
     "group": _File.group,
     "include": _File.include,

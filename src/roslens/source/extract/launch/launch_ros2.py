@@ -11,17 +11,22 @@ from collections.abc import Mapping
 
 import msgspec
 
+from roslens.model.configuration import Standing
 from roslens.model.errors import DocumentError
-from roslens.source.extract.facts.files import Files, joined
-from roslens.source.extract.facts.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
+from roslens.source.extract.facts.files import Files
+from roslens.source.extract.facts.launched import Argument, Fault, Launch, Launched, Setting, Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.bridge_files import with_bridges
+from roslens.source.extract.launch.launch_failures import Failures
 from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
+from roslens.source.extract.launch.launch_reasons import place_and_reason, place_of, standing_of, written_condition
+from roslens.source.extract.launch.ros2_names import full_name, within
+from roslens.source.extract.launch.ros2_space import Space, keep, remaps_of
 from roslens.source.extract.launch_python.deferred import Scope, Value, resolve, truth
-from roslens.source.extract.launch_python.launch_action import Action, Condition, Parameter
+from roslens.source.extract.launch_python.launch_action import Action, Parameter
 from roslens.source.extract.launch_python.turns import turns_over, turns_up_to
 from roslens.source.extract.parameters.ros2_values import type_in_launch
-from roslens.source.extract.symbolic.text import Conditions, Not, Text, Written, unknown
+from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
 
 MOST_FILES = 200
 MOST_DEPTH = 30
@@ -29,17 +34,13 @@ MOST_ACTIONS = 20_000
 _STARTED = frozenset({"node", "lifecycle", "container", "process"})
 
 
-class _Space(msgspec.Struct):
-    """What holds for the actions that follow, besides launch configurations."""
-
-    namespace: Text = Text(("/",))
-    settings: tuple[Setting, ...] = ()
-    remaps: tuple[Remap, ...] = ()
-    conditions: Conditions = ()
-
-
 def evaluate_ros2(
-    path: str, files: Files, arguments: Mapping[str, str] | None = None, environment: Mapping[str, str] | None = None
+    path: str,
+    files: Files,
+    arguments: Mapping[str, str] | None = None,
+    environment: Mapping[str, str] | None = None,
+    *,
+    any_arguments: bool = False,
 ) -> Launch:
     """Return what a launch file comes to.
 
@@ -48,13 +49,15 @@ def evaluate_ros2(
         files: that may be read.
         arguments: given on the command line, by name.
         environment: variables that are known.
+        any_arguments: whether defaults are left open, so that every way that arguments may choose is followed.
     """
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    whole = _Whole(files, environment or {})
-    whole.file(path, given, _Space(), Evidence(path, 0), outer=True)
+    whole = _Whole(files, environment or {}, any_arguments=any_arguments)
+    whole.file(path, given, Space(), Evidence(path, 0), outer=True)
     return Launch(
-        "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved)
-    )
+        "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
+        whole.failures.failed, whole.failures.raw_files,
+    )  # fmt: skip
 
 
 def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[Action, ...]:
@@ -75,8 +78,10 @@ def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[A
 class _Whole:
     """Visits actions and collects what they come to."""
 
-    def __init__(self, files: Files, environment: Mapping[str, str]) -> None:
+    def __init__(self, files: Files, environment: Mapping[str, str], *, any_arguments: bool = False) -> None:
         self.files = files
+        self.failures = Failures()
+        self._any_arguments = any_arguments
         self.nodes: list[Launched] = []
         self.arguments: list[Argument] = []
         self.included: list[str] = []
@@ -89,37 +94,60 @@ class _Whole:
         self._parameter_files = ParameterFiles(files)
 
     def file(
-        self, path: str, configurations: dict[str, Text], space: _Space, evidence: Evidence, *, outer: bool = False
+        self, path: str, configurations: dict[str, Text], space: Space, evidence: Evidence, *, outer: bool = False
     ) -> None:
         """Visit the actions of a file."""
         if path in self._open:
-            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
+            self.end(Fault.CYCLE, path, f"it includes itself: {' > '.join([*self._open, path])}", evidence)
             return
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
             self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} levels of includes", opens=True)
             return
         content = self.files.content(path)
         if content is None:
-            self.miss(path, evidence, "there is no such file in the workspace", opens=True)
+            self.end(Fault.MISSING_FILE, path, "there is no such file in the workspace", evidence)
             return
         self._read += 1
         try:
             actions = actions_of(path, content, self.files)
         except DocumentError as error:
-            self.miss(path, *_place_and_reason(error, path, evidence), opens=True)
+            place, reason = place_and_reason(error, path, evidence)
+            self.end(Fault.UNREADABLE, path, reason, place)
             return
         self._open.append(path)
+        self.failures.enter(evidence)
         scope = Scope(
-            self.files, configurations, self._environment, path, self._assigned, rewritten=self._rewritten_files
+            self.files,
+            configurations,
+            self._environment,
+            path,
+            self._assigned,
+            rewritten=self._rewritten_files,
+            report=self.failures.report,
         )
         if outer:
-            self._declare(actions, msgspec.structs.replace(scope, configurations=dict(configurations)))
+            self._declare(actions, msgspec.structs.replace(scope, configurations=dict(configurations), report=None))
         self._all(actions, scope, space)
+        self.failures.leave()
         self._open.pop()
 
-    def miss(self, text: str, evidence: Evidence, reason: str, *, opens: bool = False) -> None:
+    def end(self, fault: Fault, text: str, reason: str, evidence: Evidence) -> None:
+        """Note that the launch ends with a file that cannot be followed."""
+        standing = self.failures.report(fault, text, reason, evidence)
+        self.miss(text, evidence, reason, opens=True, standing=standing)
+
+    def miss(
+        self,
+        text: str,
+        evidence: Evidence,
+        reason: str,
+        *,
+        opens: bool = False,
+        standing: Standing = Standing.UNDECIDABLE,
+    ) -> None:
         """Note what could not be evaluated, once for each place, and whether it may start further nodes."""
-        found = Unresolved(text, evidence, reason, opens)
+        self.failures.is_opaque = self.failures.is_opaque or opens
+        found = Unresolved(text, evidence, reason, opens, standing=standing)
         if found not in self.unresolved[-50:]:
             self.unresolved.append(found)
 
@@ -133,8 +161,7 @@ class _Whole:
                 name = str(resolve(action.values["name"], scope))
                 written = action.values.get("default")
                 default = None if written is None else resolve(written, scope)
-                held = unknown(f"argument {name}, which is not given") if default is None else default
-                scope.configurations.setdefault(name, held)
+                scope.configurations.setdefault(name, self._held(name, default))
                 choices = action.values.get("choices", "")
                 self.arguments.append(
                     Argument(
@@ -148,15 +175,22 @@ class _Whole:
             elif action.kind in ("group", "sequence"):
                 self._declare(action.children, scope)
 
-    def _all(self, actions: tuple[Action, ...], scope: Scope, space: _Space) -> None:
+    def _held(self, name: str, default: Text | None) -> Text:
+        """Return what an argument of the outermost file is, which is not given."""
+        is_open = default is None or self._any_arguments
+        return unknown(f"argument {name}, which is not given") if is_open or default is None else default
+
+    def _all(self, actions: tuple[Action, ...], scope: Scope, space: Space) -> None:
         for action in actions:
             self._visited += 1
             if self._visited > MOST_ACTIONS:
                 self.miss(action.kind, action.evidence, f"more than {MOST_ACTIONS:,} actions", opens=True)
                 return
+            self.failures.at, self.failures.is_open = action.evidence, bool(space.conditions)
             condition = self._condition(action, scope)
             if condition is not None:
                 inner = msgspec.structs.replace(space, conditions=(*space.conditions, *condition))
+                self.failures.is_open = bool(inner.conditions)
                 self._visit(action, scope, space, inner)
 
     def _condition(self, action: Action, scope: Scope) -> Conditions | None:
@@ -168,13 +202,14 @@ class _Whole:
         try:
             holds = truth(value)
         except ValueError as error:
-            self.miss(str(_written(condition)), action.evidence, str(error))
+            standing = self.failures.report(Fault.EXPRESSION, str(written_condition(condition)), str(error))
+            self.miss(str(written_condition(condition)), action.evidence, str(error), standing=standing)
             holds = None
         if holds is None:
-            return (_written(condition),)
+            return (written_condition(condition),)
         return () if holds is condition.wanted else None
 
-    def _visit(self, action: Action, scope: Scope, space: _Space, inner: _Space) -> None:
+    def _visit(self, action: Action, scope: Scope, space: Space, inner: Space) -> None:
         """Visit one action; ``space`` is what it may change for those after it, ``inner`` what holds for it."""
         if action.kind in _STARTED:
             self._start(action, scope, inner)
@@ -182,37 +217,32 @@ class _Whole:
             self._load(action.children, resolve(action.values.get("target", ""), scope), scope, inner)
         elif action.kind == "include":
             self._include(action, scope, inner)
-            _keep(inner, space)
+            keep(inner, space)
         elif action.kind == "group":
             self._group(action, scope, space, inner)
         elif action.kind == "sequence":
             self._sequence(action.children, action.note, scope, inner)
-            _keep(inner, space)
+            keep(inner, space)
         elif action.kind == "call" and action.make is not None:
             self._sequence(action.make(scope), action.note, scope, inner)
-            _keep(inner, space)
+            keep(inner, space)
         elif action.kind == "loop":
             self._loop(action, scope, inner)
-            _keep(inner, space)
+            keep(inner, space)
         elif action.kind == "unknown":
             self.miss(str(resolve(action.values.get("text", ""), scope)), action.evidence, action.note, opens=True)
         else:
             self._change(action, scope, space)
 
-    def _change(self, action: Action, scope: Scope, space: _Space) -> None:
+    def _change(self, action: Action, scope: Scope, space: Space) -> None:
         """Change what holds for the actions after this one."""
         values = action.values
         if action.kind == "argument":
-            name = str(resolve(values["name"], scope))
-            if name in scope.configurations:
-                return
-            if "default" in values:
-                scope.configurations[name] = resolve(values["default"], scope)
-            else:
-                scope.configurations[name] = unknown(f"argument {name}, which is not given")
-                self.miss(name, action.evidence, "the argument is required, but not given")
+            self._argument(action, scope)
         elif action.kind == "set":
-            scope.configurations[str(resolve(values["name"], scope))] = resolve(values["value"], scope)
+            written = resolve(values["name"], scope)
+            self.failures.is_opaque = self.failures.is_opaque or written.known is None
+            scope.configurations[str(written)] = resolve(values["value"], scope)
         elif action.kind == "unset":
             scope.configurations.pop(str(resolve(values["name"], scope)), None)
         elif action.kind == "environment":
@@ -222,9 +252,21 @@ class _Whole:
         elif action.kind == "parameter":
             space.settings = (*space.settings, *self._settings(action.parameters, scope))
         elif action.kind == "remap":
-            space.remaps = (*space.remaps, *_remaps(action, scope))
+            space.remaps = (*space.remaps, *remaps_of(action, scope))
 
-    def _group(self, action: Action, scope: Scope, space: _Space, inner: _Space) -> None:
+    def _argument(self, action: Action, scope: Scope) -> None:
+        name = str(resolve(action.values["name"], scope))
+        if name in scope.configurations:
+            return
+        written = action.values.get("default")
+        default = None if written is None else resolve(written, scope)
+        if default is None:
+            self.miss(name, action.evidence, "the argument is required, but not given")
+        is_outer = len(self._open) == 1
+        held = self._held(name, default) if is_outer or default is None else default
+        scope.configurations[name] = held
+
+    def _group(self, action: Action, scope: Scope, space: Space, inner: Space) -> None:
         if action.scoped:
             scope = msgspec.structs.replace(scope, configurations=dict(scope.configurations))
             for one in action.parameters:
@@ -234,14 +276,14 @@ class _Whole:
             self._all(action.children, scope, msgspec.structs.replace(inner))
             return
         self._all(action.children, scope, inner)
-        _keep(inner, space)
+        keep(inner, space)
 
-    def _sequence(self, children: tuple[Action, ...], note: str, scope: Scope, inner: _Space) -> None:
+    def _sequence(self, children: tuple[Action, ...], note: str, scope: Scope, inner: Space) -> None:
         if note:
             inner.conditions = (*inner.conditions, Written(note))
         self._all(children, scope, inner)
 
-    def _loop(self, action: Action, scope: Scope, inner: _Space) -> None:
+    def _loop(self, action: Action, scope: Scope, inner: Space) -> None:
         """Visit the children once a turn."""
         over = resolve(action.values["over"], scope)
         name = resolve(action.values["name"], scope).known if "name" in action.values else None
@@ -254,12 +296,13 @@ class _Whole:
             found = {**scope.turns, **{name: Text.of(str(value)) for name, value in turn.items()}}
             self._all(action.children, msgspec.structs.replace(scope, turns=found), inner)
 
-    def _include(self, action: Action, scope: Scope, inner: _Space) -> None:
+    def _include(self, action: Action, scope: Scope, inner: Space) -> None:
         file = resolve(action.values["file"], scope)
-        if file.known is None:
-            self.miss(str(file), action.evidence, str(file.holes[0].reason), opens=True)
+        if file.known is None or file.known.startswith("/"):
+            reason = file.holes[0].reason if file.holes else "an absolute path"
+            self.miss(str(file), action.evidence, str(reason), opens=True, standing=standing_of(file))
             return
-        path = _place(file.known)
+        path = place_of(file.known)
         # An included file sees what is set around it, and what it sets stays set after it.
         for child in action.children:
             scope.configurations[str(resolve(child.values["name"], scope))] = resolve(child.values["value"], scope)
@@ -267,7 +310,7 @@ class _Whole:
             self.included.append(path)
         self.file(path, scope.configurations, inner, action.evidence)
 
-    def _start(self, action: Action, scope: Scope, inner: _Space) -> None:
+    def _start(self, action: Action, scope: Scope, inner: Space) -> None:
         values = action.values
         launched = Launched(
             package=resolve(values.get("package", ""), scope),
@@ -275,8 +318,8 @@ class _Whole:
             evidence=action.evidence,
             name=resolve(values.get("name", ""), scope),
             namespace=within(inner.namespace, resolve(values.get("namespace", ""), scope)),
-            settings=(*inner.settings, *self._settings(action.parameters, scope)),
-            remaps=(*inner.remaps, *_remaps(action, scope)),
+            settings=(*inner.settings, *self._settings(action.parameters, scope, is_raw=True)),
+            remaps=(*inner.remaps, *remaps_of(action, scope)),
             arguments=tuple(resolve(one, scope) for one in action.words),
             conditions=inner.conditions,
             kind=action.kind,
@@ -285,7 +328,7 @@ class _Whole:
         if action.kind == "container":
             self._load(action.children, full_name(launched), scope, inner)
 
-    def _load(self, components: tuple[Action, ...], container: Text, scope: Scope, inner: _Space) -> None:
+    def _load(self, components: tuple[Action, ...], container: Text, scope: Scope, inner: Space) -> None:
         for one in components:
             conditions = self._condition(one, scope)
             if conditions is None:
@@ -308,86 +351,42 @@ class _Whole:
                     plugin=resolve(values.get("plugin", ""), scope),
                     container=container,
                     settings=(*inner.settings, *self._settings(one.parameters, scope)),
-                    remaps=(*inner.remaps, *_remaps(one, scope)),
+                    remaps=(*inner.remaps, *remaps_of(one, scope)),
                     conditions=(*inner.conditions, *conditions),
                     kind="component",
                 )
             )
 
-    def _settings(self, parameters: tuple[Parameter, ...], scope: Scope) -> list[Setting]:
+    def _settings(self, parameters: tuple[Parameter, ...], scope: Scope, *, is_raw: bool = False) -> list[Setting]:
         found: list[Setting] = []
         for one in parameters:
+            self.failures.at = one.evidence
             if one.file is None:
                 value = resolve(one.value, scope)
                 kind = one.type or (type_in_launch(value.known) if value.known is not None else "")
                 found.append(Setting(resolve(one.name, scope), value, one.evidence, kind))
-                continue
-            file, changes = self._parameter_files.of_copy(resolve(one.file, scope), one.changes, scope)
-            if file.known is None:
-                self.miss(str(file), one.evidence, str(file.holes[0].reason))
-                continue
-            path = _place(file.known)
-            try:
-                settings = self._parameter_files.settings(path, changes, scope)
-            except DocumentError as error:
-                self.miss(error.what, one.evidence, f"{error.where}: expected {error.expected}")
-                continue
-            if settings is None:
-                self.miss(path, one.evidence, "there is no such file in the workspace")
-            found += settings or []
+            else:
+                found += self._of_file(one, one.file, scope, is_raw=is_raw)
         return found
 
-
-def _place(path: str) -> str:
-    """Return a path without detours; one from the root of the machine stays one."""
-    return f"{'/' * path.startswith('/')}{joined('', path)}"
-
-
-def _place_and_reason(error: DocumentError, path: str, evidence: Evidence) -> tuple[Evidence, str]:
-    """Return where to look for what cannot be read, and why: in the file, or where another one includes it."""
-    reason = f"{error.what}; expected {error.expected}"
-    if evidence.line:
-        return evidence, f"{error.where}: {reason}"
-    line, _, column = error.where.removeprefix(f"{path}:").partition(":")
-    return Evidence(path, int(line), int(column)) if line.isdigit() and column.isdigit() else evidence, reason
-
-
-def _keep(inner: _Space, space: _Space) -> None:
-    """Let what was set within hold after it."""
-    space.namespace, space.settings, space.remaps = inner.namespace, inner.settings, inner.remaps
-
-
-def _remaps(action: Action, scope: Scope) -> list[Remap]:
-    return [Remap(resolve(source, scope), resolve(target, scope), action.evidence) for source, target in action.remaps]
-
-
-def _written(condition: Condition) -> Written | Not:
-    text = Written(condition.written or _shown(condition.value))
-    return text if condition.wanted else Not(text)
-
-
-def _shown(value: Value) -> str:
-    match value:
-        case str() | Text():
-            return str(value)
-    inside = ", ".join(_shown(part) for part in value.parts)
-    return inside if value.kind in ("configuration", "text", "unknown") else f"{value.kind}({inside})"
-
-
-def within(namespace: Text, name: Text) -> Text:
-    """Return a namespace below another one, or itself where it begins with ``/``."""
-    if not name.parts:
-        return namespace
-    is_global = name.is_global
-    if len(name.parts) > 1 and name.tail.endswith("/"):
-        name = Text((*name.parts[:-1], name.tail.rstrip("/")))
-    elif len(name.parts) == 1 and len(name.head) > 1:
-        name = Text.of(name.head.rstrip("/"))
-    if is_global:
-        return name
-    return Text.of("/", name) if namespace.parts == ("/",) else Text.of(namespace, "/", name)
-
-
-def full_name(launched: Launched) -> Text:
-    """Return the resolved name of a node that was given one."""
-    return within(launched.namespace, launched.name) if launched.name.parts else Text()
+    def _of_file(self, one: Parameter, written: Value, scope: Scope, *, is_raw: bool) -> list[Setting]:
+        file, changes = self._parameter_files.of_copy(resolve(written, scope), one.changes, scope)
+        if file.known is None or file.known.startswith("/"):
+            reason = file.holes[0].reason if file.holes else "an absolute path"
+            self.miss(str(file), one.evidence, str(reason), standing=standing_of(file))
+            return []
+        path = place_of(file.known)
+        if is_raw and not changes:
+            self.failures.given(path, one.evidence)
+        try:
+            settings = self._parameter_files.settings(path, changes, scope)
+        except DocumentError as error:
+            reason = f"{error.where}: expected {error.expected}"
+            standing = self.failures.report(Fault.PARAMETERS, error.what, reason, one.evidence)
+            self.miss(error.what, one.evidence, reason, standing=standing)
+            return []
+        if settings is None:
+            reason = "there is no such file in the workspace"
+            standing = self.failures.report(Fault.MISSING_FILE, path, reason, one.evidence)
+            self.miss(path, one.evidence, reason, standing=standing)
+        return settings or []

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from typing import Protocol
 
 import msgspec
 
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.files import joined
-from roslens.source.extract.facts.launched import Setting
+from roslens.source.extract.facts.launched import Fault, Setting
 from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.launch.refused_yaml import yaml_refusal
 from roslens.source.extract.launch.ros1_substitution import (
     Scope,
     SubstitutionError,
@@ -30,13 +32,20 @@ _MOST_OF_FILE = 200
 _COMMANDS = frozenset({"load", "dump", "delete"})
 
 
+class Miss(Protocol):
+    """Notes what could not be read, and why it is certain to fail."""
+
+    def __call__(self, element: Element, text: str, reason: str, *, fault: Fault | None = None) -> None:
+        """Note it at an element."""
+
+
 class Reading(msgspec.Struct, frozen=True):
     """What is needed to read parameters: the scope of substitutions, the file, places in it, and where misses go."""
 
     scope: Scope
     path: str
     place: Callable[[Element], Evidence]
-    miss: Callable[[Element, str, str], None]
+    miss: Miss
 
 
 def of_param(element: Element, reading: Reading) -> list[Setting]:
@@ -111,15 +120,11 @@ def of_rosparam(element: Element, reading: Reading) -> list[Setting]:
     prefix = _join(_plain(given.get("ns"), reading), _plain(given.get("param"), reading))
     place = reading.place(element)
     if "file" in given:
-        file = substitute(given["file"], reading.scope)
-        if file.known is None:
-            reading.miss(element, str(file), str(file.holes[0].reason))
+        read = _file_of(element, substitute(given["file"], reading.scope), reading)
+        if read is None:
             return []
-        content = _content(file, reading)
-        if content is None:
-            reading.miss(element, file.known, "there is no such file in the workspace")
-            return []
-        path, start = joined("", file.known), Evidence(joined("", file.known), 1)
+        path, content = read
+        start = Evidence(path, 1)
     else:
         path, content, start = (
             reading.path,
@@ -131,8 +136,22 @@ def of_rosparam(element: Element, reading: Reading) -> list[Setting]:
     try:
         return _of_yaml(content, Text.of(prefix), path, start)
     except DocumentError as error:
-        reading.miss(element, error.what, f"{error.where}: expected {error.expected}")
+        fault = None if yaml_refusal(content) is None else Fault.PARAMETERS
+        reading.miss(element, error.what, f"{error.where}: expected {error.expected}", fault=fault)
         return []
+
+
+def _file_of(element: Element, file: Text, reading: Reading) -> tuple[str, bytes] | None:
+    """Return the path and content of a file; None, and it is noted why, where it cannot be read."""
+    if file.known is None:
+        reading.miss(element, str(file), str(file.holes[0].reason))
+        return None
+    content = _content(file, reading)
+    if content is None:
+        fault = None if file.known.startswith("/") else Fault.MISSING_FILE
+        reading.miss(element, file.known, "there is no such file in the workspace", fault=fault)
+        return None
+    return joined("", file.known), content
 
 
 def _of_yaml(content: bytes, prefix: Text, path: str, place: Evidence) -> list[Setting]:

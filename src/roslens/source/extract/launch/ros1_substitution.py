@@ -12,8 +12,9 @@ from collections.abc import Callable, Mapping
 import msgspec
 
 from roslens.source.extract.facts.files import Files
+from roslens.source.extract.facts.launched import Fault
 from roslens.source.extract.parameters.ros1_values import converted
-from roslens.source.extract.symbolic.python_expression import Plain, UnknownError, evaluate
+from roslens.source.extract.symbolic.python_expression import FailsError, Plain, UnknownError, evaluate
 from roslens.source.extract.symbolic.reason import OfEnvironment, RandomEnd
 from roslens.source.extract.symbolic.text import Hole, Text
 from roslens.source.workspace.elements import Element
@@ -121,11 +122,27 @@ class UnknownInsideError(SubstitutionError):
         super().__init__(f"it depends on {hole.reason}")
 
 
+class UndeclaredError(SubstitutionError):
+    """An argument that is not declared; whoever starts or includes the file may give it."""
+
+
+def fault_of(error: SubstitutionError) -> Fault | None:
+    """Return why roslaunch ends with an error; None where that is not certain."""
+    match error:
+        case UnknownInsideError() | UndeclaredError():
+            return None
+        case FailingError():
+            return Fault.EXPRESSION
+    return Fault.REFUSED
+
+
+class FailingError(SubstitutionError):
+    """An expression that Python ends with an error."""
+
+
 def _argument(name: str, scope: Scope) -> Text:
     if name not in scope.arguments:
-        raise SubstitutionError(
-            f"$(arg {name}): there is no argument {name!r}; expected <arg name={name!r}/> before it"
-        )
+        raise UndeclaredError(f"$(arg {name}): there is no argument {name!r}; expected <arg name={name!r}/> before it")
     return scope.arguments[name]
 
 
@@ -133,7 +150,7 @@ def _found(package: str, scope: Scope) -> Text:
     folder = scope.files.package(package)
     if folder is None:
         return Text((Hole(f"folder of package {package}, which is not in the workspace"),))
-    return Text.of(folder)
+    return Text.of(folder or ".")
 
 
 def _environment(name: str, scope: Scope) -> Text:
@@ -179,8 +196,11 @@ def _evaluated(expression: str, scope: Scope) -> Text:
         "optenv": lambda name, default="": known(_optional_environment(f"{name} {default}", scope)),
         "anon": lambda name: known(_anonymous(str(name), scope)),
         "dirname": lambda: scope.folder,
+        **{name: lambda *_, name=name: known(scope.arguments[name]) for name in scope.arguments if name not in names},
     }
     try:
         return Text.of(str(evaluate(expression, names, functions)))
+    except FailsError as error:
+        raise FailingError(f"$(eval {expression}): {error}") from None
     except UnknownError as error:
         return Text((Hole(f"$(eval {expression}): {error}"),))

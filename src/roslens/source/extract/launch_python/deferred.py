@@ -13,8 +13,17 @@ import msgspec
 
 from roslens.source.extract.domain.abstract_value import Foreign
 from roslens.source.extract.facts.files import Files, joined
-from roslens.source.extract.symbolic.python_expression import UnknownError, evaluate
-from roslens.source.extract.symbolic.reason import InstalledAt, NotSet, OfEnvironment, RandomEnd, RewrittenFile
+from roslens.source.extract.facts.launched import Fault
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.symbolic.python_expression import FailsError, UnknownError, evaluate
+from roslens.source.extract.symbolic.reason import (
+    InstalledAt,
+    NotSet,
+    OfEnvironment,
+    OfPackage,
+    RandomEnd,
+    RewrittenFile,
+)
 from roslens.source.extract.symbolic.text import Hole, Text, unknown
 
 _MOST_DEPTH = 40
@@ -24,12 +33,12 @@ class Deferred(Foreign, frozen=True):
     """A substitution.
 
     Attributes:
-        kind: ``text`` (parts one after the other), ``configuration``, ``environment``, ``share``, ``prefix``, ``path``
-            (parts joined by ``/``), ``join`` (a delimiter, and the parts that it joins), ``content`` (of a file),
-            ``turn`` (what a loop gives its actions, by name), ``python``, ``not``, ``and``, ``or``, ``equals``,
-            ``unequal``, ``if`` (condition, then, else), ``folder``, ``file``, ``anonymous``, ``command``,
-            ``rewritten`` (a file of parameters, and what ``file_changes.written_changes`` makes of its changes) or
-            ``unknown`` (with the reason).
+        kind: ``text`` (parts one after the other), ``configuration``, ``optional`` (a configuration that need not be
+            set), ``environment``, ``share``, ``prefix``, ``path`` (parts joined by ``/``), ``join`` (a delimiter, and
+            the parts that it joins), ``content`` (of a file), ``turn`` (what a loop gives its actions, by name),
+            ``python``, ``not``, ``and``, ``or``, ``equals``, ``unequal``, ``if`` (condition, then, else), ``folder``,
+            ``file``, ``anonymous``, ``command``, ``rewritten`` (a file of parameters, and what
+            ``file_changes.written_changes`` makes of its changes) or ``unknown`` (with the reason).
         parts: what it is made of; of ``configuration`` and ``environment`` the name, and the default if there is one.
     """
 
@@ -48,6 +57,8 @@ class Scope(msgspec.Struct):
         assigned: variables of the environment that an action before may have changed; ``*`` for all.
         turns: what the loops around give their actions, by name.
         rewritten: paths of files of which a copy is made, with the changes that are made to it, as texts.
+        report: is told what ends the launch with an error: the fault, what is written, why, and :attr:`at`.
+        at: where that stands; None for the action that is visited.
     """
 
     files: Files
@@ -57,6 +68,12 @@ class Scope(msgspec.Struct):
     assigned: set[str] = set()
     turns: Mapping[str, Text] = MappingProxyType({})
     rewritten: list[tuple[Text, ...]] = []
+    report: Callable[[Fault, str, str, Evidence | None], object] | None = None
+    at: Evidence | None = None
+
+    def silent(self) -> Scope:
+        """Return the scope where nothing is reported, as it is not certain that what is resolved is needed."""
+        return msgspec.structs.replace(self, report=None) if self.report is not None else self
 
 
 Value = Deferred | Text | str
@@ -74,7 +91,12 @@ def resolve(value: Value, scope: Scope, depth: int = 0) -> Text:
     method = _KINDS.get(value.kind)
     if method is None:
         return unknown(str(value.parts[0]) if value.parts else value.kind)
-    return method([resolve(part, scope, depth + 1) for part in value.parts], scope)
+    first = _NEEDED.get(value.kind)
+    if first is None or scope.report is None:
+        return method([resolve(part, scope, depth + 1) for part in value.parts], scope)
+    silent = scope.silent()
+    parts = [resolve(part, scope if place < first else silent, depth + 1) for place, part in enumerate(value.parts)]
+    return method(parts, scope)
 
 
 def truth(text: Text) -> bool | None:
@@ -120,7 +142,15 @@ def _configuration(parts: list[Text], scope: Scope) -> Text:
         return _first_hole(parts)
     if name in scope.configurations:
         return scope.configurations[name]
-    return parts[1] if len(parts) > 1 else unknown(NotSet(f"launch configuration {name}"))
+    if len(parts) > 1:
+        return parts[1]
+    if scope.report is not None:
+        scope.report(Fault.NOT_SET, name, "nothing declares or sets it", scope.at)
+    return unknown(NotSet(f"launch configuration {name}"))
+
+
+def _optional(parts: list[Text], scope: Scope) -> Text:
+    return _configuration(parts, scope.silent())
 
 
 def _environment(parts: list[Text], scope: Scope) -> Text:
@@ -137,7 +167,7 @@ def _share(parts: list[Text], scope: Scope) -> Text:
     if name is None:
         return _first_hole(parts)
     folder = scope.files.package(name)
-    return unknown(f"folder of package {name}, which is not in the workspace") if folder is None else Text.of(folder)
+    return unknown(OfPackage(name)) if folder is None else Text.of(folder or ".")
 
 
 def _installed(path: Text, scope: Scope) -> Text:
@@ -205,12 +235,16 @@ def _rewritten(parts: list[Text], scope: Scope) -> Text:
     return unknown(RewrittenFile(of.known or str(of), scope.rewritten.index(found)))
 
 
-def _python(parts: list[Text], _scope: Scope) -> Text:
+def _python(parts: list[Text], scope: Scope) -> Text:
     whole = Text.of(*parts)
     if whole.known is None:
         return unknown(f"expression {whole}")
     try:
-        return Text.of(str(evaluate(whole.known)))
+        return Text.of(str(evaluate(whole.known, truths=False)))
+    except FailsError as error:
+        if scope.report is not None:
+            scope.report(Fault.EXPRESSION, whole.known, str(error), scope.at)
+        return unknown(f"expression {whole}: {error}")
     except UnknownError as error:
         return unknown(f"expression {whole}: {error}")
 
@@ -229,9 +263,12 @@ def _folder(_parts: list[Text], scope: Scope) -> Text:
     return Text.of(scope.path.rpartition("/")[0])
 
 
+_NEEDED = {"configuration": 1, "environment": 1, "if": 1, "or": 1, "and": 1}
+"""How many parts of a substitution are resolved in any case: a default, or the other way, may not be."""
 _KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
     "text": lambda parts, scope: _installed(Text.of(*parts), scope),
     "configuration": _configuration,
+    "optional": _optional,
     "environment": _environment,
     "share": _share,
     "prefix": lambda parts, _scope: unknown(InstalledAt(str(parts[0]))),

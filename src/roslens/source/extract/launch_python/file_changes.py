@@ -25,7 +25,7 @@ def condition_of(found: Plain) -> Condition:
         case Made() if found.name in ("IfCondition", "UnlessCondition"):
             return Condition(as_value(found.argument(0, "predicate_expression")), found.name == "IfCondition")
         case Made() if found.name.startswith("LaunchConfiguration"):
-            name = Deferred("configuration", (as_value(found.argument(0, "launch_configuration_name")),))
+            name = Deferred("optional", (as_value(found.argument(0, "launch_configuration_name")),))
             value = Deferred("equals", (name, as_value(found.argument(1, "expected_value"))))
             return Condition(value, found.name == "LaunchConfigurationEquals")
         case Made():

@@ -120,7 +120,7 @@ class LaunchCalls(Calls):
         self.ctx.summaries.touch()
         name = function.name
         if name == "perform" and isinstance(of, Deferred | Text | Made):
-            return lifted(self._resolved(as_value(of)))
+            return lifted(self._performed(as_value(of), expression))
         match of:
             case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
                 self.ctx.state.store.items(of.positional)
@@ -131,7 +131,7 @@ class LaunchCalls(Calls):
                 arguments = [[kept(self.ctx, one) for one in added]]
                 return super().plain_method(expression, Member(function.of, "extend"), of, arguments, keywords)
             case Obj() if name == "perform_substitution" and arguments:
-                return lifted(self._resolved(as_value(plain(arguments[0]))))
+                return lifted(self._performed(as_value(plain(arguments[0])), expression))
             case Deferred() if name == "find" and of.kind in ("share", "prefix") and arguments:
                 return self.visit.at_once(Deferred(of.kind, (as_value(plain(arguments[0])),)))
             case Text() | Deferred() if name in PATH_READS:
@@ -150,5 +150,11 @@ class LaunchCalls(Calls):
         positional = [path, *(plain(one) for one in arguments)]
         return read(PATH_READS[name], positional, self.ctx.state.frame.path, self.visit.files, self.visit.scope)
 
-    def _resolved(self, value: Deferred | Text | str) -> Deferred | Text | str:
-        return value if self.visit.scope is None else resolve(value, self.visit.scope)
+    def _performed(self, value: Deferred | Text | str, expression: Call) -> Deferred | Text | str:
+        state, scope = self.ctx.state, self.visit.scope
+        if scope is None:
+            return value
+        if self.visit.reporting is not None and not state.conditions:
+            place = Evidence(state.frame.path, expression.line, expression.column)
+            scope = msgspec.structs.replace(self.visit.reporting, at=place)
+        return resolve(value, scope)

@@ -62,10 +62,12 @@ class LaunchProgram:
         Raises:
             BudgetExceededError: the bounds are spent.
         """
-        outer, self._visit.scope = self._visit.scope, scope or self._visit.scope
+        outer = self._visit.scope, self._visit.reporting
+        if scope is not None:
+            self._visit.scope, self._visit.reporting = scope.silent(), scope
         try:
             return self._interpreter.call(Invocation(function, arguments, keywords))
         finally:
-            self._visit.scope = outer
+            self._visit.scope, self._visit.reporting = outer
             self.state.frame = LaunchFrame(self._path, "")
             self.state.conditions.clear()

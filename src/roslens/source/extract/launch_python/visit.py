@@ -15,15 +15,17 @@ class Visit:
         path: of the file.
         files: of the workspace that it may read.
         scope: of the action that is visited, where a function is called by one; None while the file is read.
+        reporting: the same, for what is certain to be resolved: ``scope`` is asked about much that is not.
     """
 
-    __slots__ = ("files", "path", "scope")
+    __slots__ = ("files", "path", "reporting", "scope")
 
     def __init__(self, path: str, files: Files | None) -> None:
         """Begin to read a file."""
         self.path = path
         self.files = files
         self.scope: Scope | None = None
+        self.reporting: Scope | None = None
 
     def performed(self, value: Value) -> Value:
         """Return a substitution as what it comes to for the action that is visited, where that is known."""

@@ -7,6 +7,7 @@ tables here is unknown, with the reason; size and steps are bounded.
 from __future__ import annotations
 
 import ast
+import builtins
 import math
 import operator
 import re
@@ -28,6 +29,10 @@ _WIDE = re.compile(r"%[^%a-zA-Z]*(\*|\d{4})")
 
 class UnknownError(ValueError):
     """What cannot be evaluated; the text is the reason."""
+
+
+class FailsError(UnknownError):
+    """What Python ends with an error; the text is the reason."""
 
 
 _BINARY: dict[type[ast.operator], Callable[..., object]] = {
@@ -61,11 +66,19 @@ _METHODS = frozenset(
     {"lower", "upper", "strip", "lstrip", "rstrip", "split", "startswith", "endswith", "replace", "join", "title",
      "capitalize", "isdigit", "find", "count"}
 )  # fmt: skip
-_CONSTANTS: dict[str, Plain] = {"true": True, "false": False, "pi": math.pi, "e": math.e}
+_TRUTHS: dict[str, Plain] = {"true": True, "false": False}
+"""Names that roslaunch knows, and that are none of Python."""
+_CONSTANTS: dict[str, Plain] = {"pi": math.pi, "e": math.e}
+_NAMED = frozenset({*dir(builtins), *dir(math), "math"})
+"""Names that Python, or the module that launch hands to it, have besides those that are evaluated here."""
 
 
 def evaluate(
-    expression: str, names: Mapping[str, Plain] | None = None, functions: Mapping[str, Function] | None = None
+    expression: str,
+    names: Mapping[str, Plain] | None = None,
+    functions: Mapping[str, Function] | None = None,
+    *,
+    truths: bool = True,
 ) -> Plain:
     """Return the value of an expression.
 
@@ -73,9 +86,11 @@ def evaluate(
         expression: in the syntax of Python.
         names: values by name.
         functions: that it may call, besides conversions and mathematics; they raise :class:`UnknownError` likewise.
+        truths: whether ``true`` and ``false`` are names, as they are to roslaunch and not to launch.
 
     Raises:
         UnknownError: it cannot be evaluated.
+        FailsError: Python cannot evaluate it either.
     """
     if len(expression) > MOST_LENGTH:
         raise UnknownError(f"an expression of {len(expression):,} characters")
@@ -83,13 +98,16 @@ def evaluate(
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(expression.strip(), mode="eval")
-        return _Evaluation({**_CONSTANTS, **(names or {})}, functions or {}).of(tree.body, 0)
-    except (SyntaxError, RecursionError, MemoryError) as error:
+        known = {**_CONSTANTS, **(_TRUTHS if truths else {}), **(names or {})}
+        return _Evaluation(known, functions or {}).of(tree.body, 0)
+    except SyntaxError as error:
+        raise FailsError(f"{expression!r} is not a Python expression (SyntaxError: {error.msg})") from None
+    except (RecursionError, MemoryError) as error:
         raise UnknownError(f"{expression!r} is not a Python expression ({type(error).__name__})") from None
     except UnknownError:
         raise
     except (ArithmeticError, TypeError, ValueError, LookupError, AttributeError) as error:
-        raise UnknownError(f"{expression!r} fails: {error}") from None
+        raise FailsError(f"{expression!r} fails: {type(error).__name__}: {error}") from None
 
 
 class _Evaluation:
@@ -124,7 +142,9 @@ class _Evaluation:
     def name(self, node: ast.Name, _depth: int) -> Plain:
         if node.id in self._names:
             return self._names[node.id]
-        raise UnknownError(f"the name {node.id!r} is unknown")
+        if node.id in _NAMED or node.id in self._functions:
+            raise UnknownError(f"the name {node.id!r} is unknown")
+        raise FailsError(f"the name {node.id!r} is not defined")
 
     def binary(self, node: ast.BinOp, depth: int) -> Plain:
         left, right = self.of(node.left, depth), self.of(node.right, depth)

@@ -179,6 +179,16 @@ class RewrittenFile(_Reason, frozen=True, tag="rewritten file"):
         return f"a rewritten copy of {self.of}"
 
 
+class OfPackage(_Reason, frozen=True, tag="of package"):
+    """The folder of a package that is not in the workspace."""
+
+    name: str
+
+    def __str__(self) -> str:
+        """Write it for people."""
+        return f"folder of package {self.name}, which is not in the workspace"
+
+
 class OfMany(_Reason, frozen=True, tag="of many"):
     """One of so many texts that they are not distinguished, or what is made of it."""
 
@@ -192,9 +202,17 @@ class OfMany(_Reason, frozen=True, tag="of many"):
 Reason = (
     str | OfNode | OfParameter | OfHandle | OfController | EachOf | ItemOf | PartOf | NumberBelow
     | OfEnvironment | RandomEnd | NotSet
-    | InstalledAt | RewrittenFile | OfMany
+    | InstalledAt | RewrittenFile | OfMany | OfPackage
 )  # fmt: skip
 """Why something is unknown; nothing depends on the content of plain text."""
+
+
+def is_outside(reason: Reason) -> bool:
+    """Return whether something is unknown as it is not in the workspace."""
+    match reason:
+        case OfPackage() | OfEnvironment():
+            return True
+    return False
 
 
 def is_of_many(reason: Reason) -> bool:

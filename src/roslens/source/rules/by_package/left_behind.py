@@ -10,7 +10,9 @@ import msgspec
 from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 
-_LEFT = re.compile(r"old|legacy|deprecated|obsolete|unused|archived?|not_for_build|do_not_use", re.IGNORECASE)
+_LEFT = re.compile(
+    r"old|legacy|deprecated|obsolete|unused|archived?|graveyard|attic|not_for_build|do_not_use", re.IGNORECASE
+)
 
 
 def as_notes_where_left_behind(placed: Mapping[str, Sequence[Hit]]) -> dict[str, list[Hit]]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from roslens.model.configuration import Configuration
 from roslens.source.extract.facts.launched import Launch, Launched
-from roslens.source.extract.launch.launch_ros2 import full_name
+from roslens.source.extract.launch.ros2_names import full_name
 from roslens.source.extract.parameters.assemble_proof import launch_proof
 from roslens.source.extract.symbolic.condition import as_written, clauses_of
 from roslens.source.rules.graph.surroundings import Transform

@@ -10,6 +10,8 @@ import msgspec
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.refused.missing_include import found as missing_include
+from roslens.source.rules.launch.refused.missing_include import is_written
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.launch_view import LaunchXml
@@ -45,13 +47,20 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each path below the own package that leads nowhere."""
     if _installs_what_it_builds(view):
         return
+    told = {(hit.path, hit.line) for hit in missing_include(view)}
+    for file in view.launch:
+        for hit, path in () if file.is_test else _missing(file, view):
+            if (hit.path, hit.line) not in told and not is_written(file.text, path):
+                yield hit
+
+
+def _missing(file: LaunchXml, view: PackageView) -> Iterator[tuple[Hit, str]]:
     names = {path.rpartition("/")[2] for path in view.listing}
     ignored = _ignored(view)
-    for file in view.launch:
-        for element in () if file.is_test else _used_elements(file):
-            for path in _own_paths(element, view):
-                if not _is_there(path, names, view) and not (ignored is not None and ignored.fullmatch(path)):
-                    yield _hit(file, element, path, view)
+    for element in _used_elements(file):
+        for path in _own_paths(element, view):
+            if not _is_there(path, names, view) and not (ignored is not None and ignored.fullmatch(path)):
+                yield _hit(file, element, path, view), path
 
 
 def _used_elements(file: LaunchXml) -> Iterator[Element]:
@@ -139,7 +148,8 @@ RULE = PackageRule(
     finds="`$(find PACKAGE)/…` or `$(find-pkg-share PACKAGE)/…` of the own package, with an ending of "
     "configuration, launch, model or map, that leads to no file, is made by no build and is not "
     "ignored by git. Correct the path. Notes are a missing display of RViz, which opens "
-    "its usual one, and the default of an argument, of which others may give another value.",
+    "its usual one, and the default of an argument, of which others may give another value. What "
+    "`launch.missing_include` reports is left out, and what the launch file has a program write.",
     why="Launching fails with that file, on the robot, when that branch is first taken.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.LIKELY,

@@ -2,8 +2,9 @@
 
 import json
 import os
+import py_compile
 from argparse import Namespace
-from importlib.util import find_spec
+from importlib.util import cache_from_source, find_spec
 from pathlib import Path
 
 import pytest
@@ -152,3 +153,76 @@ def test_what_the_user_trusts_is_private_and_damage_is_told(workspace):
     path.write_text("{")
     with pytest.raises(UsageError, match="Remove it, then trust again"):
         is_trusted(configuration, os.environ)
+
+
+def manifest_of(name):
+    return (
+        "from roslens.plugins.points import Manifest\n"
+        f"manifest = Manifest(name={name!r}, interface='1.0', version='1', text='t', scopes=('package',))\n"
+        "def analyse_package(package, report):\n    pass\n"
+    )
+
+
+def compiled_beside(source, text):
+    """Put byte code of another text where Python looks for that of a source, marked so that it is not checked."""
+    other = source.parent.parent / "other.py"
+    other.write_text(text)
+    cached = Path(cache_from_source(str(source)))
+    cached.parent.mkdir(exist_ok=True)
+    py_compile.compile(str(other), cfile=str(cached), invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
+    other.unlink()
+
+
+@pytest.mark.parametrize("words", [["plugins"], ["check", "-q", "--jobs", "1"], ["check", "-q", "--jobs", "1", "--trust"]])
+@pytest.mark.parametrize("kind", ["file", "folder", "haros"])
+def test_byte_code_beside_what_is_trusted_never_runs(workspace, words, kind, capsys):
+    trap = f"open({str(workspace.parent / 'ran')!r}, 'a').write(__file__)\n"
+    folder = workspace / "checks"
+    folder.mkdir()
+    name = {"file": "checks/goto.py", "folder": "checks/", "haros": "haros_plugin_own"}[kind]
+    if kind == "haros":
+        folder = workspace / "haros_plugin_own"
+        folder.mkdir()
+        (folder / "plugin.yaml").write_text("name: haros_plugin_own\nversion: '1'\n")
+        (folder / "__init__.py").write_text("")
+        (folder / "plugin.py").write_text("def package_analysis(iface, scope):\n    pass\n")
+        sources = [folder / "__init__.py", folder / "plugin.py"]
+    elif kind == "folder":
+        (folder / "__init__.py").write_text("from . import part\n" + manifest_of("own"))
+        (folder / "part.py").write_text("x = 1\n")
+        sources = [folder / "__init__.py", folder / "part.py"]
+    else:
+        (folder / "goto.py").write_text(manifest_of("own"))
+        sources = [folder / "goto.py"]
+    (workspace / "roslens.toml").write_text(f"plugins = ['{name}']\n")
+    main(["trust", str(workspace)])
+    for source in sources:
+        compiled_beside(source, trap)
+    main([*words, str(workspace)])
+    assert not ran(workspace)
+    reported = capsys.readouterr()
+    assert "not trusted" not in reported.out + reported.err
+    assert "own" in reported.out or words[0] == "check"
+
+
+def test_a_module_outside_the_plug_in_is_not_imported(workspace, capsys):
+    trap = f"open({str(workspace.parent / 'ran')!r}, 'a').write(__file__)\n"
+    (workspace / "checks").mkdir()
+    (workspace / "shared.py").write_text(trap)
+    (workspace / "checks" / "json.py").write_text("mine = True\n")
+    begin = "import os, sys\nhere = os.path.dirname(__file__)\nsys.path[:0] = [here, os.path.dirname(here)]\n"
+    (workspace / "checks" / "__init__.py").write_text(begin + "import shared\n" + manifest_of("own"))
+    (workspace / "roslens.toml").write_text("plugins = ['checks']\n")
+    main(["trust", str(workspace)])
+    capsys.readouterr()
+    main(["plugins", str(workspace)])
+    assert not ran(workspace)
+    reported = capsys.readouterr()
+    assert "shared.py is not part of a trusted plug-in" in reported.out + reported.err
+    # What lies in its folder is part of it.
+    (workspace / "checks" / "helping.py").write_text("x = 1\n")
+    (workspace / "checks" / "__init__.py").write_text(begin + "import helping\n" + manifest_of("own"))
+    main(["trust", str(workspace)])
+    capsys.readouterr()
+    main(["plugins", str(workspace)])
+    assert "own 1" in capsys.readouterr().out

@@ -15,6 +15,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.plugins.contract_failures import TOOL, breaks_contract, would_not_load
+from roslens.plugins.hashed_modules import hashes_of
 from roslens.plugins.installed import HAROS_PREFIX, Installed, find_installed
 from roslens.plugins.manifest import check_manifest, hooks_of, read_manifest
 from roslens.plugins.member import LoadSpec, Member, Source, load_plugin
@@ -146,11 +147,17 @@ def _from_path(path: str, base: Path) -> _Candidate | Failure:
             path, "there is no such file", expected=expected, advice="Correct `plugins` in roslens.toml"
         )
     if (target / "plugin.yaml").is_file():
-        return _Candidate(target.name, f"HAROS plug-in {path}", LoadSpec(Source.HAROS, path=str(target)))
+        return _Candidate(target.name, f"HAROS plug-in {path}", _spec_of(Source.HAROS, target, base))
     if (target / "__init__.py").is_file() or (target.is_file() and target.suffix == ".py"):
-        return _Candidate(target.stem, f"file {path}", LoadSpec(Source.FILE, path=str(target)))
+        return _Candidate(target.stem, f"file {path}", _spec_of(Source.FILE, target, base))
     advice = "Install it, then it is found without a path" if (target / "pyproject.toml").is_file() else ""
     return would_not_load(path, "it is not a plug-in", expected=expected, advice=advice)
+
+
+def _spec_of(source: Source, target: Path, base: Path) -> LoadSpec:
+    """Return how a plug-in of a path is loaded: from the bytes that it has now, and nothing beside it."""
+    guarded = base if target.is_relative_to(base.absolute()) else target.parent
+    return LoadSpec(source, path=str(target), hashes=hashes_of(target), guarded=os.path.realpath(guarded))
 
 
 def _load_here(candidate: _Candidate) -> Member | Failure:

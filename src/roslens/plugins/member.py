@@ -9,12 +9,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import Enum
 from hashlib import blake2b
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
 
 import msgspec
 
 from roslens.model.errors import PluginError
+from roslens.plugins.hashed_modules import hashed_modules
 from roslens.plugins.points import Manifest
 
 
@@ -27,12 +29,18 @@ class Source(str, Enum):
 
 
 class LoadSpec(msgspec.Struct, frozen=True, omit_defaults=True):
-    """How a plug-in is loaded: ``module:attribute`` for a module, ``path`` for a file or folder."""
+    """How a plug-in is loaded: ``module:attribute`` for a module, ``path`` for a file or folder.
+
+    Of one with a path that a workspace names, ``hashes`` are those of its files by their real paths, and ``guarded`` is
+    the folder in which nothing else is imported.
+    """
 
     source: Source
     module: str = ""
     attribute: str = ""
     path: str = ""
+    hashes: dict[str, str] = {}
+    guarded: str = ""
 
 
 class Member(msgspec.Struct, frozen=True):
@@ -72,12 +80,14 @@ def load_plugin(spec: LoadSpec) -> object:
     if spec.source is Source.MODULE:
         module = importlib.import_module(spec.module)
     else:
+        if spec.guarded:
+            hashed_modules().add(spec.guarded, spec.hashes)
         with _no_bytecode():
             if spec.source is Source.HAROS:
                 from roslens.plugins.haros.plugin import load_haros_plugin
 
                 return load_haros_plugin(Path(spec.path))
-            module = _import_path(Path(spec.path))
+            module = _import_path(Path(spec.path), guarded=bool(spec.guarded))
     if not spec.attribute:
         return module if hasattr(module, "manifest") else getattr(module, "plugin", module)
     found: object = module
@@ -101,15 +111,18 @@ def _no_bytecode() -> Iterator[None]:
         sys.dont_write_bytecode = before
 
 
-def _import_path(path: Path) -> ModuleType:
-    """Import a file, or a folder with ``__init__.py``, under a name of its own."""
+def _import_path(path: Path, *, guarded: bool) -> ModuleType:
+    """Import a file, or a folder with ``__init__.py``, under a name of its own; ``guarded`` from hashed bytes only."""
     target = path / "__init__.py" if path.is_dir() else path
     name = f"roslens_plugin_{blake2b(str(path).encode('utf-8', 'surrogateescape'), digest_size=6).hexdigest()}"
     if name in sys.modules:
         return sys.modules[name]
-    found = importlib.util.spec_from_file_location(
-        name, target, submodule_search_locations=[str(path)] if path.is_dir() else None
-    )
+    found: ModuleSpec | None
+    if guarded:
+        found = hashed_modules().spec_of(name, str(target))
+    else:
+        places = [str(path)] if path.is_dir() else None
+        found = importlib.util.spec_from_file_location(name, target, submodule_search_locations=places)
     if found is None or found.loader is None:
         raise PluginError(f"{path.name!r} is not a Python file", expected="a file that ends in .py or a package folder")
     module = importlib.util.module_from_spec(found)

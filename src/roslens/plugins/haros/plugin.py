@@ -17,6 +17,7 @@ from pathlib import Path
 from types import ModuleType
 
 from roslens.model.errors import PluginError
+from roslens.plugins.hashed_modules import hashed_modules
 from roslens.plugins.haros.declared import Declared, quantities, read_declared, roslens_languages, rule_infos
 from roslens.plugins.haros.interface import Interface
 from roslens.plugins.haros.notes import Measurement, Violation, read_notes, write_notes
@@ -66,6 +67,8 @@ def _import(folder: Path) -> ModuleType:
         found = spec_from_file_location(
             name, start if start.is_file() else None, submodule_search_locations=[str(folder)]
         )
+        if found is not None and os.path.realpath(start) in hashed_modules().hashes:
+            found = hashed_modules().spec_of(name, str(start))
         if found is None or found.loader is None:
             package = ModuleType(name)
             package.__path__ = [str(folder)]

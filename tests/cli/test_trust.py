@@ -173,7 +173,9 @@ def compiled_beside(source, text):
     other.unlink()
 
 
-@pytest.mark.parametrize("words", [["plugins"], ["check", "-q", "--jobs", "1"], ["check", "-q", "--jobs", "1", "--trust"]])
+@pytest.mark.parametrize(
+    "words", [["plugins"], ["check", "-q", "--jobs", "1"], ["check", "-q", "--jobs", "1", "--trust"]]
+)
 @pytest.mark.parametrize("kind", ["file", "folder", "haros"])
 def test_byte_code_beside_what_is_trusted_never_runs(workspace, words, kind, capsys):
     trap = f"open({str(workspace.parent / 'ran')!r}, 'a').write(__file__)\n"

@@ -37,7 +37,7 @@ _PATHS_OF_USER = (
 """Variables in which the user names folders that programs read; a workspace does not choose them."""
 
 GUARD = str(Path(__file__).with_name("guard"))
-GUARDED = "ROSLENS_GUARDED"
+GUARDED, IMPORTED = "ROSLENS_GUARDED", "ROSLENS_IMPORTED"
 SCRATCH_VARIABLES = ("HOME", "TMPDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
 
 
@@ -50,6 +50,8 @@ class Sandbox(msgspec.Struct, frozen=True, omit_defaults=True):
         write: folders of its own.
         listed: folders whose names it may list without reading their files.
         network: whether it may use a network.
+        guarded: the folder of which a program of Python imports no module; empty for the first that it may read.
+        imported: folders in it of which it may.
     """
 
     read: tuple[str, ...] = ()
@@ -57,6 +59,8 @@ class Sandbox(msgspec.Struct, frozen=True, omit_defaults=True):
     write: tuple[str, ...] = ()
     listed: tuple[str, ...] = ()
     network: bool = False
+    guarded: str = ""
+    imported: tuple[str, ...] = ()
 
 
 def text_of_sandbox(sandbox: Sandbox) -> str:
@@ -65,20 +69,25 @@ def text_of_sandbox(sandbox: Sandbox) -> str:
 
 
 def sandbox_of_text(text: str) -> Sandbox:
-    """Return the sandbox of a text."""
+    """Return the sandbox of a text, or of the file that an absolute path leads to."""
+    if text.startswith(os.sep):
+        opened = os.open(text, os.O_RDONLY | os.O_CLOEXEC)
+        with os.fdopen(opened, "rb") as stream:
+            return msgspec.json.decode(stream.read(), type=Sandbox)
     return msgspec.json.decode(text, type=Sandbox)
 
 
 def environment_of(sandbox: Sandbox) -> dict[str, str]:
     """Return the variables of a program in a sandbox: its first folder to write is its home.
 
-    A program of Python imports nothing from the first folder that it may read.
+    A program of Python imports nothing from the folder that is guarded.
     """
     changed = dict.fromkeys(SCRATCH_VARIABLES, sandbox.write[0]) if sandbox.write else {}
-    if sandbox.read:
+    if guarded := sandbox.guarded or next(iter(sandbox.read), ""):
         before = os.environ.get("PYTHONPATH", "")
         changed["PYTHONPATH"] = GUARD + (os.pathsep + before if before else "")
-        changed[GUARDED] = sandbox.read[0]
+        changed[GUARDED] = guarded
+        changed[IMPORTED] = os.pathsep.join(sandbox.imported)
     return changed
 
 

@@ -23,9 +23,13 @@ from roslens.model.errors import PluginError
 
 def hashes_of(path: Path) -> dict[str, str]:
     """Return the hashes of the files of a plug-in, by their real paths; none of byte code."""
-    found = path.rglob("*") if path.is_dir() else [path]
-    files = (file for file in found if "__pycache__" not in file.parts and file.is_file())
-    return {os.path.realpath(file): _hash(file) for file in sorted(files)}
+    return {os.path.realpath(file): _hash(file) for file in files_of(path)}
+
+
+def files_of(path: Path) -> Iterator[Path]:
+    """Yield the files that are meant by a file or a folder, but for byte code."""
+    found = sorted(path.rglob("*")) if path.is_dir() else [path]
+    return (file for file in found if "__pycache__" not in file.parts and file.is_file())
 
 
 def _hash(file: Path) -> str:

@@ -105,10 +105,12 @@ class RuleSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 class ToolCommand(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
     """A program of the user's that writes SARIF: to standard output, or to where ``{output}`` stands among its words.
 
-    ``{root}`` stands for the workspace, which is also the folder that it is started in.
+    ``{root}`` stands for the workspace, which is also the folder that it is started in. ``reads`` are files and folders
+    that it needs besides the source that is checked: they are trusted with it.
     """
 
     command: tuple[str, ...]
+    reads: tuple[str, ...] = ()
 
 
 class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):

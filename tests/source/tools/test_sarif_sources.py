@@ -2,10 +2,12 @@
 
 import json
 import stat
+import sys
 from pathlib import Path
 
 import pytest
 
+from roslens.children.sandbox import LANDLOCK, sandbox_kind
 from roslens.cli.main import main
 from roslens.source.tools.running.run_tool import ToolRunner
 
@@ -182,3 +184,44 @@ def test_tables_that_are_wrong(workspace, capfd):
         (workspace / "roslens.toml").write_text(text)
         assert main(["check", str(workspace)]) == 2
         assert what in capfd.readouterr().err
+
+
+EMPTY = '{"version": "2.1.0", "runs": []}'
+
+
+@pytest.mark.skipif(sandbox_kind() != LANDLOCK, reason="this kernel has no Landlock")
+@pytest.mark.parametrize(
+    ("command", "beside"),
+    [
+        (["make", "-s", "lint"], "Makefile"),
+        (["bash", "lint.sh"], "more.sh"),
+        ([sys.executable, "scripts/lint.py"], "scripts"),
+    ],
+)
+def test_a_command_runs_nothing_that_was_not_trusted_with_it(workspace, monkeypatch, command, beside, capfd):
+    root = Path(workspace)
+    print_it = f"echo '{EMPTY}'"
+    (root / "Makefile").write_text(f"lint:\n\t@{print_it}\n")
+    (root / "lint.sh").write_text(f". ./more.sh || exit 3\n{print_it}\n")
+    (root / "more.sh").write_text("true\n")
+    (root / "scripts").mkdir()
+    (root / "scripts" / "lint.py").write_text(f"import helper\nprint({EMPTY!r})\n")
+    (root / "scripts" / "helper.py").write_text("x = 1\n")
+
+    def failures():
+        capfd.readouterr()
+        main(["check", str(root), "--jobs", "1", "--format", "json", "--no-store", "--no-cache"])
+        return [one["what"] for one in json.loads(capfd.readouterr().out)["failures"]]
+
+    (root / "roslens.toml").write_text(f"[tools.lint]\ncommand = {json.dumps(command)}\n")
+    main(["trust", str(root)])
+    (found,) = failures()
+    assert found.startswith("lint ended with exit code")
+    (root / "roslens.toml").write_text(f"[tools.lint]\ncommand = {json.dumps(command)}\nreads = ['{beside}']\n")
+    main(["trust", str(root)])
+    assert failures() == []
+    changed = root / beside if (root / beside).is_file() else root / beside / "helper.py"
+    with changed.open("a") as stream:
+        stream.write("# changed\n")
+    (found,) = failures()
+    assert "lint was not run, because it is not trusted" in found

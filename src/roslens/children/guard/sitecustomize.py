@@ -5,7 +5,7 @@ beside the code would be imported in place of the standard library's, and an ext
 search for modules leaves out all folders of the workspace that were not on the path when the program began.
 
 This file imports nothing of roslens: it is the ``sitecustomize`` of programs that run on other Pythons, from 3.7 on,
-with the folder of the workspace in ``ROSLENS_GUARDED``.
+with the folder of the workspace in ``ROSLENS_GUARDED``, and folders in it that are trusted in ``ROSLENS_IMPORTED``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
     from typing import Any
 
-VARIABLE = "ROSLENS_GUARDED"
+VARIABLE, IMPORTED = "ROSLENS_GUARDED", "ROSLENS_IMPORTED"
 
 
 class GuardedFinder:
@@ -67,7 +67,9 @@ def guard_imports(root: str) -> None:
     real = os.path.realpath(root)
     here = os.path.realpath(".")
     places = {os.path.realpath(place) for place in sys.path if place and os.path.isabs(place)}  # noqa: PTH117
-    finder: Any = GuardedFinder(real, sorted(places - {real, here, os.sep}))
+    places -= {real, here, os.sep}
+    places.update(os.path.realpath(place) for place in os.environ.get(IMPORTED, "").split(os.pathsep) if place)
+    finder: Any = GuardedFinder(real, sorted(places))
     sys.meta_path[:] = [finder if one is PathFinder else one for one in sys.meta_path]
 
 

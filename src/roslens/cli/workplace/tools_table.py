@@ -63,8 +63,10 @@ def _command(name: str, table: Mapping[str, Any], convert: Convert, where: Where
             advice=f"Options of {name} belong in [options.{plain(name)}]",
         )
     for key in table:
-        if key != "command":
-            raise DocumentError(f"unknown key 'tools.{name}.{key}'", where=where((*place, key)), expected="command")
+        if key not in ("command", "reads"):
+            raise DocumentError(
+                f"unknown key 'tools.{name}.{key}'", where=where((*place, key)), expected="one of command, reads"
+            )
     if "command" not in table:
         raise DocumentError(f"a table [tools.{name}] without command", where=where(place), expected="command = […]")
     words = convert((*place, "command"), table["command"], tuple[str, ...])
@@ -74,4 +76,5 @@ def _command(name: str, table: Mapping[str, Any], convert: Convert, where: Where
             where=where((*place, "command")),
             expected="the name of a program and its arguments",
         )
-    return ToolCommand(words)
+    reads = convert((*place, "reads"), table["reads"], tuple[str, ...]) if "reads" in table else ()
+    return ToolCommand(words, reads)

@@ -11,7 +11,7 @@ import json
 import os
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from hashlib import sha256
 from pathlib import Path
 
@@ -20,6 +20,7 @@ import msgspec
 from roslens.cli.workplace.configuration import Configuration
 from roslens.cli.workplace.user_folder import user_folder, write_private
 from roslens.model.errors import UsageError
+from roslens.plugins.hashed_modules import files_of
 from roslens.source.tools.used import plain
 
 _FILE = "trusted.json"
@@ -75,7 +76,7 @@ def hash_of(configuration: Configuration) -> str:
     base = Path(configuration.base or ".")
     for name in configuration.source.plugins:
         digest.update(f"plug-in {name}\0".encode("utf-8", "surrogateescape"))
-        for file in _files(base / name):
+        for file in files_of(base / name):
             digest.update(os.fsencode(file) + b"\0" + content_of(file))
     for name, tool in sorted(configuration.source.tools.commands.items()):
         for word in (name, *tool.command):
@@ -83,18 +84,15 @@ def hash_of(configuration: Configuration) -> str:
             # A script of the workspace is what would run, whether it comes first or behind an interpreter.
             if (base / word).is_file():
                 digest.update(content_of(base / word))
+        for word in tool.reads:
+            digest.update(f"reads {word}\0".encode("utf-8", "surrogateescape"))
+            for file in files_of(base / word):
+                digest.update(os.fsencode(file) + b"\0" + content_of(file))
     for switch in switches_of(configuration):
         digest.update(f"switch {switch}\0".encode("utf-8", "surrogateescape"))
     for server in servers_of(configuration):
         digest.update(f"server {server}\0".encode("utf-8", "surrogateescape"))
     return digest.hexdigest()
-
-
-def _files(path: Path) -> Iterator[Path]:
-    if path.is_dir():
-        yield from sorted(file for file in path.rglob("*") if "__pycache__" not in file.parts and file.is_file())
-    elif path.is_file():
-        yield path
 
 
 def content_of(file: Path) -> bytes:

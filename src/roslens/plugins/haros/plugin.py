@@ -17,12 +17,12 @@ from pathlib import Path
 from types import ModuleType
 
 from roslens.model.errors import PluginError
-from roslens.plugins.hashed_modules import hashed_modules
 from roslens.plugins.haros.declared import Declared, quantities, read_declared, roslens_languages, rule_infos
 from roslens.plugins.haros.interface import Interface
 from roslens.plugins.haros.notes import Measurement, Violation, read_notes, write_notes
 from roslens.plugins.haros.places import Places
 from roslens.plugins.haros.scopes import Package, Project, SourceFile, project_of
+from roslens.plugins.hashed_modules import hashed_modules
 from roslens.plugins.points import INTERFACE_VERSION, Manifest, Report, ResultsInput, WorkspaceInput
 
 FIRST_PASS = ("pre_analysis", "file_analysis", "package_analysis", "configuration_analysis", "post_analysis")

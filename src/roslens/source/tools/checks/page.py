@@ -82,6 +82,10 @@ command = ["semgrep", "scan", "--sarif", "--quiet", "{root}"]
 command = ["bandit", "-r", "{root}", "-f", "sarif", "-o", "{output}"]
 ```
 
+The command runs in the [sandbox of tools](#foreign-tools). Of the workspace, it reads what you trusted (files that its
+words name, and those below `reads`), and the source that is checked, as data. A `Makefile` or a folder of scripts that
+it needs is listed, `reads = ["Makefile", "scripts"]`, and a change of it asks again.
+
 `{root}` is the folder of the workspace, its working directory; `{output}` a file to write to, without which standard
 output is read. Its exit code is ignored if it writes SARIF.
 

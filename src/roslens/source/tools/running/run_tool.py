@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from threading import Lock
 
 import msgspec
@@ -30,6 +31,8 @@ MOST_BYTES = 64 * 1024 * 1024
 
 _KEPT_IN_MESSAGE = 300
 _LOOK_S = 0.2
+_LONGEST_WORD = 60_000
+"""Characters of one word of a command; the kernel takes 128 KiB."""
 
 _START = """\
 import os
@@ -168,10 +171,19 @@ def _confined(words: Sequence[str], sandbox: Sandbox | None) -> list[str]:
     confined = ""
     if sandbox is not None:
         changed = environment_of(sandbox)
-        confined = _CONFINED.format(sandbox=text_of_sandbox(sandbox), environment=changed)
+        confined = _CONFINED.format(sandbox=_kept(text_of_sandbox(sandbox), sandbox), environment=changed)
         if sandbox_kind() == BUBBLEWRAP:
             words = [*bubblewrap_words(sandbox), *words]
     return python_words(sys.executable, _START.format(parent=os.getpid(), confined=confined), words, sys.path)
+
+
+def _kept(text: str, sandbox: Sandbox) -> str:
+    """Return the text, or the path of a file with it where it is too long for a command line."""
+    if len(text) < _LONGEST_WORD or not sandbox.write:
+        return text
+    path = Path(sandbox.write[0], ".sandbox.json")
+    path.write_text(text, "utf-8")
+    return str(path)
 
 
 def ended_how(code: int) -> str:

@@ -10,9 +10,12 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.children.sandbox import Sandbox, program_folders
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.is_there import is_file, is_folder
 from roslens.model.failure import Failure
 from roslens.model.source import SourceFile
+from roslens.plugins.hashed_modules import files_of
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.settings import ToolCommand, ToolSettings
 from roslens.source.tools.running.programs import Program, find_program
@@ -49,6 +52,7 @@ class SarifSources:
         self.has_failed = False
         self._paths = tuple(base / name for name in tools.imports)
         whole = [(file.path, file.content_hash) for held in files.values() for file in held] if tools.commands else []
+        self._checked = [path for path, _ in whole]
         self._state = key_of(analyser_version(), sorted(whole))
         self._programs = {name: self._program(command) for name, command in tools.commands.items()}
 
@@ -107,7 +111,13 @@ class SarifSources:
             out = Path(scratch, "result.sarif")
             places = {"{output}": str(out), "{root}": self._root}
             words = [program.path, *(_filled(word, places) for word in command.command[1:])]
-            ended = self._runner.run(words, folder=self._root, time_limit_s=self._tools.time_limit_s, safe_path=False)
+            ended = self._runner.run(
+                words,
+                folder=self._root,
+                time_limit_s=self._tools.time_limit_s,
+                safe_path=False,
+                sandbox=self._sandbox(command, program, scratch),
+            )
             content = ended.stdout
             if any("{output}" in word for word in command.command):
                 try:
@@ -117,6 +127,21 @@ class SarifSources:
             if ended.code < 0 or not content.strip():
                 raise ToolError(f"{ended_how(ended.code)}: {ended.complaint()}")
             return read_sarif(content, self._root)
+
+    def _sandbox(self, command: ToolCommand, program: Program, scratch: str) -> Sandbox:
+        """Return what a command may touch: what was hashed when it was trusted, and the source that is checked."""
+        words = (self._base / word for word in command.command)
+        named = [str(path) for path in words if is_file(path)]
+        reads = [self._base / word for word in command.reads]
+        named += [str(file) for path in reads if _is_there(path) for file in files_of(path)]
+        return Sandbox(
+            read=tuple(f"{self._root}/{path}" for path in self._checked),
+            run=(*program_folders(program.path), *named),
+            write=(scratch,),
+            listed=(self._root,),
+            guarded=self._root,
+            imported=tuple(str(path) for path in reads if is_folder(path)),
+        )
 
     def _with_trouble(self, imported: Imported, name: str) -> Imported:
         for line in imported.trouble:
@@ -137,6 +162,10 @@ class SarifSources:
     def _key(self, name: str) -> str:
         program = self._programs[name]
         return key_of(self._state, self._tools.commands[name].command, program.identity if program else "")
+
+
+def _is_there(path: Path) -> bool:
+    return is_file(path) or is_folder(path)
 
 
 def _filled(word: str, places: Mapping[str, str]) -> str:

@@ -89,3 +89,10 @@ def test_a_pyproject_error_names_its_line(tmp_path: Path):
 def test_a_given_file_must_exist(tmp_path: Path):
     with pytest.raises(UsageError, match="roslens init"):
         find_configuration(tmp_path, "nowhere.toml")
+
+
+def test_brackets_without_end_are_told(tmp_path: Path):
+    path = tmp_path / "roslens.toml"
+    path.write_text("models = " + "[" * 5000)
+    with pytest.raises(DocumentError, match="brackets are nested too deep"):
+        read_configuration(path)

@@ -104,16 +104,19 @@ class HashedModules(GuardedFinder):
                 if found is not None and found.loader is not None:
                     return found
                 continue
-            for file in _candidates(fullname, place):
-                if os.path.realpath(file) in self.hashes:
-                    return self.spec_of(fullname, file)
-                outside = outside or (file if os.path.isfile(file) else "")  # noqa: PTH113
+            if file := self._hashed(fullname, place):
+                return self.spec_of(fullname, file)
+            outside = outside or next(filter(os.path.isfile, _candidates(fullname, place)), "")
         found = PathFinder.find_spec(fullname, allowed, target)
         if found is None and outside:
             raise ModuleNotFoundError(
                 f"{outside} is not part of a trusted plug-in: move it into the plug-in's folder", name=fullname
             )
         return found
+
+    def _hashed(self, fullname: str, place: str) -> str:
+        """Return the file of a module in a folder if it was hashed; empty if not."""
+        return next((file for file in _candidates(fullname, place) if os.path.realpath(file) in self.hashes), "")
 
     def spec_of(self, fullname: str, file: str) -> ModuleSpec:
         """Return how a file that was hashed is loaded as a module; as a package if it is called ``__init__``.

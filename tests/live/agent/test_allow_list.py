@@ -1,3 +1,4 @@
+import os
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,45 @@ def test_a_list_that_others_can_write_is_none(written, tmp_path):
         read_allow_list(written(EXAMPLE, 0o666))
     with pytest.raises(DocumentError, match="--enrol"):
         read_allow_list(tmp_path / "none")
+
+
+def test_a_list_that_others_can_replace_is_none(written, tmp_path):
+    folder = tmp_path / "open"
+    folder.mkdir()
+    place = written(EXAMPLE)
+    moved = folder / "allow.yaml"
+    place.rename(moved)
+    assert read_allow_list(moved).commands
+    folder.chmod(0o777)
+    with pytest.raises(DocumentError, match="others can replace it: they can write the folder"):
+        read_allow_list(moved)
+    # A link from elsewhere leads through the same folder.
+    link = tmp_path / "link.yaml"
+    link.symlink_to(moved)
+    with pytest.raises(DocumentError, match="others can replace it"):
+        read_allow_list(link)
+    folder.chmod(0o1777)  # as /tmp is: what is there belongs to its owner
+    assert read_allow_list(link).commands
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root can give a link to somebody else")
+def test_a_list_behind_a_link_of_somebody_else_is_none(written, tmp_path):
+    link = tmp_path / "link.yaml"
+    link.symlink_to(written(EXAMPLE))
+    os.lchown(link, 12345, -1)
+    with pytest.raises(DocumentError, match="they can write the link"):
+        read_allow_list(link)
+
+
+def test_a_list_is_opened_once(written, monkeypatch):
+    place = written(EXAMPLE)
+    opened = []
+    really = os.open
+    monkeypatch.setattr(
+        os, "open", lambda path, *more, **named: opened.append(str(path)) or really(path, *more, **named)
+    )
+    read_allow_list(place)
+    assert opened.count(str(place)) == 1
 
 
 def test_the_page_of_the_agent_has_its_form():

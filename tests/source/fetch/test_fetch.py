@@ -37,7 +37,7 @@ def lock(here, into="ws"):
 
 @pytest.fixture(autouse=True)
 def _no_pauses(monkeypatch):
-    monkeypatch.setattr(fetch_options, "_pause", lambda _: None)
+    monkeypatch.setattr(fetch_options, "_pause", lambda *_: None)
 
 
 def test_a_repos_file_becomes_a_folder_each_and_a_lock(server, here, capsys):
@@ -338,7 +338,7 @@ def test_what_the_network_breaks_is_tried_again(server, here, monkeypatch):
         return real(self, folder, command, arguments, **more)
 
     monkeypatch.setattr(git_runner.GitRunner, "_run", run)
-    monkeypatch.setattr(fetch_options, "_pause", pauses.append)
+    monkeypatch.setattr(fetch_options, "_pause", lambda _, seconds: pauses.append(seconds))
     assert fetch("--distribution", repos(here, one=server.package("one"))) == 0
     assert pauses == list(Retry(pauses.append).pauses_s[:2])
 

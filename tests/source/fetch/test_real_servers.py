@@ -15,7 +15,7 @@ pytestmark = [pytest.mark.real, pytest.mark.timed]
 
 @pytest.fixture(autouse=True)
 def _no_pauses(monkeypatch):
-    monkeypatch.setattr(fetch_options, "_pause", lambda _: None)
+    monkeypatch.setattr(fetch_options, "_pause", lambda *_: None)
 
 
 @pytest.fixture

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import time
+from functools import partial
 from pathlib import Path
+from threading import Event
 from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
@@ -82,6 +83,8 @@ def fetched(
     Raises:
         UsageError: an option or a document is wrong.
     """
+    from threading import Event
+
     from roslens.cli.workplace.workplace import own_folder
     from roslens.source.fetch.at import At, parse_at
     from roslens.source.fetch.choose import choose
@@ -91,7 +94,8 @@ def fetched(
 
     at = parse_at(options.at) if options.at else At()
     _check(options, at.counted)
-    retry = Retry(_pause)
+    over = Event()
+    retry = Retry(partial(_pause, over), end=over.set)
     read = reader(retry, offline=options.offline)
     into = Path(options.into or ".")
     distribution = _distribution(options, read, into)
@@ -118,8 +122,9 @@ def fetched(
     return taken, failures
 
 
-def _pause(seconds: float) -> None:
-    time.sleep(seconds)
+def _pause(over: Event, seconds: float) -> None:
+    """Wait, until all waits are ended."""
+    over.wait(seconds)
 
 
 def _check(options: argparse.Namespace, counted: bool) -> None:

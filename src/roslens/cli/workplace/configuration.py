@@ -151,6 +151,10 @@ def _toml(path: Path, text: str) -> dict[str, Any]:
 
     try:
         return tomli.loads(text)
+    except RecursionError:
+        raise DocumentError(
+            "brackets are nested too deep", where=str(path), expected="TOML", advice="Remove some of them"
+        ) from None
     except tomli.TOMLDecodeError as error:
         match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
         where = Location(str(path), int(match[1]), int(match[2])) if match else str(path)

@@ -11,7 +11,7 @@ import json
 import os
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from hashlib import sha256
 from pathlib import Path
 
@@ -21,6 +21,7 @@ from roslens.cli.workplace.configuration import Configuration
 from roslens.cli.workplace.user_folder import user_folder, write_private
 from roslens.model.errors import UsageError
 from roslens.plugins.hashed_modules import files_of
+from roslens.source.settings import ToolCommand
 from roslens.source.tools.used import plain
 
 _FILE = "trusted.json"
@@ -79,20 +80,25 @@ def hash_of(configuration: Configuration) -> str:
         for file in files_of(base / name):
             digest.update(os.fsencode(file) + b"\0" + content_of(file))
     for name, tool in sorted(configuration.source.tools.commands.items()):
-        for word in (name, *tool.command):
-            digest.update(f"command {word}\0".encode("utf-8", "surrogateescape"))
-            # A script of the workspace is what would run, whether it comes first or behind an interpreter.
-            if (base / word).is_file():
-                digest.update(content_of(base / word))
-        for word in tool.reads:
-            digest.update(f"reads {word}\0".encode("utf-8", "surrogateescape"))
-            for file in files_of(base / word):
-                digest.update(os.fsencode(file) + b"\0" + content_of(file))
+        for part in _parts_of(name, tool, base):
+            digest.update(part)
     for switch in switches_of(configuration):
         digest.update(f"switch {switch}\0".encode("utf-8", "surrogateescape"))
     for server in servers_of(configuration):
         digest.update(f"server {server}\0".encode("utf-8", "surrogateescape"))
     return digest.hexdigest()
+
+
+def _parts_of(name: str, tool: ToolCommand, base: Path) -> Iterator[bytes]:
+    """Yield the words of a command, and the contents of files that it may read of the workspace."""
+    for word in (name, *tool.command):
+        yield f"command {word}\0".encode("utf-8", "surrogateescape")
+        # A script of the workspace is what would run, whether it comes first or behind an interpreter.
+        if (base / word).is_file():
+            yield content_of(base / word)
+    for word in tool.reads:
+        yield f"reads {word}\0".encode("utf-8", "surrogateescape")
+        yield from (os.fsencode(file) + b"\0" + content_of(file) for file in files_of(base / word))
 
 
 def content_of(file: Path) -> bytes:

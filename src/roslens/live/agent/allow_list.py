@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
 
-from roslens.judge.documents.document import Section, read_document
+from roslens.judge.documents.document import Section, parse_document
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.ranges.amount import parse_amount
 from roslens.model.acting.action_kind import ACTION_KINDS, By
@@ -28,6 +29,7 @@ _OF_NODES = tuple(
 )  # fmt: skip
 _LONGEST_COMMAND_S = 300.0
 _DEFAULT_TIMEOUT_S = 20.0
+_MOST_BYTES = 1_000_000
 
 EXAMPLE = """\
 # What a roslens monitor may do on this host. Only its owner may be able to write it.
@@ -86,11 +88,14 @@ class AllowList(msgspec.Struct, frozen=True):
 def read_allow_list(path: Path) -> AllowList:
     """Read an allow-list.
 
+    It is opened once: what is looked at is what is read. Folders above it, and links on the way, count as well: who can
+    write one of them can put another file in its place.
+
     Raises:
-        DocumentError: it cannot be read, is none, or others than its owner can write it.
+        DocumentError: it cannot be read, is none, or others than its owner can write it or replace it.
     """
-    _refuse_writable(path)
-    document = read_document(path, "allow-list", KEYS)
+    content = _own_content(path)
+    document = parse_document(content, "allow-list", KEYS, shown=str(path))
     nodes = tuple(_nodes(one) for one in document.sections("nodes", "permission", _NODE_KEYS))
     commands: dict[str, AllowedCommand] = {}
     for section in document.sections("commands", "command", _COMMAND_KEYS):
@@ -141,17 +146,93 @@ def _command(section: Section) -> AllowedCommand:
     return AllowedCommand(words, timeout_s)
 
 
-def _refuse_writable(path: Path) -> None:
+def _own_content(path: Path) -> bytes:
+    """Return the content of a file that only root and this user can write and replace.
+
+    Raises:
+        DocumentError: it cannot be read, or others can.
+    """
     try:
-        found = path.stat()
+        opened = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NONBLOCK)
     except OSError as error:
+        raise _unreadable(path, error) from None
+    try:
+        found = os.fstat(opened)
+        if not stat.S_ISREG(found.st_mode):
+            raise DocumentError("it is no plain file", where=str(path), expected="an allow-list in YAML")
+        if _others_write(found):
+            raise _refused("others can write it", path, path)
+        for place in _way_to(path):
+            above = place.lstat()
+            if _others_write(above):
+                what = "the link" if stat.S_ISLNK(above.st_mode) else "the folder"
+                raise _refused(f"others can replace it: they can write {what} {str(place)!r}", path, place)
+        with os.fdopen(os.dup(opened), "rb") as stream:
+            content = stream.read(_MOST_BYTES + 1)
+    except OSError as error:
+        raise _unreadable(path, error) from None
+    finally:
+        os.close(opened)
+    if len(content) > _MOST_BYTES:
         raise DocumentError(
-            f"cannot read it: {error.strerror or error}", where=str(path), expected="an allow-list in YAML",
-            advice="`roslens agent --enrol` writes an example",
-        ) from None  # fmt: skip
-    if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH) or found.st_uid not in (0, os.geteuid()):
-        raise DocumentError(
-            "others can write it", where=str(path), expected="a file that only root and the user of the agent can "
-            "write",
-            advice=f"chmod go-w {path}",
-        )  # fmt: skip
+            f"it has more than {_MOST_BYTES:,} bytes", where=str(path), expected="an allow-list in YAML"
+        )
+    return content
+
+
+def _way_to(path: Path) -> Iterator[Path]:
+    """Yield the folders and links that lead to a file, those behind links too."""
+    waiting = [path.absolute()]
+    seen: set[Path] = set()
+    while waiting:
+        one = waiting.pop()
+        for place in (one, *one.parents):
+            if place in seen:
+                continue
+            seen.add(place)
+            if place.is_symlink():
+                yield place
+                waiting.append(place.parent / os.readlink(place))  # noqa: PTH115 - relative to its folder
+            elif place != one:
+                yield place
+
+
+def _others_write(found: os.stat_result) -> bool:
+    """Return whether others than root and this user can change a file, or replace one in a folder.
+
+    In a folder with the sticky bit, as ``/tmp``, nobody replaces what belongs to somebody else. The mode of a link is
+    without meaning, its owner is not. A folder that the group can write is the user's if the group has no other member.
+    """
+    if found.st_uid not in (0, os.geteuid()):
+        return True
+    if stat.S_ISLNK(found.st_mode) or (stat.S_ISDIR(found.st_mode) and found.st_mode & stat.S_ISVTX):
+        return False
+    if found.st_mode & stat.S_IWOTH:
+        return True
+    return bool(found.st_mode & stat.S_IWGRP) and not (stat.S_ISDIR(found.st_mode) and _is_alone_in(found.st_gid))
+
+
+def _is_alone_in(group: int) -> bool:
+    """Return whether a group is that of this user alone, as many systems make one for each user."""
+    import grp
+    import pwd
+
+    try:
+        user, found = pwd.getpwuid(os.geteuid()), grp.getgrgid(group)
+    except KeyError:
+        return False
+    return found.gr_name == user.pw_name and not {*found.gr_mem} - {user.pw_name}
+
+
+def _refused(what: str, path: Path, place: Path) -> DocumentError:
+    return DocumentError(
+        what, where=str(path), expected="a file that only root and the user of the agent can write or replace",
+        advice=f"chmod go-w {place}, if you own it; else keep the allow-list elsewhere, as in ~/.config/roslens",
+    )  # fmt: skip
+
+
+def _unreadable(path: Path, error: OSError) -> DocumentError:
+    return DocumentError(
+        f"cannot read it: {error.strerror or error}", where=str(path), expected="an allow-list in YAML",
+        advice="`roslens agent --enrol` writes an example",
+    )  # fmt: skip

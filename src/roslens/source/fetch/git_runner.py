@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from threading import Event
 
 from roslens.children.fetching_git import fetching_environment, fetching_words
 from roslens.source.fetch.retry import Retry, may_pass
@@ -29,6 +30,7 @@ class GitRunner:
     def __init__(self, retry: Retry, *, time_limit_s: float = TIME_LIMIT_S) -> None:
         """Try again by ``retry``, and end what takes longer than ``time_limit_s``."""
         self._retry = retry
+        self._over = Event()
         self._time_limit_s = time_limit_s
         self._runner = ToolRunner()
         self._program = _program()
@@ -67,14 +69,21 @@ class GitRunner:
             try:
                 return _output(self._run(folder, command, arguments, local=local))
             except GitError as error:
-                if pause is None or not may_pass(str(error)):
+                if pause is None or self._over.is_set() or not may_pass(str(error)):
                     raise
-            self._retry.sleep(pause)
+            self._pause(pause)
         raise AssertionError("unreachable")
 
     def end_all(self) -> None:
-        """End every git that runs now."""
+        """End every git that runs now, and every pause, and let no other begin."""
+        self._over.set()
+        self._retry.end()
         self._runner.end_all()
+
+    def _pause(self, seconds: float) -> None:
+        self._retry.sleep(seconds)
+        if self._over.is_set():
+            raise GitError("it was ended")
 
     def _run(self, folder: str, command: str, arguments: tuple[str, ...], *, local: bool = False) -> Ended:
         words = fetching_words(folder, command, *arguments, local=local)

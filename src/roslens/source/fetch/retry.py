@@ -25,10 +25,12 @@ class Retry(msgspec.Struct, frozen=True):
     Attributes:
         sleep: waits so many seconds.
         pauses_s: seconds before the second, the third… try.
+        end: ends all waits, now and from now on.
     """
 
-    sleep: Callable[[float], None]
+    sleep: Callable[[float], object]
     pauses_s: tuple[float, ...] = PAUSES_S
+    end: Callable[[], object] = bool
 
 
 def may_pass(complaint: str) -> bool:

@@ -19,6 +19,7 @@ from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.model.words.plural import plural
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.measure.package_task import PackageTask
+from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.measure.role_includes import role_includes
 from roslens.source.over_budget import over_budget
@@ -187,7 +188,6 @@ def _analyses(
     failures: list[Failure],
 ) -> Iterator[tuple[SourceFile, FileAnalysis]]:
     decoder = msgspec.msgpack.Decoder(FileAnalysis)
-    encoder = msgspec.msgpack.Encoder()
     for file in task.files:
         key = task.facts_keys.get(file.path)
         if key is None:
@@ -200,16 +200,12 @@ def _analyses(
         if blob is not None and program is None:
             yield file, decoder.decode(blob)
             continue
-        looked = _looked_at(task, file, blob, decoder)
+        read = _large if file.size > LARGE_BYTES else _small
+        looked = read(task, file, blob, decoder, program, new)
         if isinstance(looked, Failure):
             failures.append(looked)
-            continue
-        parsed, analysis = looked
-        if blob is None:
-            new[key] = encoder.encode(analysis)
-        if program is not None:
-            _lower(parsed, program, new)
-        yield file, analysis
+        else:
+            yield file, looked
 
 
 def _program_to_make(task: PackageTask, file: SourceFile, lowered: frozenset[str]) -> str | None:
@@ -233,6 +229,55 @@ def _looked_at(
         return over_budget(file, error, package=task.package.id)
     except Exception as error:  # noqa: BLE001 - whatever it is, it is this file's
         return _broken(file, task.package, error)
+
+
+_encode = msgspec.msgpack.Encoder().encode
+
+
+def _small(
+    task: PackageTask,
+    file: SourceFile,
+    blob: bytes | None,
+    decoder: msgspec.msgpack.Decoder[FileAnalysis],
+    program: str | None,
+    new: dict[str, bytes],
+) -> FileAnalysis | Failure:
+    """Read a file here, and keep what was not known of it."""
+    looked = _looked_at(task, file, blob, decoder)
+    if isinstance(looked, Failure):
+        return looked
+    parsed, analysis = looked
+    if blob is None:
+        new[task.facts_keys[file.path]] = _encode(analysis)
+    if program is not None:
+        _lower(parsed, program, new)
+    return analysis
+
+
+def _large(
+    task: PackageTask,
+    file: SourceFile,
+    blob: bytes | None,
+    decoder: msgspec.msgpack.Decoder[FileAnalysis],
+    program: str | None,
+    new: dict[str, bytes],
+) -> FileAnalysis | Failure:
+    """Read a large file in a process of its own, and keep what was not known of it."""
+    try:
+        text = task.texts.get(file.path)
+        content = read_bounded(f"{task.root}/{file.path}") if text is None else text
+        asked = Asked(content, file.language, task.macros, blob is None, program is not None, task.wanted)
+        given = read_apart(asked)
+        analysis = decoder.decode(given.analysis if blob is None else blob)
+    except OverBudgetError as error:
+        return over_budget(file, error, package=task.package.id)
+    except Exception as error:  # noqa: BLE001 - whatever it is, it is this file's
+        return _broken(file, task.package, error)
+    if blob is None:
+        new[task.facts_keys[file.path]] = given.analysis
+    if program is not None:
+        new[program] = given.program
+    return analysis
 
 
 def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:

@@ -56,7 +56,7 @@ def read_acceptances(path: Path) -> tuple[tuple[Acceptance, ...], tuple[Failure,
         document = tomli.loads(text)
     except FileNotFoundError:
         return (), ()
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         return (), (_failure(path, f"cannot be read: {error}", "TOML with [[accepted]] tables"),)
     entries = document.get("accepted", [])
     failures = [

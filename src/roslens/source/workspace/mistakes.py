@@ -41,6 +41,14 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
     torn = {fault.offset for fault in document.faults}
     # Between elements there is no text, but the statements of a template language.
     is_template = has_placeholder(root.text())
+    # Each attribute of an element may be a mistake of its own.
+    left_open: dict[int, bool] = {}
+
+    def is_left_open(element: Element) -> bool:
+        if (known := left_open.get(id(element))) is None:
+            known = left_open[id(element)] = _is_left_open(element)
+        return known
+
     return tuple(
         Mistake(
             one.kind,
@@ -49,7 +57,7 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
             one.advice,
             Location(path, *document.place(one.element.start)),
             one.other,
-            is_template or _is_left_open(one.element),
+            is_template or is_left_open(one.element),
         )
         for one in faults_of(root, complete=not document.faults)
         if one.kind not in LOSING and (one.element is root or one.element.end not in torn)

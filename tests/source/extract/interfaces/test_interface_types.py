@@ -63,3 +63,13 @@ def test_names(check, name, generation):
 def test_no_names(check, name, generation):
     with pytest.raises(MisreadError):
         check(name, generation)
+
+
+@pytest.mark.parametrize("digits", ["4294967296", "99999999999999999999", "9" * 5000])
+@pytest.mark.parametrize(
+    ("form", "generation"),
+    [("string<={}", 2), ("int32[<={}]", 2), ("int32[{}]", 2), ("a/B[{}]", 2), ("string<={}[2]", 2), ("int32[{}]", 1)],
+)
+def test_a_length_that_no_message_can_have(form, generation, digits):
+    with pytest.raises(MisreadError, match="a length of"):
+        field_type(form.format(digits), "m", generation)

@@ -31,6 +31,10 @@ class MisreadError(Exception):
         self.expected = expected
 
 
+_LONGEST = (1 << 32) - 1
+_MOST_DIGITS = 20
+
+
 def field_type(written: str, package: str, generation: int) -> FieldType:
     """Return the type that is ``written``.
 
@@ -51,7 +55,7 @@ def _ros1_type(written: str, package: str) -> FieldType:
     if match is None or match["of"].count("/") > 1 or "//" in written or match["of"].endswith("/"):
         raise MisreadError(f"type {written!r}", expected)
     array = "" if match["array"] is None else "fixed" if match["size"] else "unbounded"
-    size = int(match["size"] or 0)
+    size = _length(match["size"])
     of = match["of"]
     if of in _PRIMITIVES[1]:
         return FieldType(of, "", array, size, 0, written)
@@ -66,16 +70,16 @@ def _ros2_type(written: str, package: str) -> FieldType:
     match = _ROS2_ARRAY.fullmatch(written)
     if match is None or (match["most"] and not match["size"]):
         raise MisreadError(f"type {written!r}", expected)
-    if match["size"] and not int(match["size"]):
+    if match["size"] and not _length(match["size"]):
         raise MisreadError(f"type {written!r}", "an array of at least one item")
     array, size = _ros2_array(match)
     of = match["of"]
     if of in _PRIMITIVES[2]:
         return FieldType(of, "", array, size, 0, written)
     if string := _ROS2_STRING.fullmatch(of):
-        if not int(string[2]):
+        if not (longest := _length(string[2])):
             raise MisreadError(f"type {written!r}", "a string of at least one character")
-        return FieldType(string[1], "", array, size, int(string[2]), written)
+        return FieldType(string[1], "", array, size, longest, written)
     if of in {"time", "duration"}:
         raise MisreadError(f"type {written!r}", f"'builtin_interfaces/{of.capitalize()}', as ROS 2 has no type {of!r}")
     owner, slash, name = of.partition("/")
@@ -86,9 +90,20 @@ def _ros2_type(written: str, package: str) -> FieldType:
     return FieldType(name, owner, array, size, 0, written)
 
 
+def _length(digits: str | None) -> int:
+    """Return the length that digits state; 0 for none.
+
+    Raises:
+        MisreadError: no message can be that long: it states lengths in 32 bits.
+    """
+    if digits and (len(digits) > _MOST_DIGITS or int(digits) > _LONGEST):
+        raise MisreadError(f"a length of {digits[:40]}", f"at most {_LONGEST:,}")
+    return int(digits or 0)
+
+
 def _ros2_array(match: re.Match[str]) -> tuple[str, int]:
     """Return the kind of an array, empty where there is none, and its size."""
-    size = int(match["size"] or 0)
+    size = _length(match["size"])
     if not match["array"]:
         return "", size
     if match["most"]:

@@ -16,6 +16,7 @@ from roslens.source.engines.executor import executor_for
 from roslens.source.extract.ir.program import Program
 from roslens.source.extract.ir.program_codec import becomes_nodes, pack, program_keys, unpack
 from roslens.source.keys import content_hash
+from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import parse_file
 from roslens.source.progress import Progress
@@ -146,8 +147,11 @@ def _lowered(task: LowerTask) -> LoweredFiles:
     for file in task.files:
         try:
             content = read_bounded(f"{task.root}/{file.path}")
-            with time_budget(SOURCE_FILE_S):
-                packed = pack(parse_file(content, file.language, task.macros).program())
+            if len(content) > LARGE_BYTES:
+                packed = read_apart(Asked(content, file.language, task.macros, program=True)).program
+            else:
+                with time_budget(SOURCE_FILE_S):
+                    packed = pack(parse_file(content, file.language, task.macros).program())
         except OverBudgetError as error:
             failures.append(over_budget(file, error))
             continue

@@ -79,6 +79,7 @@ class ToolRunner:
         self._most_bytes = most_bytes
         self._running: set[subprocess.Popen[bytes]] = set()
         self._lock = Lock()
+        self._over = False
         self.started = 0
 
     def run(
@@ -124,7 +125,10 @@ class ToolRunner:
         with self._lock:
             self._running.add(process)
             self.started += 1
+            over = self._over
         try:
+            if over:
+                raise ToolError("was not run: the command is being ended")
             return self._followed(process, time.monotonic() + time_limit_s, time_limit_s, most_processes)
         finally:
             _end(process)
@@ -132,8 +136,9 @@ class ToolRunner:
                 self._running.discard(process)
 
     def end_all(self) -> None:
-        """End every process that runs now."""
+        """End every process that runs now, and let none be started any more."""
         with self._lock:
+            self._over = True
             running = list(self._running)
         for process in running:
             _end_group(process)

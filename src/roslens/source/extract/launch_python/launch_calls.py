@@ -22,6 +22,12 @@ from roslens.source.extract.launch_python.launch_functions import (
 from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, Opened, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import kept
 from roslens.source.extract.launch_python.launch_words import ACTIONS, call_known, call_method, is_at_once, is_known
+from roslens.source.extract.launch_python.moveit_launches import (
+    is_configs,
+    is_of_moveit,
+    made_by_moveit,
+    method_of_configs,
+)
 from roslens.source.extract.launch_python.visit import Visit
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.transfer.context import Context
@@ -75,6 +81,12 @@ class LaunchCalls(Calls):
             return self._made(last, expression, arguments, given)
         if name in FUNCTIONS:
             return call_with_functions(name, self._calling(expression, arguments, keywords))
+        if is_of_moveit(name):
+
+            def make(kind: str, positional: list[Value], named: Names) -> Made:
+                return self._made(kind, expression, positional, named)
+
+            return made_by_moveit(name, arguments, given, make, self.visit.files)
         if name not in READS and not is_known(name):
             return super().outer(name, expression, arguments, keywords, templates)
         positional = [plain(one) for one in arguments]
@@ -130,6 +142,8 @@ class LaunchCalls(Calls):
                 added = arguments[0] if name == "extend" and arguments and isinstance(arguments[0], list) else arguments
                 arguments = [[kept(self.ctx, one) for one in added]]
                 return super().plain_method(expression, Member(function.of, "extend"), of, arguments, keywords)
+            case Obj() if is_configs(of):
+                return method_of_configs(of, name)
             case Obj() if name == "perform_substitution" and arguments:
                 return lifted(self._performed(as_value(plain(arguments[0])), expression))
             case Deferred() if name == "find" and of.kind in ("share", "prefix") and arguments:

@@ -34,6 +34,7 @@ ALLOWED = """\
 nodes:
   - name: "/{odometry,lidar,camera,planner}"
     actions: [start, restart, stop]
+    program: "**"
 commands:
   - name: tidy
     run: [/usr/bin/find, DISK, -name, "filler-*", -delete]

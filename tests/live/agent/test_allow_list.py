@@ -3,7 +3,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.live.agent.allow_list import EXAMPLE, AllowList, read_allow_list
+from roslens.judge.patterns.pattern import Pattern
+from roslens.live.agent.allow_list import EXAMPLE, AllowedNodes, AllowList, read_allow_list
 from roslens.model.acting.host_request import HostRequest
 from roslens.model.errors import DocumentError
 
@@ -111,3 +112,14 @@ def test_a_list_is_opened_once(written, monkeypatch):
 def test_the_page_of_the_agent_has_its_form():
     page = Path(__file__).parents[3] / "docs/reference/agent.md"
     assert EXAMPLE in page.read_text("utf-8")
+
+
+def test_a_process_that_nothing_here_shows_to_be_the_node_needs_its_program():
+    plain = AllowList((AllowedNodes(Pattern.parse("/camera*"), frozenset({"stop"})),))
+    request = HostRequest("r/1.1", "stop", "/camera", 7)
+    assert not plain.refusal(request, "python3 cam.py")
+    assert "nothing on this host shows that process 7 ('python3 cam.py') is /camera" in plain.refusal(
+        request, "python3 cam.py", shown=False
+    )
+    named = AllowList((AllowedNodes(Pattern.parse("/camera*"), frozenset({"stop"}), Pattern.parse("**cam.py")),))
+    assert not named.refusal(request, "python3 cam.py", shown=False)

@@ -146,6 +146,13 @@ def test_a_node_that_is_gone_is_started_and_one_that_runs_is_left_alone(scene):
     )
 
 
+def test_a_process_that_only_a_monitor_takes_for_the_node_is_left_alone(scene):
+    node = scene.node()
+    found = scene.ask("kill", "/driver_of_another", pid=node.pid)
+    assert (found.refused, "nothing on this host shows" in found.text) == (True, True)
+    assert node.poll() is None
+
+
 def test_nodes_that_share_a_process_are_left_alone(scene):
     node = scene.node()
     found = scene.ask("stop", pid=node.pid, beside=("/map", "/plan"))

@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from roslens.live.agent.process_record import ProcessRecords, record, started_ticks
+from roslens.live.agent.process_record import ProcessRecords, names_node, record, started_ticks
 
 
 @pytest.fixture
@@ -66,3 +66,28 @@ def test_one_that_was_started_with_the_same_words_is_found(process, tmp_path):
     assert records.again(kept) in (again.pid, 0)
     again.kill()
     again.wait()
+
+
+@pytest.mark.parametrize(
+    ("words", "node", "named"),
+    [
+        (("node", "--ros-args", "-r", "__node:=cam"), "/front/cam", True),
+        (("node", "-r", "__node:=cam", "-r", "__ns:=/front"), "/front/cam", True),
+        (("node", "-r", "__node:=cam", "-r", "__ns:=/rear"), "/front/cam", False),
+        (("node", "__name:=cam"), "/cam2", False),
+        (("node", "cam"), "/cam", False),
+    ],
+)
+def test_a_command_line_may_name_its_node(words, node, named):
+    assert names_node(words, node) is named
+
+
+def test_a_process_is_shown_to_be_a_node_by_what_counts_in_it(process):
+    records = ProcessRecords()
+    records.keep({process.pid: ()})
+    kept = records.of(process.pid)
+    assert not records.shows(kept, "/cam")
+    records.keep({process.pid: ("/cam",)})
+    records.keep([process.pid])
+    assert records.shows(kept, "/cam")
+    assert not records.shows(kept, "/arm")

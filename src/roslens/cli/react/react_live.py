@@ -246,7 +246,8 @@ class Reacting:
             self._places.take(graph)
             if here is not None:
                 own = platform.node()
-                here.records.keep({one.pid for one in graph.nodes if one.host == own and one.pid})
+                counting = {one.pid: one.nodes for one in graph.processes if one.host == own}
+                here.records.keep({one.pid: () for one in graph.nodes if one.host == own and one.pid} | counting)
         actor.take(step)
         if self._questions is not None:
             write_refusals(self._questions, self._journal)

@@ -21,7 +21,8 @@ KEYS = {"nodes": "what may be done to which nodes", "commands": "programs that m
 _NODE_KEYS = {
     "name": "pattern of names of nodes",
     "actions": "what may be done to them",
-    "program": "pattern that the command line of their process has to have as well",
+    "program": "pattern that the command line of their process has to have as well; needed where nothing else on the "
+    "host shows which node a process is",
 }
 _COMMAND_KEYS = {"name": "by which a monitor asks for it", "run": "the program and its arguments", "timeout": "`20 s`"}
 _OF_NODES = tuple(
@@ -36,7 +37,7 @@ EXAMPLE = """\
 nodes:
   - name: /camera*                # pattern of names
     actions: [restart, start]     # of stop, restart, start, kill
-    program: "**camera_node**"    # what their command line has to match as well (optional)
+    program: "**camera_node**"    # what their command line has to match as well
 commands:
   - name: power_cycle
     run: [/usr/bin/uhubctl, -a, cycle]   # no shell; nothing of it comes from the monitor
@@ -65,12 +66,13 @@ class AllowList(msgspec.Struct, frozen=True):
     nodes: tuple[AllowedNodes, ...] = ()
     commands: dict[str, AllowedCommand] = {}
 
-    def refusal(self, request: HostRequest, command_line: str) -> str:
+    def refusal(self, request: HostRequest, command_line: str, *, shown: bool = True) -> str:
         """Return why a request is refused, empty where it is allowed.
 
         Args:
             request: what is asked for.
             command_line: of the process that it is about, empty where there is none.
+            shown: whether this host itself saw that it is the process of the node, or it has ended.
         """
         if request.kind == "command":
             name = request.arguments.get("name")
@@ -78,10 +80,19 @@ class AllowList(msgspec.Struct, frozen=True):
             return "" if known else f"the command {str(name)[:60]!r} is not on the allow-list"
         if request.kind not in _OF_NODES:
             return f"{request.kind[:60]!r} is nothing that a host does"
+        unshown = False
         for one in self.nodes:
             fits = one.program is None or one.program.matches(command_line)
             if fits and request.kind in one.actions and one.names.matches(request.node):
-                return ""
+                if shown or one.program is not None:
+                    return ""
+                unshown = True
+        if unshown:
+            return (
+                f"nothing on this host shows that process {request.pid} ({command_line[:100]!r}) is "
+                f"{request.node[:200]}; expected a node that counts its traffic (`roslens run`), `__node:=` in the "
+                f"command line, or `program` in the allow-list"
+            )
         return f"`{request.kind}` of {request.node[:200]} is not on the allow-list"
 
 

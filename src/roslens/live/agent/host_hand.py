@@ -83,7 +83,11 @@ class HostHand:
         if kind is None or kind.by is not By.HOST:
             return f"{request.kind[:60]!r} is nothing that a host does"
         known = self._records.of(request.pid)
-        return self._allow.refusal(request, known.command if known is not None else "")
+        if known is None:
+            return self._allow.refusal(request, "")
+        # What a monitor says of a process is no reason to end it.
+        shown = not self.alive(known) or self._records.shows(known, request.node)
+        return self._allow.refusal(request, known.command, shown=shown)
 
     def begin(self, request: HostRequest) -> None:
         """Start to carry out a request, or report why not; returns at once."""

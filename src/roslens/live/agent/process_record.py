@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import msgspec
@@ -57,20 +57,31 @@ class ProcessRecords:
         self._proc = proc
         self._most = most
         self._kept: dict[int, Recorded] = {}
+        self._counted: dict[int, set[str]] = {}
 
-    def keep(self, pids: Iterable[int]) -> None:
-        """Record processes that hold nodes, unless they are recorded."""
+    def keep(self, pids: Iterable[int] | Mapping[int, Iterable[str]]) -> None:
+        """Record processes that hold nodes, unless they are recorded; a mapping has the nodes that count in each."""
+        counting = pids if isinstance(pids, Mapping) else {}
         for pid in pids:
             ticks = started_ticks(pid, self._proc)
             known = self._kept.get(pid)
-            if ticks is None or (known is not None and known.started_ticks == ticks):
+            if ticks is None:
                 continue
-            if (found := record(pid, self._proc)) is not None:
+            if known is None or known.started_ticks != ticks:
+                if (found := record(pid, self._proc)) is None:
+                    continue
                 self._kept.pop(pid, None)
-                self._kept[pid] = found
+                self._kept[pid] = known = found
+                self._counted[pid] = set()
+            self._counted.setdefault(pid, set()).update(counting.get(pid, ()))
         while len(self._kept) > self._most:
             gone = next((pid for pid in self._kept if not self.alive(self._kept[pid])), next(iter(self._kept)))
             del self._kept[gone]
+            self._counted.pop(gone, None)
+
+    def shows(self, one: Recorded, node: str) -> bool:
+        """Whether this host itself saw that a process holds a node: it counts its traffic, or was started under it."""
+        return node in self._counted.get(one.pid, ()) or names_node(one.words, node)
 
     def of(self, pid: int) -> Recorded | None:
         """Return how the last process of that number that held nodes was started."""
@@ -90,6 +101,17 @@ class ProcessRecords:
                 if found is not None and (found.words, found.folder) == (one.words, one.folder):
                     return found.pid
         return 0
+
+
+def names_node(words: Iterable[str], node: str) -> bool:
+    """Whether a command line gives its node this name, as launch files do (``__node:=``, ``__name:=``, ``__ns:=``)."""
+    given = dict(word.split(":=", 1) for word in words if ":=" in word)
+    name = given.get("__node") or given.get("__name") or ""
+    if not name:
+        return False
+    if "__ns" in given:
+        return f"/{given['__ns'].strip('/')}/{name}".replace("//", "/") == node
+    return node.rpartition("/")[2] == name
 
 
 def started_ticks(pid: int, proc: Path = Path("/proc")) -> int | None:

@@ -6,7 +6,7 @@ import contextlib
 import select
 import socket
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 import msgspec
 
@@ -51,12 +51,13 @@ class Agent:
         counters: Counters | None = None,
         identities: Callable[[], tuple[str, ...]] = tuple,
         spent: Callable[[], float] = time.thread_time,
-        seen: Callable[[Iterable[int]], None] = lambda _: None,
+        seen: Callable[[Mapping[int, Iterable[str]]], None] = lambda _: None,
     ) -> None:
         """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
 
         ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with,
-        ``spent`` the CPU time that the agent has taken. ``seen`` learns which processes hold nodes.
+        ``spent`` the CPU time that the agent has taken. ``seen`` learns which processes hold nodes, and which
+        of these count there.
 
         Raises:
             LinkError: the key is too short.
@@ -173,7 +174,7 @@ class Agent:
             named = frozenset(nodes) | self._named
             self._processes.name(named)
             processes = with_nodes(processes, nodes)
-        self._seen(one.pid for one in processes)
+        self._seen({one.pid: one.nodes for one in processes})
         identities = self._identities()
         return Graph(
             "", hosts=(self._name,), processes=processes, identities={self._name: identities} if identities else {}

@@ -198,12 +198,33 @@ def test_a_master_that_was_restarted_is_another_one(system, watch):
     system.start(port)
     frame = watched.round()
     assert "was restarted" in frame.events[0].detail
-    assert said(frame)[1][:2] == (Change.VANISHED, "node:/a")
-    assert "the master was restarted" in frame.events[1].detail
+    assert [event.entity for event in frame.events] == ["host:vm"], "the node runs on"
+    (failure,) = frame.failures
+    assert failure.what == "the ROS master was restarted and does not know /a, which run on"
     assert len(system.reported) == 2, "we register at the new one"
+    graph = watched.observation._graph
+    assert [(end.node, end.name) for end in graph.endpoints if end.node == "/a"] == [("/a", "/rosout")]
     system.nodes = nodes
     system.publishers["/rosout"] = {"/a"}
-    assert names(watched.round()) == ["/a"]
+    watched.round()
+    assert not watched.observation._orphans.names
+
+
+def test_a_node_that_ends_after_the_master_was_restarted_is_gone(system, watch):
+    system.node("/a", pid=os.getpid())
+    watched = watch(system)
+    watched.round()
+    port, (node, *_) = system.master.port, system.nodes.values()
+    system.master.close()
+    watched.round()
+    system.pid = 101
+    system.publishers, system.subscribers, system.nodes = {}, {}, {}
+    system.start(port)
+    watched.round()
+    node.close()
+    gone = [event for _ in range(3) for event in watched.round().events if event.change is Change.VANISHED]
+    assert "node:/a" in [event.entity for event in gone]
+    assert not watched.round().failures
 
 
 def test_a_node_that_hangs_is_named_and_holds_up_nobody(system, watch, script):

@@ -14,7 +14,7 @@ from roslens.cli.watch.agent_address import DEFAULT_PORT, DEFAULT_REQUESTS_PORT,
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Mapping
 
     from roslens.live.agent.work import Agent
 
@@ -98,7 +98,10 @@ def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> 
 
 
 def _agent(
-    options: argparse.Namespace, address: tuple[str, int], key: bytes, seen: Callable[[Iterable[int]], None]
+    options: argparse.Namespace,
+    address: tuple[str, int],
+    key: bytes,
+    seen: Callable[[Mapping[int, Iterable[str]]], None],
 ) -> Agent:
     import os
     import time
@@ -132,7 +135,7 @@ def _say(text: str) -> None:
 
 def _acting(
     options: argparse.Namespace, address: tuple[str, int], stack: contextlib.ExitStack
-) -> Callable[[Iterable[int]], None]:
+) -> Callable[[Mapping[int, Iterable[str]]], None]:
     """Take requests until the stack ends; return what learns which processes hold nodes."""
     import os
     import time

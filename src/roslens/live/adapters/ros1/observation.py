@@ -12,6 +12,7 @@ from roslens.live.adapters.ros1.contact import Contact, Look
 from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import TOPIC_OF_ALL, Follower
 from roslens.live.adapters.ros1.graph import build_graph, changes
+from roslens.live.adapters.ros1.orphans import Orphans
 from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
@@ -74,6 +75,7 @@ class Observation:
         self._said: set[Failure] = set()
         self._unframed: set[str] = set()
         self._rounds = 0
+        self._orphans = Orphans()
         self._pool = ThreadPoolExecutor(_AT_ONCE, "node")
         self._asked: dict[Contact, Future[Look]] = {}
 
@@ -95,11 +97,15 @@ class Observation:
     def round(self, moved: frozenset[str] = frozenset()) -> Frame:
         """Ask everybody; ``moved`` are nodes whose API may be elsewhere now."""
         self._rounds += 1
+        before, types = self._follower.state, self._follower.types
         step = self._follower.step()
-        reasons: dict[str, str] = {}
-        failures = list(step.failures)
+        alive = {name for name, contact in self._contacts.items() if not contact.dead}
+        if step.restarted:
+            self._orphans.adopt(before, types, alive)
+        self._orphans.follow(self._follower.state, alive)
+        failures = [*step.failures, *self._orphans.failures()]
         if self._follower.there:
-            failures += self._meet(step.restarted, moved, reasons)
+            failures += self._meet(moved)
         looks = self._look(list(self._contacts.values()), force=False)
         readings = [look.reading for look in looks if look.reading]
         for look in looks:
@@ -112,7 +118,7 @@ class Observation:
         fresh = [failure for failure in dict.fromkeys(failures) if failure not in self._said]
         self._said = set(failures)
         now = self._clock()
-        events, graph = self._renew(now, reasons)
+        events, graph = self._renew(now)
         if step.news:
             events.insert(0, Event(now, Change.CHANGED, f"host:{self._hostname}", step.news))
         return self._frame(now, tallies, [*events, *set_since], graph, fresh)
@@ -126,7 +132,7 @@ class Observation:
         contacts = [self._contacts[name] for name in sorted(set(names)) if name in self._contacts]
         looks = self._look(contacts, force=True)
         now = self._clock()
-        events, graph = self._renew(now, {})
+        events, graph = self._renew(now)
         if graph is None:
             return None
         fresh = [failure for look in looks for failure in look.failures if failure not in self._said]
@@ -142,13 +148,11 @@ class Observation:
             name for name, contact in self._contacts.items() if contact.dead or contact.uri.rstrip("/") not in reported
         )
 
-    def _meet(self, restarted: bool, moved: frozenset[str], reasons: dict[str, str]) -> list[Failure]:
-        """Make the contacts those of the nodes that are registered."""
+    def _meet(self, moved: frozenset[str]) -> list[Failure]:
+        """Make the contacts those of the nodes that are registered, or were at a master before and run on."""
         failures = []
         names = self._follower.state.nodes
-        for name in sorted(self._contacts.keys() - set(names)):
-            if restarted and not self._contacts[name].dead:
-                reasons[name] = "the master was restarted and does not know it; the node may still run: start it again"
+        for name in sorted(self._contacts.keys() - set(names) - self._orphans.names):
             self._part(name)
         for name in names:
             contact = self._contacts.get(name)
@@ -219,10 +223,11 @@ class Observation:
         homes = {contact.uri.rstrip("/"): name for name, contact in self._contacts.items()}
         return self._bus.tallies(readings, homes)
 
-    def _renew(self, now: float, reasons: dict[str, str]) -> tuple[list[Event], Graph | None]:
+    def _renew(self, now: float) -> tuple[list[Event], Graph | None]:
         """Return what changed, and the graph if anything did; the first graph has no events."""
         living = {name: contact.node for name, contact in self._contacts.items() if not contact.dead}
-        graph = build_graph(self._follower.state, self._follower.types, living)
+        state, types = self._orphans.with_state(self._follower.state), self._orphans.with_types(self._follower.types)
+        graph = build_graph(state, types, living)
         before = self._graph
         if self._parameters:
             # New knowledge of parameters is no reason to report the whole at once.
@@ -233,7 +238,7 @@ class Observation:
             graph = msgspec.structs.replace(graph, parameters=self._parameters.by_node(living))
         self._graph = graph
         dead = {name: contact.reason for name, contact in self._contacts.items() if contact.dead}
-        return (changes(before, graph, now, dead | reasons, dead) if before else []), graph
+        return (changes(before, graph, now, dead, dead) if before else []), graph
 
     def _parameters_due(self, now: float) -> bool:
         if not self._parameters or not self._parameters.moved or now - self._parameters_reported < PARAMETERS_S:

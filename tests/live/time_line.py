@@ -298,7 +298,7 @@ def wrong(line: dict[str, Any], played: Played) -> list[str]:
     found = []
     for row in line["then"]:
         verdict = played.at(row["at"]).get((row["of"], row["id"]))
-        for key in ("state", "cause", "leads_to", "severity"):
+        for key in ("state", "cause", "leads_to", "severity", "evidence"):
             said = str(getattr(getattr(verdict, key, None), "value", getattr(verdict, key, None)))
             if key in row and said != row[key]:
                 found.append(f"at {row['at']}: {row['of']} {row['id']}: {key} is {said}, not {row[key]}: {verdict}")

@@ -11,6 +11,7 @@ from roslens.live.explain.causes import first_causes
 from roslens.live.explain.links import links
 from roslens.live.explain.node_faults import GONE, LASTING_S, LEFT_S, STOPPED, NodeFault, chain_of, severity_of
 from roslens.live.explain.taken_over import taken_over
+from roslens.live.explain.what_explains import is_halted, is_inert, may_explain
 from roslens.live.standing.standing import Standing
 from roslens.live.system.world import World
 from roslens.model.entity import EntityId, EntityKind
@@ -73,6 +74,9 @@ class Explained:
         self._wrong = {}
         for one in self._bad:
             self._wrong.setdefault(one.entity, []).append(one)
+        for entity, wrong in self._wrong.items():
+            if entity.kind is EntityKind.NODE and entity not in gone and entity not in stopped and is_inert(wrong):
+                del since[entity]
 
         absent = {one.entity for one in self._bad if one.state.state is State.ABSENT}
         asked: dict[EntityId, tuple[EntityId, ...]] = {}
@@ -114,6 +118,8 @@ class Explained:
 
     def _can_break(self, cause: EntityId, fault: EntityId) -> bool:
         """Whether a cause can break what is wrong: a clock can make times wrong, and nothing else."""
+        if not may_explain(self._wrong.get(cause, ()), self._wrong.get(fault, ()), cause.kind):
+            return False
         if cause.kind is not EntityKind.HOST or not only_clock(self._wrong.get(cause, ())):
             return True
         return all(one.quantity in TIMES for one in self._wrong.get(fault, ()))
@@ -197,6 +203,8 @@ class Explained:
             if faults and not why_host(faults, entity, self._world, now):
                 continue
             if entity in gone and one not in absent:
+                continue
+            if one.kind is EntityKind.TOPIC and is_halted(self._wrong.get(entity, ())):
                 continue
             if entity.kind is EntityKind.TOPIC and one in gone and not self._left_lately(entity, one, since, gone):
                 continue

@@ -170,13 +170,26 @@ class Presences:
                 if one.state.step(now, State.UNKNOWN, None):
                     changed.append(one)
                 continue
-            one.evidence, one.silent_observer = one.explain(), ""
+            one.evidence, one.silent_observer = one.explain() + self._instead_of(one), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
             grace = appeared + one.details.timing.grace
             if one.state.step(now, one.raw(), float(one.count()), began=began, grace=grace):
                 changed.append(one)
         self.due = min((one.state.due for one in self.standing), default=NEVER)
         return changed
+
+    def _instead_of(self, watched: _Watched) -> str:
+        """Return which node is there under the same name in another namespace, where one that is expected is not."""
+        expected = watched.entity
+        if watched.matching or expected.kind is not EntityKind.NODE or watched.presence.mode is PresenceMode.NEVER:
+            return ""
+        own = expected.name.rpartition("/")[2]
+        alike = sorted(
+            name
+            for kind, name in self._existing
+            if kind is EntityKind.NODE and name.rpartition("/")[2] == own and (kind, name) not in self._hits
+        )
+        return f"; {', '.join(alike[:_SHOWN])} is there, which nothing expects" if alike else ""
 
     def look_again(self) -> None:
         """Judge everything in the next tick."""

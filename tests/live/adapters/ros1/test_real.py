@@ -305,8 +305,8 @@ def test_a_master_that_is_restarted_is_picked_up(ros, observe):
     observer.until(lambda frame: any("is gone" in failure.what for failure in frame.failures))
     assert "/talker" in {node.name for node in observer.graph.nodes}, "it lives on without a master"
     ros.start_core()
-    observer.until(lambda frame: any("was restarted" in event.detail for event in frame.events))
-    observer.until(lambda frame: any("does not know /talker, which run on" in one.what for one in frame.failures))
+    frame = observer.until(lambda frame: any("was restarted" in event.detail for event in frame.events))
+    assert ["does not know /talker, which run on" in one.what for one in frame.failures] == [True]
     assert "/talker" in {node.name for node in observer.graph.nodes}
     ros.python(TALKER, "fresh", "/chat", "20")
     observer.until_graph("/fresh", "/rosout")

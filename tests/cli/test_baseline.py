@@ -119,10 +119,12 @@ def test_what_is_new_is_to_be_mended_first(walking, capsys):
     deep = "".join(f"{'    ' * depth}if step > {depth}:\n" for depth in range(1, 9))
     (walking / "talk/talk/fresh.py").write_text(f"def dig(step):\n{deep}{'    ' * 9}step.move()\n")
     text = check(walking, capsys, "--baseline", "last", code=1, form="text")
-    first = text.partition("Fix first\n")[2].partition("\n\n")[0]
-    things = re.split(r"(?m)^ +\d\. ", first)[1:]
-    assert [("talk/talk/fresh.py" in one, "new: ros." in one) for one in things[:2]] == [(True, True)] * 2
-    assert [one for one in things if "new: " in one and "talk/talk/fresh.py" not in one] == []
+    new = text.partition(" new findings\n")[2].partition("\n\n")[0]
+    things = re.split(r"(?m)^  \S (?=\S)", new)[1:]
+    assert things
+    assert all("talk/talk/fresh.py" in one for one in things)
+    assert "hard to maintain, heuristic" in new
+    assert "Fix first" not in text
 
 
 @pytest.mark.parametrize(
@@ -300,29 +302,34 @@ def first_on_the_page(root, folder):
     for page in folder.rglob("*.html"):
         assert not re.search(r" x\)\s*<span class=.quiet.>\(", page.read_text("utf-8")), f"{page.name}: an excess twice"
     rows = (folder / "index.html").read_text("utf-8").partition("<h2>Fix first</h2>")[2].partition("</ol>")[0]
-    return [("chip" in row, row.partition("<code>")[2].partition("</code>")[0]) for row in rows.split("<li>")[1:]]
+    links = [row.partition('class="go"')[2] for row in rows.split("<li>")[1:]]
+    named = [link.partition("<code>")[2].partition("</code>")[0] for link in links]
+    return [("chip" in row, rule) for row, rule in zip(rows.split("<li>")[1:], named, strict=True)]
 
 
 def first_in_the_terminal(text):
     rows = text.partition("Fix first")[2].partition("\n\n")[0].splitlines()
-    rules = [
-        one.strip().partition(" \N{MIDDLE DOT} ")[0]
-        for one in rows
-        if one.strip().removeprefix("new: ").startswith("ros.")
-    ]
+    facts = [one.strip().split(" \N{MIDDLE DOT} ") for one in rows]
+    rules = [parts[1] for parts in facts if len(parts) > 1 and ", " in parts[0]]
     return [(one.startswith("new: "), one.removeprefix("new: ")) for one in rules]
 
 
 def test_pages_fix_first_what_the_terminal_does(walking, capsys, tmp_path_factory):
-    tangled = "def {}(step):\n" + "    if step:\n        step += 1\n" * 40 + "    return step\n\n\n"
+    (walking / "roslens.toml").write_text(
+        "[rules]\nprofiles = []\nenable = ['python.is_literal', 'python.assert_tuple']\n"
+    )
+    tangled = "def {}(step):\n    assert (step, 'no step')\n    return step is 1\n\n\n"
     with (walking / "talk/talk/walking.py").open("a") as stream:
         stream.write(tangled.format("known"))
     git(walking, "commit", "-qam", "second")
     with (walking / "talk/talk/walking.py").open("a") as stream:
         stream.write(tangled.format("added"))
-    reported = first_in_the_terminal(check(walking, capsys, "--baseline", "HEAD", code=1, form="text"))
-    assert reported[0][0]
-    assert first_on_the_page(walking, tmp_path_factory.mktemp("compared") / "out") == reported
+    text = check(walking, capsys, "--baseline", "HEAD", code=1, form="text")
+    assert "2 new findings\n" in text
+    reported = first_in_the_terminal(text)
+    assert [one for one, _ in reported] == [False, False]
+    shown = first_on_the_page(walking, tmp_path_factory.mktemp("compared") / "out")
+    assert shown == [(True, rule) for _, rule in reported] + reported
     reported = first_in_the_terminal(check(walking, capsys, code=1, form="text"))
     assert reported
     assert not any(new for new, _ in reported)

@@ -105,7 +105,7 @@ def test_differences_in_order_of_time(site):
     first, second, third = (point.commit for point in site.past.points)
     html, document = page(site, "difference", before=first, after=second)
     assert len(rows(document, "new")) == 1
-    assert "ros.function_limits" in html
+    assert "extreme.static_paths.max" in html
     turned, again = page(site, "difference", before=second, after=first)
     assert rows(again, "new") == rows(document, "new")
     assert "The later revision was given first" in turned

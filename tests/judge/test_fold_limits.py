@@ -69,3 +69,20 @@ def test_the_finding_is_the_same_whichever_limit_is_exceeded_most():
     (one,), (two,) = fold_limits([LINES, PATHS]), fold_limits([worse, PATHS])
     assert one.quantity != two.quantity
     assert one.fingerprint == two.fingerprint
+
+
+def test_notes_about_an_extreme_function_are_witnesses_of_one_finding():
+    def breach(model, quantity, severity, excess):
+        return Finding(
+            f"{model}.{quantity}.max", severity, f"{quantity} in f", "a.cpp", 1, entity="function:a.cpp#f()",
+            quantity=quantity, value=excess, bound=1.0, model=model, breach=quantity,
+        )  # fmt: skip
+
+    extreme = breach("extreme", "static_paths", Severity.WARNING, 9.0)
+    notes = [breach("ros", "static_paths", Severity.NOTE, 900.0), breach("ros", "calls", Severity.NOTE, 3.0)]
+    (one,) = fold_limits([notes[1], extreme, notes[0]])
+    assert (one.rule, one.severity) == ("extreme.static_paths.max", Severity.WARNING)
+    assert one.witnesses == ("ros.static_paths.max", "ros.calls.max")
+    assert limits_broken(one) == ("extreme.static_paths.max", "ros.static_paths.max", "ros.calls.max")
+    meant = breach("ros", "eloc", Severity.WARNING, 2.0)
+    assert len(fold_limits([extreme, meant])) == 2

@@ -97,8 +97,8 @@ def every_constraint(models: dict[str, QualityModel]) -> list[Constraint]:
 
 
 def test_the_models_there_are():
-    # That of the field is measured, not published: tests/judge/test_field.py.
-    assert set(builtin_models()) == {*TABLE, "ros-2026"}
+    # Those of the field are measured, not published: tests/judge/test_field.py.
+    assert set(builtin_models()) == {*TABLE, "ros-2026", "extreme"}
 
 
 @pytest.mark.parametrize("name", sorted(TABLE))

@@ -13,6 +13,7 @@ from roslens.judge.quality.quality_model import (
     builtin_models,
     find_model,
     load_model,
+    model_name,
     rules_of,
     tags_of,
 )
@@ -21,6 +22,7 @@ from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Severity
 from roslens.model.quantity import Fold, Quantity
+from roslens.source.metrics.table import QUANTITIES
 
 KNOWN = {
     quantity.key: quantity
@@ -286,7 +288,9 @@ def test_an_unknown_constraint_to_leave_out_names_the_nearest(load: Load):
 def test_an_unknown_model_names_those_there_are():
     with pytest.raises(DocumentError) as caught:
         load_model("ross", KNOWN)
-    assert str(caught.value).startswith("there is no quality model 'ross'; expected one of akureyri, hicpp, his, kth")
+    assert str(caught.value).startswith(
+        "there is no quality model 'ross'; expected one of akureyri, extreme, hicpp, his"
+    )
     assert str(caught.value).endswith("or the path of a YAML document. Did you mean 'ros'?")
 
 
@@ -305,3 +309,17 @@ def test_models_are_found_by_name_and_by_path(tmp_path: Path):
         "microsoft",
         "paper2016",
     }
+
+
+@pytest.mark.parametrize("severity", Severity)
+def test_a_severity_behind_the_name_is_that_of_all_limits(severity):
+    model = load_model(f"ros:{severity.value}", QUANTITIES)
+    assert model.name == "ros"
+    assert {one.severity for one in model.constraints} == {severity}
+    assert model_name(f"ros:{severity.value}") == "ros"
+
+
+def test_what_else_stands_behind_a_colon_is_part_of_the_name():
+    assert model_name("ros:fatal") == "ros:fatal"
+    with pytest.raises(DocumentError, match="ros:fatal"):
+        load_model("ros:fatal", QUANTITIES)

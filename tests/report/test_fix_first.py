@@ -3,6 +3,7 @@
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.report.run.fix_first import first_to_fix, is_listed
 
 ALL = TagFilter()
@@ -24,8 +25,27 @@ def test_errors_come_before_warnings_and_notes_never():
     assert chosen(count("w"), count("e", Severity.ERROR), count("n", Severity.NOTE)) == ["e", "w"]
 
 
-def test_what_is_exceeded_further_and_what_is_surer_comes_first():
-    assert chosen(count("little", excess=1.5), count("much", excess=30.0)) == ["much", "little"]
+def weighed(rule, consequence, certainty=Certainty.LIKELY, line=0, path="", severity=Severity.WARNING):
+    place = f"{path or rule}:{line}: {rule}"
+    return RuleCount(
+        rule, severity, 1, 1, place, path=path, consequence=consequence, certainty=certainty, line=line
+    )  # fmt: skip
+
+
+def test_what_has_a_worse_consequence_comes_first_whatever_its_severity():
+    rows = [
+        weighed("y", Consequence.HARD_TO_MAINTAIN, Certainty.PROVEN),
+        weighed("m", Consequence.MAY_BE_WRONG),
+        weighed("w", Consequence.WRONG, Certainty.PROVEN, severity=Severity.ERROR),
+        weighed("s", Consequence.STOPS_START),
+        weighed("b", Consequence.STOPS_BUILD),
+    ]
+    assert chosen(*rows) == ["b", "s", "w", "m", "y"]
+
+
+def test_of_one_consequence_what_is_surer_comes_first_then_what_was_measured_to_be_true_more_often():
+    likely, proven = weighed("a", Consequence.WRONG), weighed("b", Consequence.WRONG, Certainty.PROVEN)
+    assert chosen(likely, proven) == ["b", "a"]
     sure = RuleInfo("sure", "t", "d", precision=0.98)
     assert chosen(count("other"), count("sure"), about={"sure": sure}) == ["sure", "other"]
 
@@ -38,33 +58,51 @@ def test_a_limit_that_is_exceeded_a_thousand_times_waits_too():
     assert chosen(count("limit", excess=4000.0, tags=("metrics",)), count("node.a")) == ["node.a", "limit"]
 
 
-def test_what_happens_on_the_robot_comes_before_what_happens_in_a_build():
-    assert chosen(count("cmake.a"), count("cpp.a"), count("node.a"), count("package.a")) == [
-        "node.a",
-        "cpp.a",
-        "cmake.a",
-    ]
-
-
-def test_three_of_different_rules_that_count():
-    rules = [count(f"r{number}") for number in range(5)]
-    assert chosen(*rules) == ["r0", "r1", "r2"]
+def test_ten_rows_that_count():
+    rules = [count(f"r{number:02}") for number in range(15)]
+    assert chosen(*rules) == [f"r{number:02}" for number in range(10)]
     assert chosen(count("r", gated=0)) == []
-    twice = [package(count("r", excess=2.0)), package(count("r", excess=9.0))]
-    (one,) = first_to_fix(twice, (), {}, ALL)
-    assert one.excess == 9.0
 
 
-def test_one_limit_at_most_where_there_is_something_else():
+def test_no_two_of_one_rule_stand_beside_each_other_and_a_rule_has_three_rows_at_most():
+    many = [weighed("a", Consequence.WRONG, line=line, path="a.cpp") for line in range(1, 9)]
+    few = [weighed("b", Consequence.MAY_BE_WRONG, line=line, path="b.cpp") for line in range(1, 3)]
+    assert chosen(*many, *few) == ["a", "b", "a", "b", "a"]
+    assert chosen(*many) == ["a", "a", "a"]
+
+
+def test_a_limit_is_the_last_row_and_never_the_first():
     limits = [count(f"m{number}.max", excess=9.0 + number, tags=("metrics",)) for number in range(4)]
-    assert chosen(*limits) == ["m3.max", "m2.max", "m1.max"]
-    assert chosen(*limits, count("a"), count("b")) == ["m3.max", "a", "b"]
-    assert chosen(*limits, count("a")) == ["m3.max", "a", "m2.max"]
+    assert chosen(*limits) == []
+    assert chosen(*limits, count("a"), count("b")) == ["a", "b", "m3.max"]
+    assert chosen(*limits, *(count(f"r{number:02}") for number in range(12)))[8:] == ["r08", "m3.max"]
+
+
+def test_a_line_that_two_rules_report_is_one_row():
+    first = weighed("a", Consequence.WRONG, line=3, path="a.cpp")
+    second = weighed("b", Consequence.MAY_BE_WRONG, line=3, path="a.cpp")
+    elsewhere = weighed("b", Consequence.MAY_BE_WRONG, line=4, path="a.cpp")
+    rows = first_to_fix([package(second, first, elsewhere)], (), {}, ALL)
+    assert [(one.rule, one.also) for one in rows] == [("a", ("b",)), ("b", ())]
+    unknown = [weighed("a", Consequence.WRONG, path="a.cpp"), weighed("b", Consequence.WRONG, path="a.cpp")]
+    assert chosen(*unknown) == ["a", "b"]
+
+
+def test_each_grave_finding_takes_part_and_not_the_example_of_its_rule_alone():
+    def grave(line):
+        return Finding(
+            "node.a", Severity.WARNING, "m", "a.cpp", line, consequence=Consequence.WRONG, certainty=Certainty.LIKELY
+        )
+
+    summary = package(weighed("node.a", Consequence.WRONG, line=1, path="a.cpp"), count("cpp.a"))
+    rows = first_to_fix([summary], (), {}, ALL, grave=[grave(1), grave(7)])
+    assert [(one.rule, one.line) for one in rows] == [("node.a", 1), ("cpp.a", 0), ("node.a", 7)]
 
 
 def test_nothing_is_not_infinitely_too_little():
     low = count("comment_ratio.min", excess=20.0, tags=("metrics",))
-    assert chosen(low, count("eloc.max", excess=2.0, tags=("metrics",)))[0] == "eloc.max"
+    far = count("eloc.max", excess=2.0, tags=("metrics",))
+    assert chosen(low, far, count("a"))[-1] == "eloc.max"
 
 
 def test_what_belongs_to_no_package_takes_part():

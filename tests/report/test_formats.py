@@ -62,7 +62,7 @@ def test_sarif_names_the_witnesses_of_a_result(view_with):
     assert named["b.rule"] is None
 
 
-def test_findings_that_count_most_severe_first(view_with):
+def test_findings_that_count_in_the_order_to_fix_them(view_with):
     view = view_with(
         finding(), finding(severity=Severity.ERROR), finding(gated=False), finding(line=1, value=9, bound=1)
     )
@@ -71,8 +71,8 @@ def test_findings_that_count_most_severe_first(view_with):
         ("error", "arm", "ws/src/a b.cpp", 3),
         ("error", "", "ws/src/drive/package.xml", 1),
         ("warning", "arm", "ws/src/a b.cpp", 1),
-        ("warning", "drive", "ws/src/drive/src/drive.cpp", 12),
         ("warning", "arm", "ws/src/a b.cpp", 3),
+        ("warning", "drive", "ws/src/drive/src/drive.cpp", 12),
     ]
 
 
@@ -257,7 +257,7 @@ def test_checkstyle_by_file(view_with):
 def test_markdown_is_a_summary_and_runs_no_markup(view_with):
     text = written("markdown", view_with(*[finding(line=number + 1, message=AWKWARD) for number in range(30)]))
     assert text.startswith("## roslens: 1 error, 31 warnings\n\n2 packages, 4 files, models ros, commit 0123abc+.\n")
-    assert "20 of 32 findings, most severe first." in text
+    assert "20 of 32 findings, worst first." in text
     assert "\\<c\\> &amp; d \\| e\\` 100 %, @\u200ball ::error::no" in text
     assert "| arm | 0 | 30 | 0 |" in text
     assert "**Not analysed, or only in part: 2**" in text

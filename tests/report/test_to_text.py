@@ -135,7 +135,7 @@ def test_notes_are_one_line_beside_what_is_more_severe():
 def test_what_to_fix_first_is_said_first():
     shown = text()
     assert shown.index("Fix first") < shown.index("  package ")
-    assert "  1. ✖ src/nav2/package.xml:9: tf2 is used but not declared\n" in shown
+    assert "  1. ✖ src/vision/package.xml:4: tf2 is used but not declared\n" in shown
 
 
 def test_only_what_counts_is_counted():
@@ -160,7 +160,7 @@ def test_what_is_cut_is_said():
     assert "15 of 18 packages, worst first; no finding in the others. All: roslens report\n" in shown
     rules = [RuleCount(f"a.rule_{number}", WARNING, 20 - number, 20 - number) for number in range(14)]
     shown = text(packages=[package(1, "arm", *rules)])
-    assert "10 of 14 rules, most severe first; 34 findings of the others. All: roslens report\n" in shown
+    assert "10 of 14 rules, worst first; 34 findings of the others. All: roslens report\n" in shown
     failures = [Failure("t", f"f{number}", advice=f"a{number % 8}") for number in range(20)]
     assert "4 more. All: roslens report\n" in text(failures=failures)
 

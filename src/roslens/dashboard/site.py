@@ -350,7 +350,9 @@ class Site:
     @cached_property
     def run_models(self) -> tuple[QualityModel, ...]:
         """The models that the run was judged by; the others are there to compare."""
-        names = {PurePath(name).stem for name in self.view.header.models}
+        from roslens.judge.quality.quality_model import model_name
+
+        names = {PurePath(model_name(name)).stem for name in self.view.header.models}
         return tuple(model for model in self.models if model.name in names)
 
     @cached_property

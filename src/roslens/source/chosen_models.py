@@ -45,8 +45,9 @@ def model_key(name: str, base: Path, known: Mapping[str, Quantity]) -> object:
     Raises:
         DocumentError: the model is wrong or not there.
     """
-    if is_file(Path(roslens.judge.quality.__path__[0]) / "models" / f"{name}.yaml"):
+    from roslens.judge.quality.quality_model import load_model, model_name
+
+    if is_file(Path(roslens.judge.quality.__path__[0]) / "models" / f"{model_name(name)}.yaml"):
         return name
-    from roslens.judge.quality.quality_model import load_model
 
     return load_model(name, known, base=base)

@@ -156,6 +156,10 @@ class ProcessSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     as_of: str = ""
 
 
+DEFAULT_MODELS = ("extreme", "ros:note")
+"""Limits that maintainers act on, and the numbers of the ROS model to look at."""
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
@@ -170,7 +174,7 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     rules: RuleSettings = RuleSettings()
     tools: ToolSettings = ToolSettings()
     process: ProcessSettings = ProcessSettings()
-    models: tuple[str, ...] = ("ros",)
+    models: tuple[str, ...] = DEFAULT_MODELS
     gate_roles: tuple[str, ...] = ("own",)
     plugins: tuple[str, ...] = ()
     disable: tuple[str, ...] = ()

@@ -100,13 +100,14 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
             severity,
             group.count,
             group.gated,
-            _example(group.example),
+            example_of(group.example) if group.example else "",
             tags,
             round(group.example.excess, 6) if group.example else 0.0,
             group.fixable,
             group.example.path if group.example else "",
             group.example.consequence if group.example else None,
             certainty,
+            group.example.line if group.example else 0,
         )
         for (rule, severity, certainty, tags), group in groups.items()
     ]
@@ -137,9 +138,8 @@ def _order(count: RuleCount) -> tuple[int, int, str, int, tuple[str, ...]]:
     return (-count.severity.rank, -count.count, count.rule, -count.weight[1].rank, count.tags)
 
 
-def _example(finding: Finding | None) -> str:
-    if finding is None:
-        return ""
+def example_of(finding: Finding) -> str:
+    """Return a finding with its place in front, or behind it where its message begins with a number."""
     place = f"{finding.path}:{finding.line}" if finding.path and finding.line else finding.path or finding.entity
     if finding.value is not None and finding.bound is not None:
         return finding.message if place in finding.message else f"{finding.message}, {place}"

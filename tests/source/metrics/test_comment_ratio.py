@@ -31,7 +31,8 @@ def test_tables_without_comments_are_notes(tmp_path, capsys):
     (tmp_path / "cfg").mkdir()
     for name in ("setup.py", "cfg/Node.cfg", "drive.py"):
         (tmp_path / name).write_text("#!/usr/bin/env python3\n" + "a = 1\nb = 2\nc = 3\n" * 9)
-    main(["check", str(tmp_path), "--format", "json", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"])
+    options = ["--format", "json", "--model", "ros", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"]
+    main(["check", str(tmp_path), *options])
     found = json.loads(capsys.readouterr().out)["findings"]
     reported = {one["path"]: one["severity"] for one in found if one["rule"] == "ros.comment_ratio.min"}
     assert reported == {"setup.py": "note", "cfg/Node.cfg": "note", "drive.py": "warning"}

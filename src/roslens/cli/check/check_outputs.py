@@ -14,6 +14,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.model.result import RuleCount
+    from roslens.report.run.finding_text import Whole
     from roslens.report.run.reported import Wanted
     from roslens.store.read import RunView
 
@@ -155,6 +156,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             set_aside=Counter(one.state.value for one in view.set_aside(tags=wanted.tags)),
             since=tuple(_since(view, wanted)),
             new=new_first(view, wanted),
+            whole=_whole(view, wanted, revision=getattr(options, "changed", None) or ""),
             tags=wanted.tags,
             changes=wanted.changes,
             revision=getattr(options, "changed", None) or "",
@@ -165,16 +167,34 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
     )
 
 
+def _whole(view: RunView, wanted: Wanted, *, revision: str) -> Whole:
+    """Return the findings that are printed one by one: grave ones, and new ones unless they are many."""
+    from roslens.report.run.finding_text import MOST_NEW, Whole
+    from roslens.report.run.grave_findings import grave_findings
+
+    grave = grave_findings(view, wanted.tags)
+    if wanted.new is None and not revision:
+        return Whole(grave)
+    every = [one for one in view.findings(tags=wanted.tags) if one.gated]
+    new = every if wanted.new is None else [one for one in every if wanted.is_new(one)]
+    if len(new) > MOST_NEW:
+        return Whole(grave)
+    return Whole(grave, new, alone=len(new) == len(every))
+
+
 def new_first(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
     """Return what to mend first of what is new since a baseline."""
     from roslens.report.run.fix_first import first_to_fix
+    from roslens.report.run.grave_findings import grave_findings
     from roslens.store.narrowed import NarrowedView
 
     if wanted.new is None:
         return ()
     new = NarrowedView(view, wanted.is_new)
     rules = {one.id: one for one in view.rules()}
-    return first_to_fix(new.packages(), new.workspace.findings, rules, wanted.tags, wanted.changes)
+    return first_to_fix(
+        new.packages(), new.workspace.findings, rules, wanted.tags, wanted.changes, grave_findings(new, wanted.tags)
+    )
 
 
 def _since(view: RunView, wanted: Wanted) -> Iterator[str]:

@@ -9,6 +9,8 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.words.silence_comment import measured_text, silence_comment
+from roslens.report.run.finding_text import weight_of
+from roslens.report.run.fix_first import counted, urgency
 
 SEVERITIES = {Severity.ERROR: 1, Severity.WARNING: 2, Severity.NOTE: 3}
 """Numbers of the Language Server Protocol; a finding that does not count is a hint, 4."""
@@ -73,9 +75,10 @@ def utf16_length(text: str) -> int:
 def hover_text(findings: Sequence[Finding], rules: dict[str, RuleInfo]) -> str:
     """Return what the rules of findings mean, as Markdown."""
     parts = []
-    for rule in dict.fromkeys(one.rule for one in findings):
+    for rule in dict.fromkeys(one.rule for one in sorted(findings, key=lambda one: urgency(counted(one)))):
         info = rules.get(rule)
-        said = [f"- {one.message}" for one in findings if one.rule == rule]
+        order = sorted((one for one in findings if one.rule == rule), key=lambda one: -one.weight[1].rank)
+        said = [f"- {one.message} ({weight_of(one.weight, info)})" for one in order]
         parts.append("\n".join([f"**{info.title if info else rule}** (`{rule}`)", "", *said]))
         if info:
             parts.extend(text for text in (info.description, info.rationale, *_advice(info), info.url) if text)

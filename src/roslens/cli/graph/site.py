@@ -24,12 +24,13 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, co
         counted: whether their findings are among those of the run.
     """
     from roslens.dashboard.site import Site
-    from roslens.judge.quality.quality_model import builtin_models, load_model
+    from roslens.judge.quality.quality_model import builtin_models, load_model, model_name
     from roslens.model.errors import DocumentError
 
     quantities = {quantity.key: quantity for quantity in view.workspace.quantities}
     models = []
-    for name in dict.fromkeys((*view.header.models, *builtin_models())):
+    chosen = {model_name(name) for name in view.header.models}
+    for name in (*view.header.models, *(name for name in builtin_models() if name not in chosen)):
         try:
             models.append(load_model(name, quantities))
         except DocumentError:

@@ -23,7 +23,9 @@ from roslens.model.result import RuleCount
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
 from roslens.model.words.plural import plural
+from roslens.report.run.finding_text import weight_of
 from roslens.report.run.fix_first import first_to_fix, new_before_others
+from roslens.report.run.grave_findings import grave_findings
 
 FIRST = 8
 ELSEWHERE = "In test, generated or vendored code: they fail no check"
@@ -67,6 +69,8 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
                     "place": _place(one) if one.path in site.places else None,
                     "new": one in site.new_first,
                     "commits": site.changes.get(one.path, 0),
+                    "weight": weight_of(one.weight, site.rules.get(one.rule)),
+                    "also": list(one.also),
                 }
                 for one in _first(site)
             ],
@@ -116,7 +120,8 @@ def since_release(site: Site) -> dict[str, object] | None:
 
 
 def _first(site: Site) -> tuple[RuleCount, ...]:
-    others = first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter(), site.changes)
+    findings, grave = site.view.workspace.findings, grave_findings(site.view)
+    others = first_to_fix(site.packages, findings, site.rules, TagFilter(), site.changes, grave)
     return new_before_others(site.new_first, others)
 
 

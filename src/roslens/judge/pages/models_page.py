@@ -48,7 +48,9 @@ _HEAD = """\
 
 A quality model is a YAML document with limits of quantities. `roslens check --model NAME` applies one of the built-in
 models below, `--model PATH` your own; several may be given, and `models = [...]` in `roslens.toml` sets them for a
-workspace. `make docs` generates this page from `src/roslens/judge/`.
+workspace. The default is `extreme` and `ros:note`: `:note`, `:warning` or `:error` behind a name gives all limits of
+the model that severity. All limits are *hard to maintain*; a warning says that whoever set it acts on it. `make docs`
+generates this page from `src/roslens/judge/`.
 
 Bounds are inclusive: a finding is a value *above* `maximum` or *below* `minimum`. Its rule is called
 `<model>.<id>.max` or `<model>.<id>.min`; its tags are `metrics`, the name of the model, and those of the model and

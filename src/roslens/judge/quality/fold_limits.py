@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
-from roslens.model.finding import Finding, fingerprint
+from roslens.model.finding import Finding, Severity, fingerprint
 
 SUFFIX = "_limits"
 """Rules of what breaks several limits are called ``<model>.<kind>_limits``."""
+
+
+EXTREME = "extreme"
+"""The model whose limits lie beyond those of others, so that what breaks one breaks theirs."""
 
 
 def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
@@ -17,7 +21,8 @@ def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
     It has the severity, quantity, value and bound of the worst: the most severe, then the one most in excess. The
     ``others`` are all its reasons, the worst first, each behind the id of its rule. What no model makes, or breaks one
-    limit only, stays as it is.
+    limit only, stays as it is. Notes of other models about an entity that breaks a limit of the model :data:`EXTREME`
+    are witnesses of that finding, and reasons of it.
     """
     groups: dict[tuple[str, str], list[Finding]] = {}
     order: list[tuple[str, str] | Finding] = []
@@ -30,7 +35,39 @@ def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
             groups[key] = []
             order.append(key)
         groups[key].append(finding)
-    return tuple(one if isinstance(one, Finding) else _folded(groups[one]) for one in order)
+    notes = _beside_extremes(groups)
+    kept = [one for one in order if isinstance(one, Finding) or one not in notes]
+    return tuple(one if isinstance(one, Finding) else _witnessed(groups[one], notes, groups) for one in kept)
+
+
+def _beside_extremes(groups: Mapping[tuple[str, str], Sequence[Finding]]) -> frozenset[tuple[str, str]]:
+    """Return the groups of notes about entities that break an extreme limit too."""
+    entities = {entity for model, entity in groups if model == EXTREME}
+    return frozenset(
+        (model, entity)
+        for (model, entity), alike in groups.items()
+        if model != EXTREME and entity in entities and all(one.severity is Severity.NOTE for one in alike)
+    )
+
+
+def _witnessed(
+    alike: list[Finding],
+    notes: frozenset[tuple[str, str]],
+    groups: Mapping[tuple[str, str], Sequence[Finding]],
+) -> Finding:
+    folded, entity = _folded(alike), alike[0].entity
+    if alike[0].model != EXTREME:
+        return folded
+    beside = [one for model, about in notes if about == entity for one in groups[model, about]]
+    if not beside:
+        return folded
+    beside.sort(key=lambda one: (-one.excess, one.rule))
+    reasons = folded.others or tuple(f"{one.rule}: {one.breach}" for one in alike)
+    return msgspec.structs.replace(
+        folded,
+        others=(*reasons, *(f"{one.rule}: {one.breach}" for one in beside)),
+        witnesses=tuple(dict.fromkeys((*folded.witnesses, *(one.rule for one in beside)))),
+    )
 
 
 def limits_broken(finding: Finding) -> tuple[str, ...]:

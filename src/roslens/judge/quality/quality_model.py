@@ -16,7 +16,7 @@ from roslens.judge.quality.fold_limits import SUFFIX
 from roslens.judge.quality.read_constraints import read_constraints
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
-from roslens.model.finding import RuleInfo
+from roslens.model.finding import RuleInfo, Severity
 from roslens.model.quantity import Quantity
 from roslens.plugins.nearest import did_you_mean
 
@@ -38,6 +38,7 @@ MODEL_KEYS = {
     "constraints": "the list of constraints",
 }
 
+_SEVERITIES = frozenset(one.value for one in Severity)
 _NAME = re.compile(r"[a-z][a-z0-9_-]*\Z")
 
 
@@ -57,18 +58,36 @@ def builtin_models() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in MODELS.glob("*.yaml")))
 
 
+def model_name(chosen: str) -> str:
+    """Return the name or path of a model as it is chosen, without the severity that may be given to it."""
+    return _split(chosen)[0]
+
+
+def _split(chosen: str) -> tuple[str, Severity | None]:
+    name, colon, word = chosen.rpartition(":")
+    if colon and word in _SEVERITIES:
+        return name, Severity(word)
+    return chosen, None
+
+
 def load_model(name_or_path: str, known: Mapping[str, Quantity], *, base: Path | None = None) -> QualityModel:
     """Read a quality model.
 
     Args:
-        name_or_path: name of a built-in model, or path of a document.
+        name_or_path: name of a built-in model, or path of a document; `:note`, `:warning` or `:error` behind it gives
+            all its limits that severity.
         known: everything that can be measured, by key.
         base: where a relative path starts from; by default the working directory.
 
     Raises:
         DocumentError: there is no such model or its document is wrong, with the place of the fault.
     """
-    return _read(find_model(name_or_path, base or Path()), known, ())
+    name, severity = _split(name_or_path)
+    model = _read(find_model(name, base or Path()), known, ())
+    if severity is None:
+        return model
+    constraints = [msgspec.structs.replace(one, severity=severity) for one in model.constraints]
+    return msgspec.structs.replace(model, constraints=tuple(constraints))
 
 
 def find_model(name_or_path: str, base: Path) -> Path:

@@ -1,30 +1,28 @@
-"""Which findings to mend first: few, of different rules, the most severe, surest and furthest beyond their limit."""
+"""Which findings to fix first: few, the gravest, surest, newest and in the files that change most."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from math import log2
+
+import msgspec
 
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
+from roslens.store.summary import example_of
 
-MOST = 3
+MOST = 10
+OF_ONE_RULE = 3
+"""Rows of one rule at most: more of them are one decision, not several."""
+LIMITS = 1
+"""Rows of quality models at most, which come last: what to change in such a function is for the reader to see."""
 METRICS = "metrics"
-"""The tag of findings of quality models: one of them at most is named where there is something else to mend."""
-UNMEASURED = 0.75
-"""Share of true findings that is supposed of a rule whose precision nobody measured."""
-LIMIT = 0.4
-"""The same of a limit of a quality model: it is exceeded, but what to mend is for the reader to see."""
+"""The tag of findings of quality models."""
 FURTHEST = 16.0
-"""How far beyond a limit still counts: what is a thousand times beyond is no more urgent than that. A limit of which
-nothing is that far beyond is for whoever looks at the metrics, not for whoever mends."""
-BUSIEST = 31
-"""Commits of a year beyond which a file is no busier. A file that changes often is read and broken often: at most 1.6
-times as urgent as one that nobody touches, so that severity decides before it."""
-_REACH = {"node": 1.2, "graph": 1.2, "cpp": 1.1, "python": 1.1, "launch": 1.1}
-"""What happens on the robot goes before what happens where it is built, by the family of the rule."""
-_WEIGHTS = {Severity.ERROR: 100.0, Severity.WARNING: 10.0, Severity.NOTE: 1.0}
+"""How far beyond a limit is far: a limit of which nothing is that far beyond is for whoever looks at the metrics."""
+
+Urgency = tuple[int, int, int, int, int, float, int, str, str]
 
 
 def first_to_fix(
@@ -33,11 +31,13 @@ def first_to_fix(
     rules: Mapping[str, RuleInfo],
     tags: TagFilter,
     changes: Mapping[str, int] | None = None,
+    grave: Sequence[Finding] = (),
 ) -> tuple[RuleCount, ...]:
-    """Return at most :data:`MOST` findings, each as the count of its rule with the worst as its example.
+    """Return at most :data:`MOST` findings, each as the count of its rule with itself as its example.
 
-    Ordered by severity times the measured precision of the rule times where it shows times how far the limit is
-    exceeded times how often the file changed lately; notes are left out, and of each rule only the worst is named.
+    They are ordered as :func:`urgency` says, but no two of one rule stand beside each other where another is left.
+    Notes are left out. A line that two rules report is one row: that of the graver, with the ids of the others in
+    ``also``.
 
     Args:
         packages: summaries, whose examples are the worst of each rule.
@@ -45,50 +45,107 @@ def first_to_fix(
         rules: what rules are about, by id.
         tags: which findings are meant.
         changes: number of commits of the last year by file; nothing is known of others.
+        grave: all findings with a grave consequence, of which summaries have examples alone.
     """
-    counts = [one for package in packages for one in package.rules if one.gated and tags.matches(one.tags)]
-    counts += [_counted(finding) for finding in findings if finding.gated and tags.matches(finding.tags)]
-    best: dict[str, tuple[float, RuleCount]] = {}
-    for one in counts:
-        if one.severity is Severity.NOTE or not one.example:
-            continue
-        score = urgency(one, rules.get(one.rule), (changes or {}).get(one.path, 0))
-        if one.rule not in best or score > best[one.rule][0]:
-            best[one.rule] = (score, one)
-    ordered = [one for _, one in sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))]
-    limits = [one for one in ordered if METRICS in one.tags]
-    rest = [one for one in ordered if METRICS not in one.tags]
-    spared = set(limits[1:]) if len(rest) + 1 >= MOST else set(limits[MOST - len(rest) :])
-    return tuple(one for one in ordered if one not in spared)[:MOST]
+    whole = {finding.rule for finding in grave}
+    counts = [
+        one
+        for package in packages
+        for one in package.rules
+        if one.gated and tags.matches(one.tags) and not (one.rule in whole and one.weight[0].grave)
+    ]
+    alone = [finding for finding in findings if not (finding.rule in whole and finding.weight[0].grave)]
+    counts += [counted(one) for one in (*grave, *alone) if one.gated and tags.matches(one.tags)]
+    known = changes or {}
+    meant = [one for one in counts if one.severity is not Severity.NOTE and one.example]
+    ordered = sorted(meant, key=lambda one: urgency(one, rules.get(one.rule), known.get(one.path, 0)))
+    return _chosen(_one_a_line(ordered))
 
 
 def new_before_others(new: Sequence[RuleCount], others: Sequence[RuleCount]) -> tuple[RuleCount, ...]:
-    """Return at most :data:`MOST` findings to mend first, those that are new since a baseline before all others."""
+    """Return at most :data:`MOST` findings to fix first, those that are new since a baseline before all others."""
     known = {(one.rule, one.example) for one in new}
     return (*new, *(one for one in others if (one.rule, one.example) not in known))[:MOST]
 
 
 def is_listed(one: RuleCount) -> bool:
-    """Return whether a row of a list tells what to mend: a mistake, or a limit that is exceeded by far.
+    """Return whether a row of a list names something to fix: a mistake, or a limit that is exceeded by far.
 
     No row reports what is too little: it cannot be less than nothing.
     """
     return METRICS not in one.tags or (one.excess >= FURTHEST and not one.rule.endswith(".min"))
 
 
-def urgency(one: RuleCount, rule: RuleInfo | None, commits: int = 0) -> float:
-    """Return how soon a finding is to be mended: severity x precision x where it shows x excess x recent commits."""
-    precision = LIMIT if METRICS in one.tags else UNMEASURED
-    if rule is not None and rule.precision:
-        precision = rule.precision
+def urgency(one: RuleCount, rule: RuleInfo | None = None, commits: int = 0) -> Urgency:
+    """Return a key that sorts by consequence, certainty, severity, recent commits and precision, limits last.
+
+    Args:
+        one: the count of a rule, with its example.
+        rule: what the rule is about.
+        commits: to the file of the example in the last year.
+    """
+    consequence, certainty = one.weight
+    is_limit = METRICS in one.tags
     # What is too little cannot be less than nothing: the ratio is not informative.
-    excess = 1.0 if one.rule.endswith(".min") else min(max(one.excess, 1.0), FURTHEST)
-    reach = _REACH.get(one.rule.partition(".")[0], 1.0)
-    churn = 1 + log2(1 + min(commits, BUSIEST)) / 8
-    return _WEIGHTS[one.severity] * precision * reach * (1 + log2(excess) / 4) * churn
+    excess = 0.0 if one.rule.endswith(".min") else one.excess
+    precision = rule.precision if rule is not None and rule.precision else 0.0
+    return (
+        is_limit,
+        -consequence.rank,
+        -certainty.rank,
+        -one.severity.rank,
+        -commits,
+        -excess if is_limit else -precision,
+        -one.count,
+        one.rule,
+        one.example,
+    )
 
 
-def _counted(finding: Finding) -> RuleCount:
-    place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
-    example = f"{place}: {finding.message}" if place else finding.message
-    return RuleCount(finding.rule, finding.severity, 1, 1, example, finding.tags, finding.excess, path=finding.path)
+def counted(finding: Finding) -> RuleCount:
+    """Return a single finding as the count of its rule."""
+    return RuleCount(
+        finding.rule,
+        finding.severity,
+        1,
+        1,
+        example_of(finding),
+        finding.tags,
+        finding.excess,
+        path=finding.path,
+        consequence=finding.consequence,
+        certainty=finding.certainty,
+        line=finding.line,
+    )
+
+
+def _one_a_line(ordered: Iterable[RuleCount]) -> list[RuleCount]:
+    """Return rows of which each place has one, the first, with the other rules that report it."""
+    found: dict[tuple[str, int, str], RuleCount] = {}
+    for one in ordered:
+        # Nothing but a line tells that two findings are about the same.
+        key = (one.path, one.line, "") if one.path and one.line else ("", 0, f"{one.rule} {one.example}")
+        first = found.get(key)
+        if first is None:
+            found[key] = one
+        elif one.rule != first.rule and one.rule not in first.also:
+            found[key] = msgspec.structs.replace(first, also=(*first.also, one.rule))
+    return list(found.values())
+
+
+def _chosen(ordered: Sequence[RuleCount]) -> tuple[RuleCount, ...]:
+    """Return the first, at most a few of one rule, and no two of one rule beside each other while others are left."""
+    waiting = [one for one in ordered if METRICS not in one.tags]
+    used: Counter[str] = Counter()
+    rows: list[RuleCount] = []
+    while waiting and len(rows) < MOST:
+        last = rows[-1].rule if rows else ""
+        place = next((at for at, one in enumerate(waiting) if one.rule != last), 0)
+        one = waiting.pop(place)
+        rows.append(one)
+        used[one.rule] += 1
+        if used[one.rule] == OF_ONE_RULE:
+            waiting = [other for other in waiting if other.rule != one.rule]
+    # A limit is never the first thing to fix: where there is nothing else the list of findings has them.
+    limits = [one for one in ordered if METRICS in one.tags][:LIMITS] if rows else []
+    return tuple(rows[: MOST - len(limits)] + limits)

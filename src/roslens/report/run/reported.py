@@ -1,4 +1,4 @@
-"""The findings of a run as other programs read them: those that count, the most severe first, each with its file."""
+"""The findings of a run as other programs read them: those that count, in the order to fix them, with their files."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from roslens.judge.quality.gate import GateResult
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.same_finding import Key, key_of_finding
 from roslens.model.tags import TagFilter
+from roslens.report.run.fix_first import METRICS
 from roslens.store.read import RunView
 
 
@@ -68,15 +69,27 @@ class Reported(msgspec.Struct, frozen=True):
 
 
 def reported(view: RunView, wanted: Wanted) -> list[Reported]:
-    """Return the findings that count for gates: most severe first, then new, then furthest beyond their bound."""
+    """Return the findings that count for gates, in the order in which to fix them: new ones first, notes last."""
     manifests = {one.id: one.path for one in view.packages()}
     found = []
     for package, finding in view.owned_findings(wanted.tags):
         if finding.gated:
             path = finding.path or _manifest(package or finding.entity.partition(":")[2], manifests)
             found.append(Reported(package, finding, wanted.below + path if path else "", max(1, finding.line)))
-    return sorted(
-        found, key=lambda one: (-one.finding.severity.rank, not wanted.is_new(one.finding), -one.finding.excess)
+    return sorted(found, key=lambda one: _order(one.finding, wanted))
+
+
+def _order(finding: Finding, wanted: Wanted) -> tuple[bool, bool, int, int, int, bool, int, float]:
+    consequence, certainty = finding.weight
+    return (
+        finding.severity is Severity.NOTE,
+        METRICS in finding.tags,
+        -consequence.rank,
+        -certainty.rank,
+        -finding.severity.rank,
+        not wanted.is_new(finding),
+        -wanted.changes.get(finding.path, 0),
+        -finding.excess,
     )
 
 

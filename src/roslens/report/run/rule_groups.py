@@ -11,7 +11,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.model.tags import TagFilter
-from roslens.report.run.fix_first import METRICS, is_listed, urgency
+from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.report.run.fix_first import Urgency, is_listed, urgency
 
 
 class RuleGroup(msgspec.Struct):
@@ -25,12 +26,33 @@ class RuleGroup(msgspec.Struct):
     excess: float = 0.0
     tags: tuple[str, ...] = ()
     path: str = ""
+    consequence: Consequence | None = None
+    certainty: Certainty | None = None
+
+    @property
+    def weight(self) -> tuple[Consequence, Certainty]:
+        """Consequence and certainty of the surest finding."""
+        return self.counted().weight
 
     def counted(self) -> RuleCount:
         """Return the group as the count of a rule."""
         return RuleCount(
-            self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess, path=self.path
+            self.rule,
+            self.severity,
+            self.count,
+            self.count,
+            self.example,
+            self.tags,
+            self.excess,
+            path=self.path,
+            consequence=self.consequence,
+            certainty=self.certainty,
         )
+
+    def weigh(self, consequence: Consequence | None, certainty: Certainty | None) -> None:
+        """Take the weight of a finding if it is surer than that of those before."""
+        if certainty is not None and (self.certainty is None or certainty.rank > self.certainty.rank):
+            self.consequence, self.certainty = consequence, certainty
 
 
 _Groups: TypeAlias = dict[tuple[str, Severity], RuleGroup]
@@ -43,7 +65,7 @@ def rule_groups(
     rules: Mapping[str, RuleInfo],
     changes: Mapping[str, int],
 ) -> list[RuleGroup]:
-    """Return the findings that count, by rule and severity: most severe first, mistakes before limits, most urgent.
+    """Return the findings that count, by rule and severity, in the order in which to fix them; notes are last.
 
     Args:
         packages: summaries of packages.
@@ -58,9 +80,9 @@ def rule_groups(
     for finding in findings:
         _add_finding(groups, finding)
 
-    def order(group: RuleGroup) -> tuple[int, bool, float, int, str]:
+    def order(group: RuleGroup) -> tuple[bool, Urgency]:
         soon = urgency(group.counted(), rules.get(group.rule), changes.get(group.path, 0))
-        return -group.severity.rank, METRICS in group.tags, -soon, -group.count, group.rule
+        return group.severity is Severity.NOTE, soon
 
     return sorted(groups.values(), key=order)
 
@@ -74,6 +96,7 @@ def _add_package(groups: _Groups, package: PackageSummary, tags: TagFilter) -> N
         group = groups.setdefault(key, RuleGroup(*key))
         group.count += rule.gated
         group.tags = rule.tags
+        group.weigh(rule.consequence, rule.certainty)
         group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
         if not group.example or rule.excess > group.excess:
             group.example, group.excess, group.path = rule.example, rule.excess, rule.path
@@ -84,6 +107,7 @@ def _add_finding(groups: _Groups, finding: Finding) -> None:
     key = (finding.rule, finding.severity)
     group = groups.setdefault(key, RuleGroup(*key))
     group.count += 1
+    group.weigh(finding.consequence, finding.certainty)
     if not group.example:
         place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
         group.example, group.path = (f"{place}: {finding.message}" if place else finding.message), finding.path
@@ -105,11 +129,11 @@ class Listing(msgspec.Struct, frozen=True):
 
 def listing(groups: Sequence[RuleGroup]) -> Listing:
     """Return which of the groups are listed."""
-    # Notes show where to look, not what to correct: they are listed where there is nothing else.
-    grave = [group for group in groups if group.severity is not Severity.NOTE]
-    notes = [group for group in groups if group.severity is Severity.NOTE] if grave else []
+    # Notes show where to look, not what to correct: they are listed where there is nothing else, or where they are
+    # unproven and would be grave.
+    meant = [group for group in groups if group.severity is not Severity.NOTE or group.weight[0].grave] or list(groups)
+    notes = [group for group in groups if group not in meant]
     # Slightly exceeded limits only show where to look as well, if there are mistakes to correct.
-    meant = grave or groups
     worth = [group for group in meant if is_listed(group.counted())]
     limits = [group for group in meant if group not in worth] if worth else []
     return Listing(worth or meant, limits, notes)

@@ -9,6 +9,7 @@ from typing import TextIO
 
 from roslens.model.finding import Severity
 from roslens.model.source import number_of_packages
+from roslens.model.weight.consequence import weight_text
 from roslens.model.words.plural import plural
 from roslens.report.run.reported import Reported, Wanted, aside, reported, rules_by_id
 from roslens.store.read import RunView
@@ -71,11 +72,11 @@ def _worst(findings: list[Reported]) -> Iterator[str]:
     yield "| --- | --- | --- |"
     for one in findings[:FINDINGS]:
         place = (f"{one.path}:{one.line}" if one.finding.line else one.path) or one.finding.entity
-        said = f"{_prose(one.finding.message)} ({_code(one.finding.rule)})"
+        said = f"{_prose(one.finding.message)} ({_code(one.finding.rule)}: {weight_text(*one.finding.weight)})"
         yield f"| {one.finding.severity.value} | {_code(place)} | {said} |"
     if len(findings) > FINDINGS:
         yield ""
-        yield f"{FINDINGS} of {len(findings):,} findings, most severe first."
+        yield f"{FINDINGS} of {len(findings):,} findings, worst first."
 
 
 def _rules(view: RunView, findings: list[Reported]) -> Iterator[str]:

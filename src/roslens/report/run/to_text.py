@@ -6,7 +6,7 @@ quick for any workspace.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
 
 from roslens.model.failure import Failure
@@ -15,7 +15,8 @@ from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
 from roslens.model.words.plural import plural
-from roslens.report.run.fix_first import first_to_fix, new_before_others
+from roslens.report.run.finding_text import LINES, Whole, fix_first_lines, place_lines, weight_of, whole_lines
+from roslens.report.run.fix_first import counted, first_to_fix, new_before_others
 from roslens.report.run.package_table import PackageCounts, count_packages, package_table
 from roslens.report.run.rule_groups import RuleGroup, listing, rule_groups
 from roslens.report.writing.terminal import Terminal, columns, left, right
@@ -26,8 +27,11 @@ FAILURES = 6
 PLACES = 3
 COPIES = 5
 RULE_WIDTH = 36
+GRAVE = 20
+"""Findings with a grave consequence that are printed one by one below their rules."""
 LEAST_WIDTH = 60
 ALL = "All: roslens report"
+_NONE = Whole()
 
 
 def to_text(
@@ -40,6 +44,7 @@ def to_text(
     set_aside: Mapping[str, int] | None = None,
     since: Sequence[str] = (),
     new: Sequence[RuleCount] = (),
+    whole: Whole = _NONE,
     tags: TagFilter | None = None,
     changes: Mapping[str, int] | None = None,
     revision: str = "",
@@ -58,6 +63,7 @@ def to_text(
         set_aside: how many findings count nowhere, by :class:`roslens.model.set_aside.Disposition`.
         since: what is new since a baseline and whether the gate is passed, a line each.
         new: what to mend first of what is new since a baseline; it goes before everything else.
+        whole: findings that are printed one by one.
         tags: which findings are meant; all for None.
         changes: in how many commits of the last year files of findings changed, as far as known.
         revision: with which the files were compared, where only those that differ were looked at.
@@ -67,18 +73,24 @@ def to_text(
     """
     terminal = Terminal(max(LEAST_WIDTH, width), color, unicode)
     wanted = tags or TagFilter()
-    counted = count_packages(packages, wanted)
+    counts = count_packages(packages, wanted)
     of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
     about = {rule.id: rule for rule in rules}
     groups = rule_groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about, changes or {})
+    others = first_to_fix(packages, of_workspace, about, wanted, changes, whole.grave)
+    few = {counted(one).example for one in whole.new or ()}
+    first = () if whole.new is not None else new
+    chosen = tuple(one for one in new_before_others(first, others) if one.example not in few)
+    told = few | {one.example for one in chosen}
     aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
-        list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted, changes), changes or {})),
-        list(_packages(terminal, counted, revision)),
+        list(_new(terminal, whole, about, revision)),
+        list(fix_first_lines(terminal, chosen, len(first), about, changes or {})),
+        list(_packages(terminal, counts, revision)),
         [
-            *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
+            *_findings(terminal, groups, about, wanted, aside, whole, told, analysed=bool(packages)),
             *_fixable(terminal, packages, wanted),
             *hushed,
             *_copies(terminal, packages),
@@ -139,6 +151,8 @@ def _findings(
     rules: dict[str, RuleInfo],
     tags: TagFilter,
     aside: int,
+    whole: Whole,
+    told: Collection[str],
     *,
     analysed: bool,
 ) -> Iterator[str]:
@@ -149,10 +163,11 @@ def _findings(
         fine = terminal.paint(f"{terminal.glyph('fine')} No findings{with_tags}", "fine")
         yield f"{fine} in what was analysed"
     found = listing(groups)
-    yield from _rules(terminal, found.listed, rules)
-    if found.limits:
+    if not whole.alone:
+        yield from _rules(terminal, found.listed, rules, whole, told)
+    if found.limits and not whole.alone:
         yield from _quiet(terminal, terminal.clean(f"{_limits_text(found.limits)}. {ALL}"))
-    if found.notes:
+    if found.notes and not whole.alone:
         yield from _quiet(terminal, terminal.clean(f"{_notes_text(found.notes)}. {ALL}"))
     if aside:
         verb = "does" if aside == 1 else "do"
@@ -186,17 +201,38 @@ def _amounts(groups: Iterable[RuleGroup]) -> str:
     return ", ".join(plural(count, severity.value) for severity, count in totals.items() if count)
 
 
-def _rules(terminal: Terminal, groups: Sequence[RuleGroup], rules: Mapping[str, RuleInfo]) -> Iterator[str]:
+def _rules(
+    terminal: Terminal,
+    groups: Sequence[RuleGroup],
+    rules: Mapping[str, RuleInfo],
+    whole: Whole,
+    told: Collection[str],
+) -> Iterator[str]:
     shown = groups[:RULES]
     count_width = max((len(f"{group.count:,}") for group in shown), default=0)
     rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
+    room = GRAVE
     for group in shown:
-        yield from _rule(terminal, group, rules.get(group.rule), count_width, min(rule_width, RULE_WIDTH))
+        every = [
+            one
+            for one in whole.grave
+            if (one.rule, one.severity) == (group.rule, group.severity) and counted(one).example not in told
+        ]
+        width = min(rule_width, RULE_WIDTH)
+        yield from _rule(terminal, group, rules.get(group.rule), count_width, width, every[: max(room, 1)], told)
+        room -= len(every)
     if len(shown) < len(groups):
         rest = sum(group.count for group in groups[RULES:])
         others = plural(rest, "finding")
-        text = f"{len(shown)} of {plural(len(groups), 'rule')}, most severe first; {others} of the others"
+        text = f"{len(shown)} of {plural(len(groups), 'rule')}, worst first; {others} of the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
+
+
+def _new(terminal: Terminal, whole: Whole, rules: Mapping[str, RuleInfo], revision: str) -> Iterator[str]:
+    if whole.new:
+        count = plural(len(whole.new), "finding" if revision else "new finding")
+        yield terminal.paint(f"{count} in changed files" if revision else count, "title")
+        yield from whole_lines(terminal, whole.new, rules)
 
 
 def _set_aside(terminal: Terminal, counts: Mapping[str, int]) -> Iterator[str]:
@@ -228,43 +264,35 @@ def _notes_text(notes: Sequence[RuleGroup]) -> str:
     return f"{plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
 
 
-def _fix_first(
-    terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount], changes: Mapping[str, int]
-) -> Iterator[str]:
-    chosen = new_before_others(new, others)
-    if not chosen:
-        return
-    yield terminal.paint("Fix first", "title")
-    for number, one in enumerate(chosen, 1):
-        mark = terminal.paint(f"{terminal.glyph(one.severity.value)}", one.severity.value)
-        lines = terminal.wrap(terminal.clean(one.example), " " * 7) or [""]
-        yield f"  {number}. {mark} {lines[0].lstrip()}"
-        yield from lines[1:]
-        rule = f"new: {terminal.clean(one.rule)}" if number <= len(new) else terminal.clean(one.rule)
-        if commits := changes.get(one.path):
-            rule += f" {terminal.glyph('dot')} {plural(commits, 'commit')} to the file in a year"
-        yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
-
-
 def _rule(
-    terminal: Terminal, group: RuleGroup, rule: RuleInfo | None, count_width: int, rule_width: int
+    terminal: Terminal,
+    group: RuleGroup,
+    rule: RuleInfo | None,
+    count_width: int,
+    rule_width: int,
+    every: Sequence[Finding],
+    told: Collection[str],
 ) -> Iterator[str]:
     severity = group.severity.value
     mark = terminal.paint(f"{terminal.glyph(severity)} {left(severity, 7)}", severity)
     count = right(f"{group.count:,}", count_width)
-    indent = 2 + 2 + 7 + 2 + count_width + 2
-    name = terminal.cut(terminal.clean(group.rule), terminal.width - indent)
+    indent = " " * (2 + 2 + 7 + 2 + count_width + 2)
+    room = terminal.width - len(indent)
+    name = terminal.cut(terminal.clean(group.rule), room)
     about = terminal.clean(rule.title) if rule else ""
     if group.packages > 1:
         about = f"{about} ({plural(group.packages, 'package')})".lstrip()
-    room = terminal.width - indent - max(rule_width, columns(name)) - 2
-    beside = columns(about) <= room
+    beside = columns(about) <= room - max(rule_width, columns(name)) - 2
     yield f"  {mark}  {count}  {left(name, rule_width)}  {about if beside else ''}".rstrip()
     if not beside:
-        yield " " * indent + terminal.cut(about, terminal.width - indent)
-    if group.example:
-        example = terminal.cut(terminal.clean(group.example), terminal.width - indent)
-        yield " " * indent + terminal.paint(example, "quiet")
+        yield indent + terminal.shorten(about, room)
+    yield indent + terminal.paint(terminal.cut(weight_of(group.weight, rule), room), "quiet")
+    for one in every:
+        for line in terminal.wrap(terminal.clean(counted(one).example), indent, lines=LINES):
+            yield terminal.paint(line, "quiet")
+        yield from place_lines(terminal, one, indent)
+    if not every and group.example and group.example not in told:
+        yield indent + terminal.paint(terminal.shorten(terminal.clean(group.example), room), "quiet")
 
 
 def _failures(terminal: Terminal, failures: Sequence[Failure]) -> Iterator[str]:

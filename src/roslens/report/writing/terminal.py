@@ -85,6 +85,19 @@ class Terminal(msgspec.Struct, frozen=True):
             kept += character
         return kept.rstrip() + sign
 
+    def shorten(self, text: str, width: int) -> str:
+        """Return as many words of the text as fit into ``width`` columns, with a sign where something is missing.
+
+        Code between back-ticks is kept whole or left out; a first word that is too long is cut.
+        """
+        if columns(text) <= width:
+            return text
+        kept, end = self.cut(text, width), 0
+        for place in range(len(kept) - 1):
+            if text[place] == " " and text.count("`", 0, place) % 2 == 0:
+                end = place
+        return f"{text[:end].rstrip(' ,;:')} {self.glyph('cut')}" if end else kept
+
     def wrap(self, text: str, indent: str, *, lines: int = 3) -> list[str]:
         """Return the text in at most ``lines`` indented lines that fit the terminal."""
         room = max(20, self.width - len(indent))
@@ -94,7 +107,7 @@ class Terminal(msgspec.Struct, frozen=True):
             line, rest = _first_line(rest, room)
             wrapped.append(line)
         if rest:
-            wrapped.append(self.cut(rest, room))
+            wrapped.append(self.shorten(rest, room))
         return [indent + line for line in wrapped]
 
 

@@ -12,6 +12,7 @@ from tree_sitter import Node
 
 from roslens.model.edit import Edit, place_of
 from roslens.model.weight.consequence import Certainty
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.hit import Hit
 from roslens.source.syntax.text_lines import TextLines
 
@@ -133,6 +134,10 @@ class FileView:
             return text
         text = " ".join(text.split())
         return text.replace("( ", "(").replace(" )", ")") if "( " in text or " )" in text else text
+
+    def short(self, node: Node | None, most: int = 60) -> str:
+        """Return the source of a node for a message: at most so many characters, cut between words."""
+        return shortened(self.text(node), most)
 
     def _context(self, node: Node) -> str:
         """Return the beginning of the text of a node, without reading all of a large one."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredArgument
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import visible
 from roslens.source.rules.graph.ends import is_launched
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
@@ -44,7 +45,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     first = min(configuration.arguments, key=lambda one: one.proof)
     for name in sorted(set(given) - set(declared)):
         near = nearest_name(name, list(declared))
-        advice = f"Did you mean `{near}`?" if near else f"It declares {', '.join(sorted(declared))}."
+        advice = f"Did you mean {visible(near)}?" if near else f"It declares {', '.join(sorted(declared))}."
         message = f"argument `{name}` is given, but {first.proof.path} declares none of that name. {advice}"
         yield occurrence(RULE, message, first.proof, entity=_entity(first), certainty=Certainty.LIKELY, context=name)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
 from roslens.source.rules.graph.ends import OTHER, WORDS, End, by_name, ends, is_launched, listed
 from roslens.source.rules.graph.expected_end import WAITING, Expected, View, expected, types_fit, view_of
@@ -111,7 +112,7 @@ def _missing(view: View) -> str:
     """Return in words what of the configuration could not be followed; the other end may be there."""
     if not view.missing:
         return ""
-    places = listed([f"`{one.text[:60]}` ({one.proof.place})" for one in view.missing])
+    places = listed([f"`{shortened(one.text, 60)}` ({one.proof.place})" for one in view.missing])
     return f"the configuration is incomplete: the nodes that {places} starts are unknown"
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredRemap
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import visible
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
@@ -160,7 +161,7 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
     names = [end.given or end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     names += [end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     near = _meant(one.source, names)
-    advice = f"Did you mean `{near}`?" if near else "Correct the name or remove the remapping."
+    advice = f"Did you mean {visible(near)}?" if near else "Correct the name or remove the remapping."
     # Many are left over from a name that was changed, and do no harm: what was meant has to show.
     usual = RULE.certainty if alone and near else Certainty.HEURISTIC
     certainty, doubt = weighed(usual, (one.proof,), nodes[0].conditions)

@@ -11,6 +11,7 @@ from itertools import takewhile
 from roslens.model.edit import Edit, edit_at
 from roslens.model.source import Language
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -49,7 +50,7 @@ def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
         at = f"{one.path}:{one.command.line}"
         is_read = _is_python_3(text)
         expected = _EXPECTED if is_read else "a #! line (Python 3 cannot read it)"
-        message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {expected}"
+        message = f"{at} installs it as a program, and its first line is {shortened(first, 40)!r}; expected {expected}"
         # A module among the programs is one too many, and nobody starts it.
         certainty = None if b"__main__" in text else Certainty.HEURISTIC
         edits = _begun(text, b"", path) if is_read else ()

@@ -19,7 +19,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if sign.type in ("==", "!=") and "none" in (left.type, right.type):
             expected = "is None" if sign.type == "==" else "is not None"
             yield view.hit(
-                "python.equals_none", node, f"{view.text(node)[:60]!r} compares by value; expected {expected!r}"
+                "python.equals_none",
+                node,
+                f"{view.short(node)!r} compares by value; expected {expected!r}",
             )
             return
 

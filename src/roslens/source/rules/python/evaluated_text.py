@@ -21,7 +21,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = [child for child in arguments.children if child.is_named] if arguments is not None else []
     if given and not (given[0].type == "string" and len(given[0].children) <= 3):
         name = view.text(node)
-        message = f"{name}({view.text(given[0])[:60]}) runs a text as a program; expected ast.literal_eval, or a table"
+        message = f"{name}({view.short(given[0])}) runs a text as a program; expected ast.literal_eval, or a table"
         yield view.hit("python.evaluated_text", call, message)
 
 

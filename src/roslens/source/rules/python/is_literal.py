@@ -25,7 +25,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             continue
         if _LITERALS & {children[at - 1].type, children[at + 1].type}:
             expected = "==" if sign.type == "is" else "!="
-            message = f"{view.text(node)[:60]!r} asks for the same object; expected {expected!r}"
+            message = f"{view.short(node)!r} asks for the same object; expected {expected!r}"
             edits = view.edits((sign.start_byte, sign.end_byte, expected))
             yield view.hit("python.is_literal", node, message, edits=edits)
             return

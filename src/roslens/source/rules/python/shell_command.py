@@ -40,7 +40,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     first = next((one for one in given if one.type not in ("keyword_argument", "list_splat")), None)
     if not is_shell or first is None or not _is_made(first, view):
         return
-    message = f"{function} has a shell run {view.text(first)[:60]!r}; expected a list of arguments, without a shell"
+    message = f"{function} has a shell run {view.short(first)!r}; expected a list of arguments, without a shell"
     yield view.hit("python.shell_command", call, message)
 
 

@@ -19,7 +19,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     sides = (node.child_by_field_name("left"), node.child_by_field_name("right"))
     if any(side is not None and side.type == "call" and view.text(side) == "time.time()" for side in sides):
-        what = view.text(node)[:60]
+        what = view.short(node)
         message = f"{what!r} is a duration by a clock that jumps; expected time.monotonic() or ROS time"
         yield view.hit("python.wall_time_duration", node, message)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -22,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.memset_order",
             call,
-            f"`memset` of length 0; expected `memset({view.text(arguments[0])[:40]}, 0, {text[:40]})`",
+            f"`memset` of length 0; expected `memset({view.short(arguments[0], 40)}, 0, {shortened(text, 40)})`",
         )
 
 

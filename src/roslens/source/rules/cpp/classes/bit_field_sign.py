@@ -20,7 +20,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.bit_field_sign",
             around,
-            f"`{view.text(around)[:60]}` does not say its sign; expected unsigned, or a type of <cstdint>",
+            f"`{view.short(around)}` does not say its sign; expected unsigned, or a type of <cstdint>",
         )
 
 

@@ -33,7 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.explicit_constructor",
             member.declarator,
-            f"constructor `{view.text(member.declarator)[:60]}` converts; expected `explicit`",
+            f"constructor `{view.short(member.declarator)}` converts; expected `explicit`",
             edits=view.edits((at, at, "explicit ")) if _is_entity(node, view) else (),
         )
 

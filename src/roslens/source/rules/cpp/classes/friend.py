@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -16,7 +17,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each friend that is no operator."""
     text = view.text(node)
     if "operator" not in text:
-        yield view.hit("cpp.friend", node, f"`{text[:60]}`; expected a function of the class")
+        yield view.hit("cpp.friend", node, f"`{shortened(text, 60)}`; expected a function of the class")
 
 
 RULE = FileRule(

@@ -19,7 +19,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if around is None or around.type == "field_declaration_list" or has_token(around, "explicit_function_specifier"):
         return
     if enclosing_class(node) is not None:
-        text = view.text(node)[:60]
+        text = view.short(node)
         yield view.hit("cpp.implicit_conversion", node, f"`{text}` converts by itself; expected `explicit`")
 
 

@@ -26,7 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.missing_virtual",
             declarator,
-            f"`{view.text(declarator)[:60]}` overrides; expected `virtual` in front",
+            f"`{view.short(declarator)}` overrides; expected `virtual` in front",
             edits=()
             if "attribute" in around.children[0].type
             else view.edits((around.start_byte, around.start_byte, "virtual ")),

@@ -28,7 +28,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.override",
                 member.declarator,
-                f"`{view.text(member.declarator)[:60]}` overrides; expected `override`",
+                f"`{view.short(member.declarator)}` overrides; expected `override`",
                 edits=override_edits(member.node, member.declarator, view),
             )
 

@@ -25,7 +25,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if words & {"const", "static", "constexpr"} or declarator is None or "(" in view.text(declarator):
             continue
         yield view.hit(
-            "cpp.public_data", member.node, f"`{view.text(member.node)[:60]}` is {member.access}; expected private"
+            "cpp.public_data",
+            member.node,
+            f"`{view.short(member.node)}` is {member.access}; expected private",
         )
 
 

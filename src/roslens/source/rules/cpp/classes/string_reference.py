@@ -30,7 +30,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.string_reference",
                 member.node,
-                f"`{view.text(member.node)[:60]}` may refer to a text that is gone; expected the string itself",
+                f"`{view.short(member.node)}` may refer to a text that is gone; expected the string itself",
             )
 
 

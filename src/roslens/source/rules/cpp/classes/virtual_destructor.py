@@ -31,7 +31,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.virtual_destructor",
             name,
-            f"class `{view.text(name)[:60]}` has virtual `{virtual}` but its destructor is not virtual; "
+            f"class `{view.short(name)}` has virtual `{virtual}` but its destructor is not virtual; "
             "expected `virtual ~…`, or a protected one",
         )
 

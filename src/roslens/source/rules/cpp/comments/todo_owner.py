@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,7 +25,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit_at(
             "cpp.todo_owner",
             view.place(match.start())[0],
-            f"`{text[:60]}` has no owner; expected a name in parentheses",
+            f"`{shortened(text, 60)}` has no owner; expected a name in parentheses",
         )
 
 

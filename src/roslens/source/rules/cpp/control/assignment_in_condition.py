@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.assignment_in_condition",
             value,
-            f"`{view.text(value)[:60]}` assigns in a condition; expected `==`, or parentheses around it",
+            f"`{view.short(value)}` assigns in a condition; expected `==`, or parentheses around it",
         )
 
 

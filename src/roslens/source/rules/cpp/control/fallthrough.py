@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.cpp_statement import ends_flow, last_statement, next_statement
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -45,7 +46,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     yield view.hit(
         "cpp.fallthrough",
         node.children[0],
-        f"`{label[:60]}` falls through to the next case; expected `break` or `[[fallthrough]]`",
+        f"`{shortened(label, 60)}` falls through to the next case; expected `break` or `[[fallthrough]]`",
     )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -19,7 +20,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit_at(
             "cpp.final_else",
             view.place(node.start_byte)[0],
-            f"`else if {condition[:50]}` is the end of its chain; expected an `else`",
+            f"`else if {shortened(condition, 50)}` is the end of its chain; expected an `else`",
         )
 
 

@@ -19,7 +19,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         kind = view.text(start.child_by_field_name("type"))
         if kind in ("float", "double"):
             yield view.hit(
-                "cpp.float_loop_counter", start, f"`{view.text(start)[:60]}` counts in {kind}; expected an integer"
+                "cpp.float_loop_counter",
+                start,
+                f"`{view.short(start)}` counts in {kind}; expected an integer",
             )
 
 

@@ -35,7 +35,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.identical_branches",
             node,
-            f"both {what} are `{view.text(then)[:60]}`; expected them to differ, or no condition",
+            f"both {what} are `{view.short(then)}`; expected them to differ, or no condition",
         )
 
 

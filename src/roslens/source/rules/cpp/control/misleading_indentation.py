@@ -38,7 +38,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     block = following.parent.named_children if following.parent is not None else []
     if block and block[0].start_byte != whole.start_byte and _lead(block[0], view) == after:
         return  # it stands where the block does; the branch before it is too far left
-    text = view.text(following)[:40]
+    text = view.short(following, 40)
     yield view.hit(
         "cpp.misleading_indentation",
         following,

@@ -24,7 +24,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.missing_braces",
             body,
-            f"the body of this `{what}` has no braces; expected `{{ {view.text(body)[:40]} }}`",
+            f"the body of this `{what}` has no braces; expected `{{ {view.short(body, 40)} }}`",
         )
 
 

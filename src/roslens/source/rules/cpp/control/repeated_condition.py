@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,7 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.repeated_condition",
                 condition,
-                f"`{text[:60]}` is asked on line {seen[text]} too; expected another condition",
+                f"`{shortened(text, 60)}` is asked on line {seen[text]} too; expected another condition",
             )
         seen.setdefault(text, view.place(condition.start_byte)[0])
         moved_on = moved_on or not _is_pure(text)

@@ -21,7 +21,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     operator = view.text(value.child_by_field_name("operator"))
     if value.type in ("true", "false") or operator in ("==", "!=", "<", ">", "<=", ">=", "&&", "||", "!"):
-        yield view.hit("cpp.switch_on_bool", value, f"`switch` on `{view.text(value)[:60]}`; expected an `if`")
+        yield view.hit("cpp.switch_on_bool", value, f"`switch` on `{view.short(value)}`; expected an `if`")
 
 
 RULE = FileRule(

@@ -67,7 +67,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.code[: node.start_byte].rstrip()[-1:] == b")":
         return  # nothing ends what stands before: a macro that writes an `if`
     jump = node.type.partition("_")[0]
-    yield view.hit("cpp.unreachable", following, f"`{view.text(following)[:50]}` stands behind `{jump}` and never runs")
+    yield view.hit("cpp.unreachable", following, f"`{view.short(following, 50)}` stands behind `{jump}` and never runs")
 
 
 def _stands_on_purpose(jump: Node, following: Node, view: FileView) -> bool:

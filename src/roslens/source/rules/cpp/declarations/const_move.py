@@ -22,7 +22,9 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         around = above(node, "parameter_declaration", "declaration", "field_declaration", "compound_statement")
         if around is not None and around.type == "parameter_declaration":
             yield view.hit(
-                "cpp.const_move", around, f"`{view.text(around)[:60]}` moves nothing; expected a reference to const"
+                "cpp.const_move",
+                around,
+                f"`{view.short(around)}` moves nothing; expected a reference to const",
             )
 
 

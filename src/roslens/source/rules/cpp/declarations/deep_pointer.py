@@ -26,7 +26,7 @@ def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.deep_pointer",
                 one,
-                f"`{view.text(around)[:60]}` has three levels of pointers; expected a container",
+                f"`{view.short(around)}` has three levels of pointers; expected a container",
             )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -21,7 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.exception_specification",
             node,
-            f"`{text[:60]}` is no C++ any more; expected {instead}",
+            f"`{shortened(text, 60)}` is no C++ any more; expected {instead}",
             certainty=Certainty.HEURISTIC if is_empty else None,
             edits=view.edits((node.start_byte, node.end_byte, "noexcept")) if is_empty else (),
         )

@@ -18,7 +18,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         node.parent is None or node.parent.type != "for_statement"
     ):
         yield view.hit(
-            "cpp.one_per_line", node, f"`{view.text(node)[:60]}` declares several; expected one declaration for each"
+            "cpp.one_per_line",
+            node,
+            f"`{view.short(node)}` declares several; expected one declaration for each",
         )
 
 

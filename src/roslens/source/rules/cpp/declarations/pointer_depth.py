@@ -35,7 +35,7 @@ def found_among(_nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
         around = above(
             one, "parameter_declaration", "declaration", "field_declaration", "type_definition", "type_descriptor"
         )
-        text = view.text(around)[:60]
+        text = view.short(around)
         if around is not None and "argv" not in text:
             levels = _levels(one)
             yield view.hit(

@@ -24,7 +24,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     ):
         return
     if view.text(around.child_by_field_name("type")) not in ("char", "wchar_t"):
-        yield view.hit("cpp.raw_array", node, f"`{view.text(node)[:60]}` does not know its size; expected std::array")
+        yield view.hit("cpp.raw_array", node, f"`{view.short(node)}` does not know its size; expected std::array")
 
 
 RULE = FileRule(

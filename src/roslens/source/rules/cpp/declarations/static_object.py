@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -37,7 +38,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.static_object",
             node,
-            f"`{view.text(inner)}` of class {kind[:40]} outlives `main`; expected a member or a local static",
+            f"`{view.text(inner)}` of class {shortened(kind, 40)} outlives `main`; expected a member or a local static",
         )
 
 

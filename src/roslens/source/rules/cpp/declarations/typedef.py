@@ -15,7 +15,7 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each typedef."""
-    message = f"`{view.text(node)[:60]}`; expected `using`"
+    message = f"`{view.short(node)}`; expected `using`"
     yield view.hit("cpp.typedef", node, message, edits=_edits(node, view))
 
 

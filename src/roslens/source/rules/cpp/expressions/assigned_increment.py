@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -23,7 +24,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.assigned_increment",
             node,
-            f"`{view.text(node)[:60]}` throws the change away; expected `{operator}{name[:30]}`",
+            f"`{view.short(node)}` throws the change away; expected `{operator}{shortened(name, 30)}`",
         )
 
 

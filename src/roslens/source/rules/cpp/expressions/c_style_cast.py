@@ -18,7 +18,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.c_style_cast",
             node,
-            f"`{view.text(node)[:60]}` is a cast of C; expected `static_cast<…>` or another one with a name",
+            f"`{view.short(node)}` is a cast of C; expected `static_cast<…>` or another one with a name",
         )
 
 

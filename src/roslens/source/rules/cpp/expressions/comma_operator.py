@@ -24,7 +24,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         first.type != "binary_expression" or view.text(first.child_by_field_name("operator")) != "<<"
     ):
         yield view.hit(
-            "cpp.comma_operator", node, f"`{view.text(node)[:60]}` are two expressions; expected two statements"
+            "cpp.comma_operator",
+            node,
+            f"`{view.short(node)}` are two expressions; expected two statements",
         )
 
 

@@ -15,7 +15,7 @@ from roslens.source.rules.rule import FileRule
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each such cast."""
     call = above(node, "call_expression", "compound_statement")
-    text = view.text(call)[:60] if call is not None and call.type == "call_expression" else "const_cast"
+    text = view.short(call) if call is not None and call.type == "call_expression" else "const_cast"
     if node.type != "preproc_arg":
         yield view.hit("cpp.const_cast", node, f"`{text}`; expected a type that is not const, or a copy")
 

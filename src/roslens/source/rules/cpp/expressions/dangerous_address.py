@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -25,7 +26,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.dangerous_address",
                 around,
-                f"`{text[:60]}` is the address of a copy; expected a cast of the address",
+                f"`{shortened(text, 60)}` is the address of a copy; expected a cast of the address",
             )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView, above
@@ -35,7 +36,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.dangling_c_str",
                 around,
-                f"`{name}` points into `{text[:60]}`, which is gone; expected a `std::string {name}`",
+                f"`{name}` points into `{shortened(text, 60)}`, which is gone; expected a `std::string {name}`",
             )
 
 

@@ -25,7 +25,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     code = view.code
     if _BEHIND.match(code, node.end_byte) or _BEFORE.search(code[max(node.start_byte - 24, 0) : node.start_byte]):
         yield view.hit(
-            "cpp.float_equality", around, f"`{view.text(around)[:60]}` compares for equality; expected a tolerance"
+            "cpp.float_equality",
+            around,
+            f"`{view.short(around)}` compares for equality; expected a tolerance",
         )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.cpp_statement import is_written_twice
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -46,7 +47,9 @@ def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
     if b"," in view.content[left.end_byte : node.end_byte] or _is_asked_for_its_type(node):
         return
     yield view.hit(
-        "cpp.identical_operands", node, f"`{text[:60]}` on both sides of `{operator}`; expected two different operands"
+        "cpp.identical_operands",
+        node,
+        f"`{shortened(text, 60)}` on both sides of `{operator}`; expected two different operands",
     )
 
 

@@ -40,7 +40,7 @@ def _found(node: Node, view: FileView) -> Iterator[Hit]:
     yield view.hit(
         "cpp.nested_assignment",
         node,
-        f"`{view.text(node)[:60]}` inside of an expression; expected a statement of its own",
+        f"`{view.short(node)}` inside of an expression; expected a statement of its own",
     )
 
 

@@ -26,7 +26,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     before = view.code[statement.start_byte : node.start_byte].decode("utf-8", "replace")
     if not re.search(r"_ptr|Ptr|reset|unique|shared|Q[A-Z]|set\w*Delete", before):
         yield view.hit(
-            "cpp.raw_new", node, f"`{view.text(node)[:60]}` has no owner; expected std::make_unique or std::make_shared"
+            "cpp.raw_new",
+            node,
+            f"`{view.short(node)}` has no owner; expected std::make_unique or std::make_shared",
         )
 
 

@@ -26,7 +26,7 @@ def _found(node: Node, left: Node, view: FileView) -> Iterator[Hit]:
         return
     text = view.text(left)
     if "++" not in text and "--" not in text and text:
-        message = f"`{view.text(node)[:60]}` does nothing; expected another side"
+        message = f"`{view.short(node)}` does nothing; expected another side"
         yield view.hit("cpp.self_assignment", node, message)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -44,7 +45,8 @@ def _found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.side_effect_in_logic",
             right,
-            f"`{text[:60]}` changes something only where the left side lets it; expected a statement of its own",
+            f"`{shortened(text, 60)}` changes something only where the left side lets it; expected a statement of its "
+            "own",
         )
 
 

@@ -27,7 +27,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.check_comparison",
             call,
-            f"`{view.text(call)[:60]}` does not show the two values; expected `{better}(…, …)`",
+            f"`{view.short(call)}` does not show the two values; expected `{better}(…, …)`",
         )
 
 

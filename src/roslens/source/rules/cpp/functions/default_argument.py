@@ -14,7 +14,7 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each such parameter."""
-    yield view.hit("cpp.default_argument", node, f"`{view.text(node)[:60]}`; expected an overload")
+    yield view.hit("cpp.default_argument", node, f"`{view.short(node)}`; expected an overload")
 
 
 RULE = FileRule(

@@ -33,7 +33,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     written = view.text(text)
     if written.endswith(("c_str()", "what()")):
         yield view.hit(
-            "cpp.format_string", text, f'`{written[:60]}` is the format of `{name}`; expected `"%s", {written[:40]}`'
+            "cpp.format_string",
+            text,
+            f'`{view.short(text, 200)}` is the format of `{name}`; expected `"%s"` before it',
         )
 
 

@@ -20,7 +20,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.make_pair",
             node.parent,
-            f"`{view.text(node.parent)[:60]}`; expected `make_pair` without types, or `std::pair<…>`",
+            f"`{view.short(node.parent)}`; expected `make_pair` without types, or `std::pair<…>`",
             edits=_edits(node, view),
         )
 

@@ -34,7 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     declarator, function = node.child_by_field_name("declarator"), function_declarator(node)
     if declarator is None or function is None or node.has_error or not _is_result(text):
         return
-    if node.type == "function_definition" and "noreturn" in view.text(node)[:60]:
+    if node.type == "function_definition" and "noreturn" in view.short(node):
         return
     name = view.text(name_node(function))
     if name in ("main", "wmain", text) or "~" in name or _MACRO.fullmatch(name) or _never_ends(body, view):

@@ -32,7 +32,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "cpp.non_const_reference",
             node,
-            f"`{view.text(node)[:60]}` may change; expected const, a pointer or a result",
+            f"`{view.short(node)}` may change; expected const, a pointer or a result",
         )
 
 

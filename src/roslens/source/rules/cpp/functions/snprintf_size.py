@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.cpp_statement import arguments_of, free_call
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -20,7 +21,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if len(arguments) > 1 and arguments[1].type == "number_literal" and view.text(arguments[1]) != "0":
         size, target = view.text(arguments[1]), view.text(arguments[0])
         yield view.hit(
-            "cpp.snprintf_size", arguments[1], f"size `{size}` of `{target[:40]}`; expected `sizeof {target[:40]}`"
+            "cpp.snprintf_size",
+            arguments[1],
+            f"size `{size}` of `{shortened(target, 40)}`; expected `sizeof {shortened(target, 40)}`",
         )
 
 

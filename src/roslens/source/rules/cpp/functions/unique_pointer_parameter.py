@@ -24,7 +24,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             yield view.hit(
                 "cpp.unique_pointer_parameter",
                 around,
-                f"`{view.text(around)[:60]}` lends the owner; expected `T&`, or the pointer by value",
+                f"`{view.short(around)}` lends the owner; expected `T&`, or the pointer by value",
             )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -46,7 +47,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     yield view.hit(
         "cpp.variable_length_array",
         node,
-        f"`{name}` has `{text[:40]}` elements, known at run time only; expected a std::vector",
+        f"`{name}` has `{shortened(text, 40)}` elements, known at run time only; expected a std::vector",
     )
 
 

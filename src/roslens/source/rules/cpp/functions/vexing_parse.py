@@ -48,7 +48,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     # What is called later in the block is a function.
     if re.search(rb"\b%s\s*\(" % name.encode(), view.code[node.end_byte : block.end_byte]):
         return
-    yield view.hit("cpp.vexing_parse", node, f"`{view.text(node)[:60]}` declares a function; expected `{text} {name};`")
+    yield view.hit("cpp.vexing_parse", node, f"`{view.short(node)}` declares a function; expected `{text} {name};`")
 
 
 RULE = FileRule(

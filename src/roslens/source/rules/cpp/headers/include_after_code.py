@@ -18,7 +18,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     for node in view.root.children:
         if node.type == "preproc_include":
             if has_code:
-                text = view.text(node)[:60]
+                text = view.short(node)
                 yield view.hit_at(
                     "cpp.include_after_code",
                     view.place(node.start_byte)[0],

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -21,7 +22,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if _VALUE.match(value):
         name = view.text(node.child_by_field_name("name"))
         yield view.hit_at(
-            "cpp.constant_macro", view.place(node.start_byte)[0], f"`{name}` is {value[:40]}; expected `constexpr`"
+            "cpp.constant_macro",
+            view.place(node.start_byte)[0],
+            f"`{name}` is {shortened(value, 40)}; expected `constexpr`",
         )
 
 

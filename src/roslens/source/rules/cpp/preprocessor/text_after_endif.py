@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from roslens.model.edit import Edit
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -26,7 +27,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit_at(
             "cpp.text_after_endif",
             line,
-            f"`{text[:40]}` behind `#{match[1].decode()}`; expected `// {text[:40]}`",
+            f"`{shortened(text, 40)}` behind `#{match[1].decode()}`; expected `// {shortened(text, 40)}`",
             edits=_edits(match, view),
         )
 

@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import visible
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_unknown
 from roslens.source.rules.graph.likeness import nearest_name
@@ -169,7 +170,7 @@ def _told(
     # A name that nothing resembles is as often read by a library or a plug-in as it is wrong (docs/accuracy.md).
     certainty, doubt = weighed(RULE.certainty if near else Certainty.HEURISTIC, (proof,), node.conditions, more=why)
     verb = "reads" if ros1 else "declares"
-    advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
+    advice = f"Did you mean {visible(near)}?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""
     message = (
         f"parameter{'s' if others else ''} {_named(group)} set for {node.name}{where}, which never {verb} "
@@ -188,7 +189,7 @@ def _differs_in_letters(near: str, name: str) -> bool:
 
 def _named(group: list[ConfiguredParameter]) -> str:
     if len(group) == 1:
-        return f"`{group[0].name}` is"
+        return f"{visible(group[0].name)} is"
     shown, rest = [f"`{one.name}`" for one in group[:_SHOWN]], len(group) - _SHOWN
     last = f"{rest} more" if rest > 0 else shown.pop()
     return f"{', '.join(shown)} and {last} are"

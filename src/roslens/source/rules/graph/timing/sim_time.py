@@ -9,6 +9,7 @@ from roslens.model.configuration import Configuration, ConfiguredNode, Proof, Un
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed, missing_parts
@@ -75,7 +76,11 @@ def _told(
 ) -> Finding:
     node, proof = min(simulated, key=lambda one: (len(one[0].conditions), one[0].name))
     without = sorted(real, key=lambda one: (len(one.conditions), one.name))
-    more = f"what `{missing[0].text[:60]}` ({missing[0].proof.place}) starts or sets is unknown" if missing else ""
+    more = (
+        f"what `{shortened(missing[0].text, 60)}` ({missing[0].proof.place}) starts or sets is unknown"
+        if missing
+        else ""
+    )
     certainty, doubt = weighed(RULE.certainty, (proof,), (*node.conditions, *without[0].conditions), more=more)
     others = [f"{one.name} ({one.proof.place})" for one in without]
     message = (

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
@@ -36,8 +37,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.exception_in_callback_python",
             statement,
-            f"`raise {raised[:60]}` leaves {spoken(callback)}, and `spin` with it: the node ends; expected it caught "
-            "here, and said by a log line or a diagnostic",
+            f"`raise {shortened(raised, 60)}` leaves {spoken(callback)}, and `spin` with it: the node ends; expected "
+            "it caught here, and said by a log line or a diagnostic",
             callback=callback,
         )
 

@@ -32,7 +32,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     yield view.hit(
         "node.future_at_once",
         call,
-        f"`{view.text(call)[:80]}` right after the request is None: nothing has run that could have brought the "
+        f"`{view.short(call, 80)}` right after the request is None: nothing has run that could have brought the "
         "answer; "
         "expected `await`, `add_done_callback`, or `spin_until_future_complete` before",
     )

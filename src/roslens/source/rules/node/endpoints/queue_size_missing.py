@@ -34,7 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.queue_size_missing",
             call,
-            f"`{view.text(call)[:80]}` has no `queue_size`, so `publish` waits for the slowest subscriber; expected "
+            f"`{view.short(call, 80)}` has no `queue_size`, so `publish` waits for the slowest subscriber; expected "
             "queue_size=1 or more",
         )
 

@@ -27,7 +27,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.log_arguments_python",
             call,
-            f"`{view.text(call)[:80]}`: rclpy's logger takes the message alone and raises TypeError up to ROS 2 Jazzy; "
+            f"`{view.short(call, 80)}`: rclpy's logger takes the message alone and raises TypeError up to ROS 2 Jazzy; "
             "expected an f-string",
             edits=_formatted(call, given, view),
         )

@@ -36,7 +36,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.print_in_node",
             statement,
-            f"`{view.text(statement)[:60]}` in a node; expected `{logger}(...)`",
+            f"`{view.short(statement)}` in a node; expected `{logger}(...)`",
             callback=callback,
         )
 

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, function_around
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_ASKS = re.compile(r"!\s*[\w.>()-]*get_parameter(?:_or)?\s*\(\s*\"use_sim_time\"")
+
+
+def _never_runs(call: Node, view: FileView) -> bool:
+    """Return whether a call stands where the parameter was asked for and is not there, which it always is."""
+    around = above(call, "if_statement", "function_definition")
+    condition = around.child_by_field_name("condition") if around is not None else None
+    return condition is not None and _ASKS.search(view.text(condition)) is not None
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -21,6 +31,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     start = function.start_byte if function is not None else 0
     before = view.code[start : call.start_byte]
+    if _never_runs(call, view):
+        return
     if b"has_parameter" not in before and b"try" not in before and b"if_not" not in before:
         yield view.hit(
             "node.sim_time_declared",

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.model.words.shortened import shortened
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -28,7 +29,7 @@ def of_string(node: Node, view: FileView, rule: str, expected: str) -> Iterator[
     text = view.text(node)
     match = PATH.match(text)
     if match is not None and match[1].strip("/").rpartition("/")[2] not in PLACEHOLDERS:
-        yield view.hit(rule, node, f"path `{text[:80]}` is on one computer only; expected {expected}")
+        yield view.hit(rule, node, f"path `{shortened(text, 80)}` is on one computer only; expected {expected}")
 
 
 RULE = FileRule(

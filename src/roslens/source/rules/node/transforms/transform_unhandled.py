@@ -37,7 +37,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.transform_unhandled",
             call,
-            f"`{view.text(call)[:80]}` outside of `try`: it throws until the transform is known, which no callback "
+            f"`{view.short(call, 80)}` outside of `try`: it throws until the transform is known, which no callback "
             "survives; expected a handler of tf2::TransformException",
             callback=callback,
         )

@@ -34,7 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit(
             "node.transform_unhandled_python",
             call,
-            f"`{view.text(call)[:80]}` outside of `try`: it raises until the transform is known; expected "
+            f"`{view.short(call, 80)}` outside of `try`: it raises until the transform is known; expected "
             "`except TransformException`",
             callback=callback,
         )

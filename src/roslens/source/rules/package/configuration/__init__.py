@@ -1,0 +1,1 @@
+"""Rules on parameter files that name plug-ins."""

@@ -26,7 +26,13 @@ def test_declared_configurations_are_looked_at(talking, capsys):
 def test_without_any_the_largest_launch_files_are_looked_at_and_what_is_left_out_is_told(talking, capsys):
     found, graph = report(talking, capsys, code=1)
     assert [one["rule"] for one in graph] == ["graph.qos"]
-    assert found["run"]["graphs"] == {"looked_at": ["fleet.launch.xml"], "left_out": []}
+    graphs = found["run"]["graphs"]
+    assert (graphs["looked_at"], graphs["left_out"]) == (["fleet.launch.xml"], [])
+    assert graphs["completeness"]["fleet.launch.xml"] == {
+        "whole": 2,
+        "named": 1,
+        "gaps": [{"reason": "a is not in the workspace", "nodes": 1, "packages": ["a"]}],
+    }
     many(talking)
     found, graph = report(talking, capsys, "--graph", code=1)
     assert len(found["run"]["graphs"]["looked_at"]) == 8
@@ -134,3 +140,48 @@ def test_a_wrong_declaration_is_told(talking, capsys, text):
     (talking / "roslens.toml").write_text(f"[graph.configurations.robot]\n{text}\n")
     assert main(["check", str(talking), "-q"]) == 2
     assert "roslens.toml" in capsys.readouterr().err
+
+
+def test_how_much_of_the_graphs_is_known_stands_among_what_was_not_analysed_and_fails_nothing(talking, capsys):
+    found, _ = report(talking, capsys, "--fail-on", "never")
+    (failure,) = found["failures"]
+    assert failure["what"] == "fleet.launch.xml: 2 of 3 nodes complete, 1 known by name only"
+    assert (failure["tool"], failure["partial"]) == ("graph completeness", True)
+    assert main(["check", str(talking), "--jobs", "1", "-q", "--fail-on", "never"]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "Not analysed: 1 in part" in out
+    assert "1 node: a is not in the workspace; roslens fetch --distro DISTRO --package a" in out
+
+
+def test_files_outside_of_packages_are_no_package(talking, capsys):
+    (talking / "loose.py").write_text("x = 1\n")
+    found, _ = report(talking, capsys, "--fail-on", "never")
+    assert [one["id"] for one in found["packages"]] == ["talk"]
+    assert {one["package"] for one in found["files"]} == {"talk", "(outside packages)"}
+
+
+def graph_check(root, capsys, *more):
+    main(["graph", str(root), "--check", "--no-cache", "--fail-on", "never", *more])
+    return capsys.readouterr()
+
+
+def test_checking_a_graph_says_how_much_of_it_is_known(talking, capsys):
+    robot = talking / "talk/launch/robot.launch.xml"
+    robot.write_text('<launch><node pkg="talk" exec="talker"/></launch>')
+    assert graph_check(talking, capsys, "--launch", "talk/robot.launch.xml").out == "nothing found\n"
+    robot.write_text('<launch><node pkg="talk" exec="talker"/><node pkg="b" exec="c"/></launch>')
+    shown = graph_check(talking, capsys, "--launch", "talk/robot.launch.xml")
+    assert shown.out == "nothing found in what is known: 1 of 2 nodes complete, 1 known by name only\n"
+    assert "1 node: b is not in the workspace" in shown.err
+    robot.write_text('<launch><node pkg="b" exec="c"/></launch>')
+    shown = graph_check(talking, capsys, "--launch", "talk/robot.launch.xml")
+    assert shown.out == "could not be checked: 0 of 1 node complete, 1 known by name only\n"
+
+
+def test_a_graph_begins_with_how_much_of_it_is_known(talking, capsys):
+    main(["graph", str(talking), "--launch", "talk/fleet.launch.xml", "--no-cache"])
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1].strip() == "2 of 3 nodes complete, 1 known by name only"
+    main(["graph", str(talking), "--launch", "talk/fleet.launch.xml", "--no-cache", "--format", "json"])
+    document = json.loads(capsys.readouterr().out)
+    assert document["completeness"][0]["whole"] == 2

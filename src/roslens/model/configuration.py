@@ -212,6 +212,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         missing: what is not known.
         cause: in words what a name depends on.
         standing: whether it is undecidable, outside of the workspace, or certain to fail.
+        outside: packages that would tell and are not in the workspace.
     """
 
     text: str
@@ -223,6 +224,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     missing: Missing = Missing.OTHER
     cause: str = ""
     standing: Standing = Standing.UNDECIDABLE
+    outside: tuple[str, ...] = ()
 
 
 class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -63,6 +63,8 @@ def graph_look(
     """
     if options.graph is False or "graph" in settings.disable:
         return None
+    import msgspec
+
     from roslens.source.pipeline import Beyond
     from roslens.source.rules.graph.findings import RULES
 
@@ -73,6 +75,7 @@ def graph_look(
     def look() -> Sight:
         from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
         from roslens.cli.graph.graph_source import GraphSource
+        from roslens.model.graphs.completeness import completeness_of, incomplete
         from roslens.plugins.outcome import Outcome
         from roslens.source.pipeline import Sight
 
@@ -80,6 +83,10 @@ def graph_look(
         with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
             chosen = chosen_configurations(source, every=every)
             found = assembled(source, chosen.named, progress)
-        return Sight(Outcome(findings=found.all_findings(), failures=found.failures), found.judged(), chosen.scope())
+        known = {name: completeness_of(one) for name, one in found.configurations.items()}
+        unknown = incomplete(known)
+        failures = (*found.failures, *((unknown,) if unknown is not None else ()))
+        scope = msgspec.structs.replace(chosen.scope(), completeness=known)
+        return Sight(Outcome(findings=found.all_findings(), failures=failures), found.judged(), scope)
 
     return Beyond(f"graph {ALL}" if every else "graph", tuple(rule for rule, _ in RULES), look)

@@ -16,6 +16,7 @@ from roslens.dashboard.computation.system import KIND_OF_ROLE, Kind, System
 from roslens.dashboard.computation.unstarted_rows import unstarted_table
 from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
+from roslens.model.graphs.completeness import completeness_of
 
 _ENDPOINTS = ("node", "does", "name", "type", "qos", "place", "conditions", "sure", "callback", "more")
 
@@ -35,6 +36,7 @@ def build(book: Book, request: Request) -> View | None:
     sure, doubted = (sort_rows(table, query.get(f"sort_{table.name}")) for table in finding_tables(book, system))
     loose = unstarted_table(book, system.configuration.generation)
     loose = sort_rows(loose, query.get(f"sort_{loose.name}"), None if request.complete else request.limits.rows)
+    known = completeness_of(system.configuration)
     return View(
         ref=PageRef("computation", system.slug, query=query.pairs),
         title=f"Computation graph: {system.configuration.title}",
@@ -52,11 +54,13 @@ def build(book: Book, request: Request) -> View | None:
             "findings": msgspec.to_builtins(system.findings),
             "counted": book.counted,
             "unresolved": msgspec.to_builtins(system.configuration.unresolved),
+            "completeness": msgspec.to_builtins(known),
             "note": book.note,
         },
         tables=(nodes, endpoints, sure, doubted, *((loose,) if loose.total else ())),
         shown={
             "note": book.note,
+            "known": known,
             "counted": book.counted,
             "system": system,
             "systems": alike(book.systems.values()),

@@ -8,20 +8,28 @@ import msgspec
 
 from roslens.model.configuration import Configuration
 from roslens.model.errors import DocumentError
+from roslens.model.graphs.completeness import Completeness, completeness_of
 
 SCHEMA = "roslens-graph/1"
 
 
 class GraphDocument(msgspec.Struct, frozen=True):
-    """What ``roslens graph --format json`` writes; within version 1 keys are only added."""
+    """What ``roslens graph --format json`` writes; within version 1 keys are only added.
+
+    Attributes:
+        schema: name and version of this form.
+        configurations: what would run together.
+        completeness: how much of each of these is known, in their order.
+    """
 
     schema: str
     configurations: tuple[Configuration, ...]
+    completeness: tuple[Completeness, ...] = ()
 
 
 def to_graph_json(configurations: tuple[Configuration, ...]) -> str:
     """Return configurations as a JSON document."""
-    encoded = msgspec.json.encode(GraphDocument(SCHEMA, configurations))
+    encoded = msgspec.json.encode(GraphDocument(SCHEMA, configurations, tuple(map(completeness_of, configurations))))
     return msgspec.json.format(encoded, indent=1).decode() + "\n"
 
 

@@ -18,6 +18,7 @@ from roslens.model.configuration import (
     Unresolved,
 )
 from roslens.model.graph import Role
+from roslens.model.graphs.completeness import completeness_of
 from roslens.model.qos import quality_text
 from roslens.report.writing.terminal import printable
 
@@ -105,6 +106,10 @@ def _head(configuration: Configuration) -> Iterator[str]:
     names = {one.endpoint.name for node in configuration.nodes for one in node.endpoints if _is_topic(one)}
     nodes = counted(len(configuration.nodes), "node")
     yield f"{configuration.title}: {configuration.generation}, {nodes}, {counted(len(names), 'topic')}"
+    known = completeness_of(configuration)
+    if not known.is_whole and (known.nodes or known.missing):
+        yield f"  {known.said()}"
+        yield from (f"    {line}" for line in known.why())
     if configuration.arguments:
         yield "  arguments and their defaults"
         for argument in configuration.arguments:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.model.failure import Failure
+from roslens.model.graphs.completeness import INCOMPLETE
 from roslens.model.source import Role
 from roslens.store.read import RunView
 
@@ -13,14 +14,15 @@ MANIFEST = "manifest"
 def not_analysed(view: RunView, *, accept_partial: bool) -> tuple[Failure, ...]:
     """Return the failures because of which a check is not clean.
 
-    What a manifest should say otherwise leaves nothing out, and a place that does not parse in code of others, in a
+    What a manifest should say otherwise leaves nothing out, what is unknown of a computation graph is reported and no
+    more, as most workspaces start nodes of others, and a place that does not parse in code of others, in a
     test or in what was generated is none of what is judged.
 
     Args:
         view: the run.
         accept_partial: whether files that were analysed in part pass.
     """
-    failures = view.failures()
+    failures = tuple(failure for failure in view.failures() if failure.tool != INCOMPLETE)
     partial = [failure for failure in failures if failure.partial and failure.tool != MANIFEST]
     own = set()
     if partial and not accept_partial:

@@ -25,6 +25,7 @@ def write_badge(view: RunView, stream: TextIO, wanted: Wanted) -> None:
     """
     counts = Counter(one.finding.severity for one in reported(view, wanted))
     lost = any(not failure.partial for failure in view.failures())
+    lost = lost or (view.header.graphs is not None and view.header.graphs.is_mostly_unknown)
     text, colour = _said(counts, lost=lost, packages=len(view.packages()))
     stream.write(badge(text, colour))
 

@@ -22,7 +22,7 @@ from roslens.model.quantity import Quantity
 from roslens.model.repository import FoundRepository
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import SetAside
-from roslens.model.source import SourceFile
+from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
 from roslens.model.tags import TagFilter
 from roslens.report.writing.numbers import plain, written
 from roslens.store.read import RunView
@@ -75,7 +75,8 @@ def _write(stream: TextIO, content: bytes) -> None:
 def _document(view: RunView, tags: TagFilter, is_new: Callable[[Finding], bool] | None) -> Iterator[bytes]:
     yield b'{\n"schema": ' + _encode(SCHEMA)
     yield b',\n"run": ' + _encode(_run(view.header, tags))
-    yield from _array("packages", map(_encode, map(_package, view.packages())))
+    packages = (one for one in view.packages() if one.id != OUTSIDE_PACKAGES)
+    yield from _array("packages", map(_encode, map(_package, packages)))
     yield from _array("files", (_encode(_file(package, file)) for package, file in view.files()))
     yield from _array("entities", map(_encode, map(_entity, view.entities())))
     yield from _array("measurements", _measurements(view.entities()))
@@ -118,7 +119,8 @@ def _run(header: RunHeader, tags: TagFilter) -> dict[str, Any]:
 
 
 def _graphs(one: GraphScope) -> dict[str, Any]:
-    return {"looked_at": one.looked_at, "left_out": one.left_out}
+    known = {name: msgspec.to_builtins(each) for name, each in one.completeness.items()}
+    return {"looked_at": one.looked_at, "left_out": one.left_out, "completeness": known}
 
 
 def _process(one: RepositoryProcess) -> dict[str, Any]:

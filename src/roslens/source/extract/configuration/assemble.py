@@ -217,7 +217,7 @@ class _Whole:
         self.nodes.append(msgspec.structs.replace(node, defined=None))
         self.unresolved += [one for one in missing if one.reason]
         reason = f"{meant.reason}; its endpoints are unknown"
-        self._miss(_shown(given.launched), given.launched, reason)
+        self._miss(_shown(given.launched), given.launched, reason, outside=meant.outside)
 
     def _of_controllers(self, given: Given, facts: NodeFacts) -> list[EndpointFact]:
         found: list[EndpointFact] = []
@@ -293,8 +293,11 @@ class _Whole:
                 self._miss(error.what, launched, f"{error.where}: expected {error.expected}")
         return msgspec.structs.replace(line, settings=(*settings, *line.settings))
 
-    def _miss(self, text: str, launched: Launched, reason: str, *, opens: bool = False) -> None:
-        self.unresolved.append(Unresolved(text, launch_proof(launched.evidence), reason, opens=opens))
+    def _miss(
+        self, text: str, launched: Launched, reason: str, *, opens: bool = False, outside: tuple[str, ...] = ()
+    ) -> None:
+        proof = launch_proof(launched.evidence)
+        self.unresolved.append(Unresolved(text, proof, reason, opens=opens, outside=outside))
 
 
 def _nothing(launched: Launched, generation: str) -> NodeFacts:

@@ -40,6 +40,9 @@ class Units(Protocol):
         decides which plug-ins it loads.
         """
 
+    def outside_bases(self, name: str) -> Sequence[str]:
+        """Return the packages, none of them in the workspace, that have bases of a class; ``name`` is qualified."""
+
     def plugins(self) -> frozenset[str]:
         """Return the names under which descriptions have plug-ins of the workspace."""
 
@@ -94,6 +97,11 @@ class KnownUnits:
         del sources, chosen
         return self._classes.get(name, ())
 
+    def outside_bases(self, name: str) -> Sequence[str]:
+        """Return nothing: no class is known."""
+        del name
+        return ()
+
     def plugins(self) -> frozenset[str]:
         """Return the names of the targets that are plug-ins."""
         targets = (one for group in self._targets.values() for one in group)
@@ -135,7 +143,7 @@ def meant_by(
     if name is None:
         return Meant(reason=f"the executable is unknown: {launched.executable}")
     if not units.has(package):
-        return Meant(reason=f"package {package} is not in the workspace")
+        return Meant(reason=f"package {package} is not in the workspace", outside=(package,))
     target = _best(units.targets(package), name, _PROGRAMS)
     if target is None:
         return Meant(reason=f"no build of package {package} creates {name}{_elsewhere(units, package, name)}")
@@ -160,14 +168,18 @@ def facts_of_target(
 ) -> Meant:
     """Return the nodes that a target becomes."""
     if target.kind in _LOADED or (target.entry and ":" not in target.entry.replace("::", "")):
-        found = units.of_class((target.entry or target.name).replace("::", "."), target.sources, chosen)
-        what = f"class {target.entry or target.name}"
+        name = (target.entry or target.name).replace("::", ".")
+        found = units.of_class(name, target.sources, chosen)
+        outside = () if found else units.outside_bases(name)
+        bases = f", a base of which is in {' and '.join(outside)}, which is not in the workspace" if outside else ""
+        what = f"class {target.entry or target.name}{bases}"
     else:
-        found = _of_program(target, units, words, chosen)
+        found, outside = _of_program(target, units, words, chosen), ()
         what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
     conditions = tuple(map(Written, target.conditions))
     if not found:
-        return Meant(reason=f"{target.name}: no node was found in {what}", conditions=conditions)
+        reason = f"{target.name}: no node was found in {what}"
+        return Meant(reason=reason, conditions=conditions, outside=tuple(outside))
     return Meant(tuple(found), conditions=conditions)
 
 
@@ -197,7 +209,7 @@ def _loaded(launched: Launched, package: str, units: Units, chosen: Chosen | Non
     if target is not None:
         return facts_of_target(target, units, None, chosen)
     if not units.has(owner):
-        return Meant(reason=f"package {owner} is not in the workspace")
+        return Meant(reason=f"package {owner} is not in the workspace", outside=(owner,))
     whole = (name.partition("/")[2] if "/" in name else name).replace("::", ".")
     found = units.of_class(whole, (), chosen)
     reason = f"package {owner} registers no {name}{_elsewhere(units, owner, name)}"

@@ -10,10 +10,14 @@ from roslens.source.extract.symbolic.text import Conditions
 
 
 class Meant(msgspec.Struct, frozen=True):
-    """What something that is started means: its nodes, or the reason why they are unknown."""
+    """What something that is started means: its nodes, or the reason why they are unknown.
+
+    ``outside`` are packages that would tell and are not in the workspace.
+    """
 
     facts: tuple[NodeFacts, ...] = ()
     reason: str = ""
     origin: Origin = Origin.CODE
     conditions: Conditions = ()
     kind: str = ""
+    outside: tuple[str, ...] = ()

@@ -221,6 +221,17 @@ class WorkspaceFacts:
         key = ("class", name, *sources, *_words_of(chosen))
         return self._once(key, lambda: self._of_class(name, sources, chosen))
 
+    def outside_bases(self, name: str) -> Sequence[str]:
+        """Return the packages that have bases of a class, are named by a manifest and are not in the workspace."""
+        index = self._parts.index(self._version)
+        classes = (one for path in index.programs for one in index.programs[path].classes if one.qualified_name == name)
+        defined = next((index.class_of(one.qualified_name, "", "") for one in classes), None)
+        if defined is None:
+            return ()
+        wanted = {need.name for one in self._parts.packages for need in one.dependencies}
+        owners = (base.replace("::", ".").partition(".")[0] for base in index.outer_bases(defined))
+        return sorted({one for one in owners if one in wanted and not self.has(one)})
+
     @cached_property
     def _plugin_names(self) -> dict[str, str]:
         """Return the class of each plug-in that is described under another name."""

@@ -83,7 +83,8 @@ def test_virtual_joints_are_not_followed():
 def test_parameters_of_a_configuration_are_not_followed():
     text = FILE.format(name="rsp").replace(
         "return generate_rsp_launch(configs)",
-        "return LaunchDescription([Node(package='p', executable='e', parameters=[configs.to_dict(), {'a': 1}])])",
+        "given = [configs.to_dict(), configs.joint_limits, {'a': 1}]\n"
+        "    return LaunchDescription([Node(package='p', executable='e', parameters=given)])",
     )
     text = f"from launch import LaunchDescription\nfrom launch_ros.actions import Node\n{text}"
     found = evaluate_ros2("src/arm/launch/x.launch.py", Files(**{"src/arm/launch/x.launch.py": text.encode()}))

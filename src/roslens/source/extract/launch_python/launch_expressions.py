@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.domain.abstract_value import Class, Named, Table, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Class, Named, Obj, Table, Unknown, Value
 from roslens.source.extract.interpreter.expressions import Expressions
 from roslens.source.extract.interpreter.operations import opened
 from roslens.source.extract.ir.program import Expression, Format, Item, Mapping, Member, Name, Opaque, Operation
@@ -16,6 +16,7 @@ from roslens.source.extract.launch_python.launch_paths import CONSTANTS, member_
 from roslens.source.extract.launch_python.launch_values import Made, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import either, kept
 from roslens.source.extract.launch_python.launch_weight import bounded
+from roslens.source.extract.launch_python.moveit_launches import is_configs, member_of_configs
 from roslens.source.extract.launch_python.visit import Visit
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.context import Context
@@ -47,6 +48,8 @@ class LaunchExpressions(Expressions):
             case Text() | Deferred():
                 found = member_of_path(of, name)
                 return super().member_of(of, name) if found is None else lifted(found)
+            case Obj() if is_configs(of):
+                return member_of_configs(of, name)
             case Made() if of.name == "LaunchDescription" and name.startswith("add_"):
                 return Bound(of, name)
             case Made() if name == "entities" and of.name == "LaunchDescription":

@@ -54,6 +54,11 @@ def method_of_configs(of: Obj, name: str) -> Value:
     return _PARAMETERS if name == "to_dict" else of
 
 
+def member_of_configs(of: Obj, name: str) -> Value:
+    """Return a part of a configuration: its package, or parameters."""
+    return of.fields.get(name, _PARAMETERS)
+
+
 def made_by_moveit(name: str, arguments: list[Value], keywords: Names, make: Make, files: Files | None) -> Value:
     """Return a configuration of MoveIt, or the description that a function generates."""
     last = name.rpartition(".")[2]

@@ -14,6 +14,8 @@ from roslens.dashboard.access.person import Role
 from roslens.dashboard.listener import checked_tls, only_this_machine
 from roslens.model.errors import UsageError
 
+MADE = "hV3kqP0aZr7-XcTbYw5uNmLgEo1dSf2JiK8yQvHx4As"
+
 
 def options(*given: str) -> argparse.Namespace:
     parser = argparse.ArgumentParser()
@@ -50,12 +52,12 @@ def test_where_something_acts_the_terminal_may_operate() -> None:
 
 def test_a_file_of_tokens_takes_the_place_of_one_that_is_made(tmp_path: Path) -> None:
     path = tmp_path / "tokens"
-    path.write_text(f"view vera {'v' * 30}\n")
+    path.write_text(f"view vera {MADE}\n")
     path.chmod(0o600)
     door = door_of(options("--tokens", str(path)), "0.0.0.0", acting=True)
     assert door.token == ""
     assert door.access.view_needs_token
-    found = door.access.tokens.holder("v" * 30)
+    found = door.access.tokens.holder(MADE)
     assert found is not None
     assert found.name == "vera"
 

@@ -36,7 +36,7 @@ reactions:
     when: {node: /lidar, is: gone}
     do: [{restart: {node: /lidar}}]
 """
-OPERATOR, VIEWER = "o" * 32, "v" * 32
+OPERATOR, VIEWER = "hV3kqP0aZr7-XcTbYw5uNmLgEo1dSf2JiK8yQvHx4As", "B9_wMeR6tYxUzLpOqI2sDfGhJkZcVbN1aKjSoQyT3uE"
 WAIT_S = 25.0
 
 

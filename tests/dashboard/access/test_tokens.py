@@ -10,7 +10,7 @@ from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.tokens import Tokens, made_token, read_tokens
 from roslens.model.errors import UsageError
 
-ONE, OTHER = "a" * 24, "b" * 40
+ONE, OTHER = "hV3kqP0aZr7-XcTbYw5uNmLgEo1dSf2JiK8yQvHx4As", "B9_wMeR6tYxUzLpOqI2sDfGhJkZcVbN1aKjSoQyT3uE"
 
 
 def written(folder: Path, text: str, mode: int = 0o600) -> Path:
@@ -34,6 +34,9 @@ def test_a_line_for_each(tmp_path: Path) -> None:
         (f"\nadmin vera {ONE}\n", ":2: 3 words that are not a token"),
         ("view vera short\n", "a token of 5 characters for 'vera'"),
         (f"view vera {'ü' * 30}\n", "a token of 30 characters for 'vera'"),
+        (f"view vera {'a' * 43}\n", "a token of 43 characters for 'vera' that is not a generated one"),
+        ("operate otto correcthorsebatterystaple\n", "a token of 25 characters for 'otto'"),
+        ("operate otto correct-horse-battery-staple-and-some-more-words\n", "that is not a generated one"),
         (f"view vera {ONE}\nview otto {ONE}\n", "'otto' has the token of 'vera'"),
     ],
 )
@@ -68,3 +71,10 @@ def test_sessions_are_of_one_server() -> None:
 def test_made_tokens_differ_and_are_long_enough() -> None:
     assert len({made_token() for _ in range(9)}) == 9
     assert len(made_token()) >= 43
+
+
+def test_every_token_that_is_made_is_taken(tmp_path: Path) -> None:
+    # One in a thousand has no digit, capital or small letter among 43 characters, and is made anew.
+    made = [made_token() for _ in range(300)]
+    taken = read_tokens(written(tmp_path, "".join(f"view v{number} {one}\n" for number, one in enumerate(made))))
+    assert set(taken) == set(made)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
+import re
 import secrets
 import stat
 from collections.abc import Iterable, Mapping
@@ -13,10 +14,15 @@ from roslens.dashboard.access.person import Person, Role
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import UsageError
 
-SHORTEST = 24
-"""Characters of a token: 128 bits where each stands for six, with some to spare."""
+SHORTEST = 43
+"""Characters of a token: 256 bits where each stands for six."""
 
-_EXPECTED = "lines `ROLE NAME TOKEN`, ROLE being view or operate, TOKEN of at least 24 characters"
+_FORM = re.compile(r"[A-Za-z0-9_-]+\Z")
+_KINDS = tuple(map(re.compile, (r"[A-Z]", r"[a-z]", r"[0-9]")))
+_FEWEST_DIFFERENT = 20
+"""Characters: of 43 random ones of 64, fewer than 24 are different in one token of a million."""
+
+_EXPECTED = "lines `ROLE NAME TOKEN`, ROLE being view or operate, TOKEN of 256 random bits (43 characters)"
 _ADVICE = "Make one with: python3 -c 'import secrets; print(secrets.token_urlsafe(32))'"
 
 
@@ -61,8 +67,10 @@ def _place(given: str, known: Iterable[bytes]) -> int | None:
 
 
 def made_token() -> str:
-    """Return a new token of 256 random bits."""
-    return secrets.token_urlsafe(32)
+    """Return a new token of 256 random bits, of the form that :func:`read_tokens` asks for."""
+    while not _looks_made(token := secrets.token_urlsafe(32)):
+        pass
+    return token
 
 
 def read_tokens(path: Path) -> dict[str, Person]:
@@ -99,14 +107,22 @@ def read_tokens(path: Path) -> dict[str, Person]:
     return found
 
 
+def _looks_made(token: str) -> bool:
+    """Return whether a token has the form of :func:`made_token`: people write neither digits nor so many characters."""
+    if len(token) < SHORTEST or not _FORM.match(token):
+        return False
+    return len(set(token)) >= _FEWEST_DIFFERENT and all(kind.search(token) for kind in _KINDS)
+
+
 def _person(words: list[str], where: str) -> tuple[str, Person]:
     """Return the token of a line, and who has it."""
     if len(words) != 3 or words[0] not in {one.value for one in Role}:
         # The line holds a secret: it is not quoted.
         raise UsageError(f"{len(words)} words that are not a token", where=where, expected=_EXPECTED)
     role, name, token = words
-    if len(token) < SHORTEST or not token.isascii():
+    if not _looks_made(token):
         raise UsageError(
-            f"a token of {len(token)} characters for {name!r}", where=where, expected=_EXPECTED, advice=_ADVICE
-        )
+            f"a token of {len(token)} characters for {name!r} that is not a generated one",
+            where=where, expected=_EXPECTED, advice=_ADVICE,
+        )  # fmt: skip
     return token, Person(name, Role(role))

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from roslens.source.rules.views.cmake_view import CmakeView
     from roslens.source.rules.views.dependency_uses import Use
     from roslens.source.rules.views.launch_outcome import LaunchOutcome
+    from roslens.source.rules.views.launch_runs import LaunchRun
     from roslens.source.rules.views.launch_view import LaunchXml
     from roslens.source.rules.views.registered_classes import Registered
     from roslens.source.workspace.mistakes import Mistake
@@ -70,6 +71,11 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         from roslens.source.rules.views.launch_outcome import LaunchOutcome
 
         return LaunchOutcome(self)
+    def launch_runs(self) -> tuple[LaunchRun, ...]:
+        """The launch files for ROS 2, evaluated when a rule first asks."""
+        from roslens.source.rules.views.launch_runs import launch_runs
+
+        return tuple(launch_runs(self))
 
     @cached_property
     def registered(self) -> tuple[tuple[Registered, ...], bool]:

@@ -1,0 +1,84 @@
+"""What the launch files of a package for ROS 2 come to: their actions, and what they would start.
+
+Nothing is executed. Files are those of the package alone: what other packages have is as if it were not there, and what
+follows from it is not known.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.model.errors import DocumentError
+from roslens.model.source import Language, Role
+from roslens.source.rules.views.package_files import PackageFiles
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from roslens.source.extract.facts.launched import Launch
+    from roslens.source.extract.launch_python.launch_action import Action
+
+MOST_FILES = 60
+"""Of a package that are evaluated; one that has more is a collection."""
+_LANGUAGES = (Language.LAUNCH_PYTHON, Language.LAUNCH_XML, Language.LAUNCH_YAML)
+
+
+class LaunchRun:
+    """A launch file, read and evaluated when somebody asks."""
+
+    def __init__(self, package: PackageFiles, path: str) -> None:
+        """Take a file of a package."""
+        from roslens.source.extract.facts.files import FolderFiles
+
+        self._files = FolderFiles(Path(package.root), {package.package.name: package.folder})
+        self.path = path
+        self.content = package.read(path)
+
+    @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        """Its actions, those inside of others too; none where it cannot be read, which is told elsewhere."""
+        from roslens.source.extract.launch.launch_ros2 import actions_of
+
+        try:
+            return tuple(_all(actions_of(self.path, self.content, self._files)))
+        except (DocumentError, RecursionError):
+            return ()
+
+    @cached_property
+    def declared(self) -> tuple[str, ...]:
+        """The names of the arguments that it declares, as far as they are written out."""
+        names = (one.values.get("name") for one in self.actions if one.kind == "argument")
+        return tuple(name for name in names if isinstance(name, str))
+
+    def included(self, action: Action) -> str | None:
+        """Return the path of the file that an action includes; None where that depends on something."""
+        from roslens.source.extract.facts.files import joined
+        from roslens.source.extract.launch_python.deferred import Scope, resolve
+
+        path = resolve(action.values["file"], Scope(self._files, {}, {}, self.path, set())).known
+        return None if path is None else joined("", path)
+
+    @cached_property
+    def launch(self) -> Launch:
+        """What it starts with the defaults of its arguments."""
+        from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+
+        return evaluate_ros2(self.path, self._files)
+
+
+def launch_runs(package: PackageFiles) -> list[LaunchRun]:
+    """Return the own launch files of a package for ROS 2; none where it has too many to be one robot's."""
+    files = package.of_language(*_LANGUAGES, roles=(Role.OWN,))
+    if package.ros != frozenset({2}) or len(files) > MOST_FILES:
+        return []
+    return [LaunchRun(package, file.path) for file in files]
+
+
+def _all(actions: tuple[Action, ...]) -> Iterator[Action]:
+    waiting = list(reversed(actions))
+    while waiting:
+        one = waiting.pop()
+        yield one
+        waiting.extend(reversed(one.children))

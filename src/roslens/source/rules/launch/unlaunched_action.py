@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -23,23 +24,36 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
         return
     read = {text_of(node) for node, _ in code.names.reads}
     for call in code.calls:
-        parent = call.node.parent
-        if parent is None or call.signature.kind not in (ACTION, HANDLER):
+        if call.signature.kind not in (ACTION, HANDLER):
             continue
-        left = parent.child_by_field_name("left") if parent.type == "assignment" else None
-        name = text_of(left) if left is not None and left.type == "identifier" else ""
-        if name and name not in read and parent.child_by_field_name("right") == call.node:
-            certainty = Certainty.HEURISTIC if _is_set_aside(name, view) else None
+        name = _kept_as(call.node)
+        if name and name not in read:
+            # A comment or text has the name: somebody took it out of the description on purpose.
+            certainty = Certainty.HEURISTIC if _words(view)[name.encode()] > 1 or name.startswith("_") else None
             yield view.hit("launch.unlaunched_action", call.node, _message(name, call.name), certainty=certainty)
-        elif parent.type == "expression_statement" and above_of(call.node, "function_definition") is not None:
+        elif name is None:
             what = f"`{call.name}(…)` is made and kept nowhere: it is never launched"
             yield view.hit("launch.unlaunched_action", call.node, f"{what}; expected it in the LaunchDescription")
 
 
-def _is_set_aside(name: str, view: FileView) -> bool:
-    """Whether a comment or text of the file has the name: somebody took it out of the description on purpose."""
-    places = re.findall(rb"(?<!\w)%s(?!\w)" % re.escape(name.encode()), view.content)
-    return len(places) > 1 or name.startswith("_")
+def _kept_as(call: Node) -> str | None:
+    """Return the name that a call is assigned to; empty where it is part of something, None where it is dropped."""
+    parent = call.parent
+    if parent is None or parent.type not in ("assignment", "expression_statement"):
+        return ""
+    if parent.type == "expression_statement":
+        return None if above_of(call, "function_definition") is not None else ""
+    left = parent.child_by_field_name("left")
+    is_right = parent.child_by_field_name("right") == call
+    return text_of(left) if left is not None and left.type == "identifier" and is_right else ""
+
+
+def _words(view: FileView) -> Counter[bytes]:
+    """Return how often each word stands in a file, comments and texts included; counted once."""
+    kept = view.kept.get(_words)
+    if not isinstance(kept, Counter):
+        kept = view.kept[_words] = Counter(re.findall(rb"\w+", view.content))
+    return kept
 
 
 def _message(name: str, made: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from roslens.model.source import Language
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
@@ -13,6 +15,8 @@ from roslens.source.rules.rule import PackageRule
 
 if TYPE_CHECKING:
     from roslens.source.extract.launch_python.deferred import Value
+    from roslens.source.extract.launch_python.launch_action import Parameter
+    from roslens.source.rules.views.launch_runs import LaunchRun
 
 _MENTIONS = (b"ommand", b"description")
 _SIGNS = (b": ", b" #")
@@ -22,24 +26,19 @@ _SIGNS = (b": ", b" #")
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each parameter that is the output of a command and has no type."""
     for run in view.launch_runs:
-        if not all(one in run.content for one in _MENTIONS):
-            continue
-        for action in run.actions:
-            for parameter in action.parameters:
-                name = _plain(parameter.name)
-                if parameter.type or parameter.file is not None or not _is_of_command(parameter.value):
-                    continue
-                at, context = parameter.evidence, name or "parameter"
-                certainty = None if _may_be_yaml(view) else Certainty.HEURISTIC
-                yield Hit(
-                    "launch.description_type",
-                    _message(name, run.path),
-                    at.line,
-                    at.column,
-                    context=context,
-                    path=run.path,
-                    certainty=certainty,
-                )
+        for parameter in _untyped(run) if all(one in run.content for one in _MENTIONS) else ():
+            name, at = _plain(parameter.name), parameter.evidence
+            hit = Hit(
+                "launch.description_type", _message(name, run.path), at.line, at.column, context=name, path=run.path
+            )
+            yield hit if _may_be_yaml(view) else msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC)
+
+
+def _untyped(run: LaunchRun) -> Iterator[Parameter]:
+    for action in run.actions:
+        for one in action.parameters:
+            if not one.type and one.file is None and _is_of_command(one.value):
+                yield one
 
 
 def _message(name: str, path: str) -> str:

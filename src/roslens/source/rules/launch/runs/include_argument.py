@@ -88,11 +88,16 @@ def _of_ros1(view: PackageView) -> Iterator[Hit]:
     for file in files.values():
         for element, _ in () if file.is_test else file.elements:
             target = files.get(_included(element, view))
-            declared = [] if target is None else list(declared_in(target))
-            for one in element.elements() if target is not None else ():
-                name = one.attributes.get("name", "")
-                if target is not None and one.tag == "arg" and name and name not in declared:
-                    yield file.hit("launch.include_argument", one, _message(name, target, declared), name)
+            if target is not None:
+                yield from _undeclared(file, element, target)
+
+
+def _undeclared(file: LaunchXml, include: Element, target: LaunchXml) -> Iterator[Hit]:
+    declared = list(declared_in(target))
+    for one in include.elements():
+        name = one.attributes.get("name", "")
+        if one.tag == "arg" and name and name not in declared:
+            yield file.hit("launch.include_argument", one, _message(name, target, declared), name)
 
 
 def _included(include: Element, view: PackageView) -> str:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+
+if TYPE_CHECKING:
+    from roslens.source.extract.facts.launched import Launched
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 _NAMESPACE = re.compile(r"(?:/|(?:/[A-Za-z_][A-Za-z0-9_]*)+/?)\Z")
@@ -20,16 +24,21 @@ def found(view: PackageView) -> Iterator[Hit]:
     said: set[tuple[str, int, str]] = set()
     for run in view.launch_runs:
         for node in run.launch.nodes if b"name" in run.content else ():
-            name, namespace, at = node.name.known, node.namespace.known, node.evidence
-            if node.kind not in _KINDS or at.path not in view.by_path:
-                continue
-            wrong = [("name", name)] if name and not _NAME.match(name) else []
-            wrong += [("namespace", namespace)] if namespace and not _NAMESPACE.match(namespace) else []
-            for what, text in wrong:
+            at = node.evidence
+            for what, text in _wrong(node) if at.path in view.by_path else ():
                 if (at.path, at.line, what) not in said:
                     said.add((at.path, at.line, what))
                     message = f"{what} {text!r} of a node: {_reason(text)}; expected letters, digits and `_` in it"
                     yield Hit("launch.invalid_name", message, at.line, at.column, context=text, path=at.path)
+
+
+def _wrong(node: Launched) -> Iterator[tuple[str, str]]:
+    """Yield the name and the namespace of a node where rcl refuses them."""
+    name, namespace = node.name.known, node.namespace.known
+    if node.kind in _KINDS and name and not _NAME.match(name):
+        yield "name", name
+    if node.kind in _KINDS and namespace and not _NAMESPACE.match(namespace):
+        yield "namespace", namespace
 
 
 def _reason(text: str) -> str:

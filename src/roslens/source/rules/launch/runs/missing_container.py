@@ -23,20 +23,32 @@ def found(view: PackageView) -> Iterator[Hit]:
     for run in view.launch_runs:
         if not any(one in run.content for one in _MENTIONS) or any(one.opens for one in run.launch.unresolved):
             continue
-        started = {name for one in run.launch.nodes if _is_container(one) and (name := _full_name(one))}
-        unnamed = any(_is_container(one) and not _full_name(one) for one in run.launch.nodes)
-        for node in run.launch.nodes:
-            target, at = node.container.known, node.evidence
-            if node.kind != "component" or not target or not started or unnamed or at.path not in view.by_path:
-                continue
-            full = target if target.startswith("/") else _below(node.namespace.known or "/", target)
-            if full not in started and f"/{target.lstrip('/')}" not in started and (at.path, at.line) not in said:
+        for node, message in _lost(run.launch.nodes):
+            at = node.evidence
+            if at.path in view.by_path and (at.path, at.line) not in said:
                 said.add((at.path, at.line))
-                close = get_close_matches(full, started, 1, 0.5)
-                expected = f"{close[0]!r}" if close else " or ".join(repr(one) for one in sorted(started)[:3])
-                what = f"it is loaded into {target!r}, and the launch file starts no container of that name"
-                message = f"{what}: launch waits for it for ever; expected {expected}"
-                yield Hit("launch.missing_container", message, at.line, at.column, context=target, path=at.path)
+                yield Hit("launch.missing_container", message, at.line, at.column, context=message, path=at.path)
+
+
+def _lost(nodes: tuple[Launched, ...]) -> Iterator[tuple[Launched, str]]:
+    """Yield the components whose container is not started, unless the name of a container is unknown."""
+    started = {_full_name(one) for one in nodes if _is_container(one)}
+    if not started or "" in started:
+        return
+    for node in nodes:
+        target = node.container.known
+        if node.kind != "component" or not target:
+            continue
+        full = target if target.startswith("/") else _below(node.namespace.known or "/", target)
+        if started.isdisjoint((full, f"/{target.lstrip('/')}")):
+            yield node, _message(target, full, started)
+
+
+def _message(target: str, full: str, started: set[str]) -> str:
+    close = get_close_matches(full, started, 1, 0.5)
+    expected = f"{close[0]!r}" if close else " or ".join(repr(one) for one in sorted(started)[:3])
+    what = f"it is loaded into {target!r}, and the launch file starts no container of that name"
+    return f"{what}: launch waits for it for ever; expected {expected}"
 
 
 def _is_container(node: Launched) -> bool:

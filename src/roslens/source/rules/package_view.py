@@ -71,6 +71,8 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         from roslens.source.rules.views.launch_outcome import LaunchOutcome
 
         return LaunchOutcome(self)
+
+    @cached_property
     def launch_runs(self) -> tuple[LaunchRun, ...]:
         """The launch files for ROS 2, evaluated when a rule first asks."""
         from roslens.source.rules.views.launch_runs import launch_runs

@@ -6,6 +6,7 @@ from roslens.model.configuration import Standing
 from roslens.source.extract.facts.launched import Fault
 from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
 from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+from roslens.source.extract.launch.substitution_text import arguments_of
 
 
 class Workspace:
@@ -149,3 +150,33 @@ def test_cycles_and_long_files_end():
     assert [(one.fault, one.evidence.path) for one in found] == [(Fault.CYCLE, "src/p/launch/b.launch.xml")]
     long = "<launch>" + '<node pkg="a" exec="b" name="$(var x)"/>\n' * 100_000 + "</launch>"
     assert len(failed(long)) <= 500
+
+
+@pytest.mark.parametrize(
+    ("written", "count"),
+    [
+        ("1+2", 1),
+        ("'1 + 2'", 1),
+        ("$(var n)==2", 1),
+        ("\"'$(var x)' == 'a b'\"", 1),
+        (r"'\'$(var x)\' == \'a b\''", 1),
+        ("'$(var n) > 1' math", 2),
+        ("not $(var x)", 2),
+        ("1 + 2", 3),
+        ("$(var n) == 2", 3),
+        ("'$(var n)' == '2'", 3),
+        ("", 0),
+    ],
+)
+def test_blanks_part_the_arguments_of_an_expression_as_the_grammar_of_launch_has_it(written, count):
+    assert arguments_of(written) == count
+    value = f"$(eval {written})".replace('"', "&quot;")
+    text = f'<launch><arg name="n" default="2"/><arg name="x" default="1"/><let name="y" value="{value}"/></launch>'
+    is_module = written.endswith("math")
+    assert bool(failed(text)) is (count != 1 and not is_module)
+
+
+@pytest.mark.parametrize("written", ["yes", "on", "", "off", "2"])
+def test_a_condition_takes_fewer_words_than_a_substitution(written):
+    assert failed(f'<launch>\n<group if="{written}"/></launch>') == [(Fault.EXPRESSION, 2, False)]
+    assert failed('<launch><group if="TRUE"/><group unless="0"/></launch>') == []

@@ -22,7 +22,7 @@ from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch.launch_reasons import place_and_reason, place_of, standing_of, written_condition
 from roslens.source.extract.launch.ros2_names import full_name, within
 from roslens.source.extract.launch.ros2_space import Space, keep, remaps_of
-from roslens.source.extract.launch_python.deferred import Scope, Value, resolve, truth
+from roslens.source.extract.launch_python.deferred import Scope, Value, condition_holds, resolve
 from roslens.source.extract.launch_python.launch_action import Action, Parameter
 from roslens.source.extract.launch_python.turns import turns_over, turns_up_to
 from roslens.source.extract.parameters.ros2_values import type_in_launch
@@ -200,7 +200,7 @@ class _Whole:
             return ()
         value = resolve(condition.value, scope)
         try:
-            holds = truth(value)
+            holds = condition_holds(value)
         except ValueError as error:
             standing = self.failures.report(Fault.EXPRESSION, str(written_condition(condition)), str(error))
             self.miss(str(written_condition(condition)), action.evidence, str(error), standing=standing)

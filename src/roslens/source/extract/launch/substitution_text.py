@@ -12,6 +12,8 @@ from roslens.source.extract.launch_python.deferred import Deferred, Value
 from roslens.source.extract.launch_python.launch_action import text, unknown_value
 
 _MOST_DEPTH = 20
+MOST_OF_EVAL = 2
+"""Arguments of ``$(eval …)``: the expression, and in newer distributions names of modules."""
 _QUOTES = "'\""
 _KINDS = {
     "var": "configuration",
@@ -143,6 +145,11 @@ def _closing(written: str, at: int) -> int:
 
 def _one(inside: str, depth: int) -> Value:
     command, _, rest = inside.strip().partition(" ")
+    if command == "eval" and (count := arguments_of(rest)) > 1:
+        if count == MOST_OF_EVAL and rest.strip()[0] in _QUOTES:
+            return unknown_value(f"an expression with modules: {inside}")
+        reason = f"it has {count} arguments, parted by blanks; expected the expression in quotes"
+        return Deferred("refused", (f"$({inside})", reason))
     if command in ("eval", "command"):
         # Everything behind the word is one text, its outer quotes left out.
         return Deferred("python" if command == "eval" else "command", (parse(_unquoted(rest.strip()), depth),))
@@ -155,6 +162,30 @@ def _one(inside: str, depth: int) -> Value:
     if not arguments and kind not in ("folder", "file"):
         return unknown_value(f"substitution $({inside}) without an argument")
     return Deferred(kind, tuple(arguments))
+
+
+def arguments_of(rest: str) -> int:
+    """Return how many arguments a substitution has: blanks part them outside of quotes and brackets.
+
+    As the grammar of launch has it, in which a backslash takes the meaning of the sign behind it.
+    """
+    count, depth, quote, is_open = 0, 0, "", False
+    signs = iter(rest.strip())
+    for sign in signs:
+        if sign == "\\":
+            next(signs, "")
+        elif depth:
+            depth += (sign == "(") - (sign == ")")
+        elif sign == " " and not quote:
+            is_open = False
+            continue
+        elif sign == "(" and not quote:
+            depth = 1
+        elif sign in _QUOTES and quote in ("", sign):
+            quote = "" if quote else sign
+        if not is_open:
+            count, is_open = count + 1, True
+    return count
 
 
 def _unquoted(written: str) -> str:

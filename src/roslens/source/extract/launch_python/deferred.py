@@ -38,7 +38,8 @@ class Deferred(Foreign, frozen=True):
             the parts that it joins), ``content`` (of a file), ``turn`` (what a loop gives its actions, by name),
             ``python``, ``not``, ``and``, ``or``, ``equals``, ``unequal``, ``if`` (condition, then, else), ``folder``,
             ``file``, ``anonymous``, ``command``, ``rewritten`` (a file of parameters, and what
-            ``file_changes.written_changes`` makes of its changes) or ``unknown`` (with the reason).
+            ``file_changes.written_changes`` makes of its changes) ``refused`` (what is
+            written, and why launch refuses it) or ``unknown`` (with the reason).
         parts: what it is made of; of ``configuration`` and ``environment`` the name, and the default if there is one.
     """
 
@@ -114,6 +115,20 @@ def truth(text: Text) -> bool | None:
     if value in ("false", "0", "no", "off", ""):
         return False
     raise ValueError(f"{known!r} is not a condition; expected `true` or `false`")
+
+
+def condition_holds(text: Text) -> bool | None:
+    """Return whether a condition of an action holds; None if it is unknown.
+
+    launch takes fewer words for it than for the values of its substitutions (evaluate_condition_expression_impl.py).
+
+    Raises:
+        ValueError: launch takes it for neither.
+    """
+    known = text.known
+    if known is not None and known.strip().lower() not in ("true", "1", "false", "0"):
+        raise ValueError(f"{known!r} is not a condition; expected `true`, `1`, `false` or `0`")
+    return truth(text)
 
 
 def _said(parts: list[Text], decide: Callable[[list[bool]], bool]) -> Text:
@@ -235,6 +250,13 @@ def _rewritten(parts: list[Text], scope: Scope) -> Text:
     return unknown(RewrittenFile(of.known or str(of), scope.rewritten.index(found)))
 
 
+def _refused(parts: list[Text], scope: Scope) -> Text:
+    written, reason = (str(part) for part in parts)
+    if scope.report is not None:
+        scope.report(Fault.EXPRESSION, written, reason, scope.at)
+    return unknown(f"{written}: {reason}")
+
+
 def _python(parts: list[Text], scope: Scope) -> Text:
     whole = Text.of(*parts)
     if whole.known is None:
@@ -269,6 +291,7 @@ _KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
     "text": lambda parts, scope: _installed(Text.of(*parts), scope),
     "configuration": _configuration,
     "optional": _optional,
+    "refused": _refused,
     "environment": _environment,
     "share": _share,
     "prefix": lambda parts, _scope: unknown(InstalledAt(str(parts[0]))),

@@ -38,6 +38,11 @@ class PackageBeside:
             return True
         return bool({f"{name}.in", f"{name}.xacro", f"{name}.em", f"{name}.j2"} & names) or name in self._builds
 
+    @cached_property
+    def is_for_ros2(self) -> bool:
+        """Whether it is built for ROS 2."""
+        return "ament" in self._read("package.xml")
+
     def like(self, inside: str) -> str:
         """Return the name of a file of the package that is nearly the one that is missing; empty where none is."""
         from difflib import get_close_matches

@@ -58,10 +58,15 @@ def _hit(one: Outcome, name: str, inside: str, package: PackageBeside) -> Hit:
     by = " by the default of an argument" if one.by_default else ""
     message = f"{inside!r} is no file of package {name}, and is named here{by}{started}; expected a file of it{advice}"
     line, column = failed.evidence.line, failed.evidence.column
-    return Hit(_RULE, message, line, column, context=inside, path=failed.evidence.path, certainty=_certainty(one))
+    return Hit(
+        _RULE, message, line, column, context=inside, path=failed.evidence.path, certainty=_certainty(one, package)
+    )
 
 
-def _certainty(one: Outcome) -> Certainty | None:
+def _certainty(one: Outcome, package: PackageBeside) -> Certainty | None:
+    # What is left over from ROS 1 beside packages for ROS 2 nobody starts.
+    if not one.source.is_ros2 and package.is_for_ros2:
+        return Certainty.HEURISTIC
     if one.by_default and (one.is_included or _WITHOUT.search(one.failed.text)):
         return Certainty.HEURISTIC
     return Certainty.LIKELY if one.failed.open or one.by_default else None

@@ -25,6 +25,9 @@ LIBRARIES = (
     "uvicorn",
 )
 
+_VERIFIED = "rmw_fastrtps"
+"""What names of the verified middleware begin with."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the workspace."""
@@ -58,12 +61,33 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
             ("ok", f"{program}: {place}") if place else ("note", f"{program} is not installed; it is needed for {use}")
         )
     yield _sandbox()
+    yield from _middleware()
     yield from _tools(options)
     try:
         yield from _configuration(options)
     except RoslensError as error:
         yield "fail", str(error)
     yield from _store(options)
+
+
+def _middleware() -> Iterator[tuple[str, str]]:
+    """Report the middleware of ROS 2 that is set, and whether the live half is verified with it."""
+    import os
+
+    set_ = os.environ.get("RMW_IMPLEMENTATION", "")
+    if not set_ and not os.environ.get("ROS_DISTRO", ""):
+        return
+    name = set_ or "the default of the distribution (RMW_IMPLEMENTATION is not set)"
+    if not set_ or set_.startswith(_VERIFIED):
+        yield "ok", f"middleware of ROS 2: {name}; the live half is verified with Fast DDS ({_VERIFIED})"
+    else:
+        yield (
+            "note",
+            (
+                f"middleware of ROS 2: {name}; the live half is verified with Fast DDS ({_VERIFIED}) alone: see "
+                f"docs/reference/observing.md#middlewares for what may be unknown"
+            ),
+        )
 
 
 def _sandbox() -> tuple[str, str]:

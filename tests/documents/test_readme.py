@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from documents.commands import ROOT, Reader, blocks, without_comment
+from documents.commands import ROOT, Reader, blocks, squeezed, without_comment
 
 from roslens.cli.main import parser
 
@@ -39,7 +39,7 @@ pytestmark = pytest.mark.heavy
 
 def commands() -> Iterator[str]:
     for block in blocks((ROOT / "README.md").read_text("utf-8")):
-        for line in block.lines:
+        for line in block.lines if block.is_commands else ():
             command = without_comment(line).removesuffix(" &")
             if command and not command.startswith(OTHERS):
                 yield command
@@ -51,6 +51,16 @@ def reason(command: str) -> str:
 
 RUN = [one for one in dict.fromkeys(commands()) if not reason(one)]
 UNDERSTOOD = [one for one in dict.fromkeys(commands()) if reason(one)]
+
+
+def test_the_example_is_what_the_change_of_the_demo_brings(tmp_path: Path) -> None:
+    reader = Reader(tmp_path)
+    shown = [one for one in blocks((ROOT / "README.md").read_text("utf-8")) if not one.is_commands]
+    done = reader.type("sh examples/change.sh ~/demo && roslens check ~/demo --baseline HEAD --new-only --no-store -q")
+    assert done.code == 1
+    assert len(shown) == 1
+    for block in shown:
+        assert squeezed(" ".join(block.lines)) in squeezed(done.printed)
 
 
 def test_no_reason_is_left_over() -> None:

@@ -40,6 +40,14 @@ CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clo
 SPINS = '#include <ros/ros.h>\nvoid f(A a) {{ {0} }}\nvoid g() {{ handle.subscribe("a", 1, f); }}\n'
 SHARED = '#include <rclcpp/rclcpp.hpp>\nArm::Arm() : Node("arm") {{ {0} }}\n'
 TIMER, HEARD = "Timer(rospy.Duration(1), self.read)", "Subscriber('a', String, self.read)"
+ACTION = """import time, rclpy
+class Turtle(Node):
+    def __init__(self):
+        self.server = ActionServer(self, Move, "move", {0})
+    def move(self, goal):
+        time.sleep(1)
+"""
+OLD_NODE = "from launch_ros.actions import Node\nnode = Node(package='arm', {0}='arm', executable='arm')\n"
 RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 
 
@@ -101,6 +109,16 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("node.create_rate"), None),
+        ("node.sleep_in_callback_python", Language.PYTHON, ACTION.format("self.move"), Certainty.HEURISTIC),
+        (
+            "node.sleep_in_callback_python",
+            Language.PYTHON,
+            ACTION.format("goal_callback=self.look, execute_callback=self.move"),
+            Certainty.HEURISTIC,
+        ),
+        ("node.sleep_in_callback_python", Language.PYTHON, ACTION.format("self.work, goal_callback=self.move"), None),
+        ("launch.unknown_keyword", Language.PYTHON, OLD_NODE.format("node_name"), Certainty.LIKELY),
+        ("launch.unknown_keyword", Language.PYTHON, OLD_NODE.format("nmae"), None),
         ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Certainty.HEURISTIC),
     ],
 )

@@ -116,6 +116,7 @@ BROUGHT_BY = {
     "image_pipeline": r"image_\w+|depth_image_proc|stereo_image_proc",
     "image_common": r"image_transport|camera_\w+",
     "perception_pcl": r"pcl_\w+",
+    "tf2_ros_py": r"tf2_ros",
     "robot_model": r"urdf|kdl_parser|joint_state_publisher",
     "diagnostics": r"diagnostic_\w+|self_test",
     "desktop": r"rviz2?|rqt\w*|robot_state_publisher|joint_state_publisher\w*|tf2_ros|\w+_msgs",

@@ -82,3 +82,32 @@ class R { public:
   ros::NodeHandle nh_; ros::Subscriber a_; ros::ServiceServer b_; };
 """
     assert [str(one.type) for one in main_of("R r;", before).endpoints] == ["std_msgs/String", "std_srvs/Empty"]
+
+
+SPECIALISED = """
+class R { public:
+  template<typename T> void make(const std::string & name);
+  ros::NodeHandle nh_; ros::Publisher pub_; };
+template<> void R::make<bool>(const std::string & name) { pub_ = nh_.advertise<std_msgs::Bool>(name, 1); }
+template<> void R::make<int32_t>(const std::string & name) { pub_ = nh_.advertise<std_msgs::Int32>(name, 1); }
+template<> void R::make<std::string>(const std::string & name) { pub_ = nh_.advertise<std_msgs::String>(name, 1); }
+template<typename T> void made(ros::NodeHandle & nh) { static auto pub = nh.advertise<std_msgs::Empty>("any", 1); }
+template<> void made<double>(ros::NodeHandle & nh) { static auto pub = nh.advertise<std_msgs::Float64>("exact", 1); }
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ('R r; r.make<bool>("a");', [("a", "std_msgs/Bool")]),
+        ('R r; r.make<int>("a");', [("a", "std_msgs/Int32")]),
+        ('R r; r.make<std::string>("a");', [("a", "std_msgs/String")]),
+        ('R r; r.make<bool>("a"); r.make<int>("b");', [("a", "std_msgs/Bool"), ("b", "std_msgs/Int32")]),
+        ('R r; r.make<float>("a");', []),
+        ("ros::NodeHandle nh; made<double>(nh);", [("exact", "std_msgs/Float64")]),
+        ("ros::NodeHandle nh; made<int>(nh);", [("any", "std_msgs/Empty")]),
+    ],
+)
+def test_template_arguments_choose_a_specialisation(main_of, call, expected):
+    endpoints = main_of(call, SPECIALISED).endpoints
+    assert [(str(one.name), one.type.known) for one in endpoints] == expected

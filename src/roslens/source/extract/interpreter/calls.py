@@ -85,7 +85,7 @@ class Calls:
         thing = ctx.state.frame.object
         if thing is None or "." in name:
             return self._called_elsewhere(name, expression, arguments, keywords, templates)
-        method = ctx.named.methods(thing, name, len(arguments), arguments)
+        method = ctx.named.methods(thing, name, len(arguments), arguments, templates)
         if method is not None:
             return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
         if name in thing.fields:
@@ -120,7 +120,7 @@ class Calls:
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = memo.outside.get(key)
         if meant is None:
-            found = ctx.named.function(name, key[-1], arguments) or ctx.expressions.defined(name)
+            found = ctx.named.function(name, key[-1], arguments, templates) or ctx.expressions.defined(name)
             match found:
                 case Callable() | Class():
                     return self._called_defined(found, name, expression, arguments, keywords, templates)
@@ -215,7 +215,7 @@ class Calls:
                     return self._of_base(of, name, arguments, keywords)
                 if of.ways:
                     return self._of_ways(of, expression, name, arguments, keywords, templates)
-                method = ctx.named.methods(of, name, len(arguments) + len(keywords), arguments)
+                method = ctx.named.methods(of, name, len(arguments) + len(keywords), arguments, templates)
                 if method is not None:
                     return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))
                 if name in of.fields:
@@ -247,7 +247,7 @@ class Calls:
         ctx = self.ctx
 
         def call(thing: Obj) -> Value:
-            method = ctx.named.methods(thing, name, len(arguments) + len(keywords), arguments)
+            method = ctx.named.methods(thing, name, len(arguments) + len(keywords), arguments, templates)
             if method is None:
                 return Unknown(f"result of {name}()")
             return ctx.call(Invocation(method, arguments, keywords, expression.arguments, templates))

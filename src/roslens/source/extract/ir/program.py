@@ -232,6 +232,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
             value of a member with other than one argument is the sequence of them: what it constructs its class says.
         body: its statements; of a C++ function that only computes it is empty, also where it returns something.
         templates: names of its template parameters, those of its class first.
+        specialised: the template arguments that an explicit specialisation of C++ is for: ``template <> int f<int>()``.
         decorators: Python's, as expressions.
         hands: whether it is of C++ and returns a reference or pointer to what may be changed.
         local: whether it is of C++ and known to its own file only: ``static``, or in a namespace without name.
@@ -251,6 +252,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
     sets: tuple[str, ...] = ()
     hands: bool = False
     local: bool = False
+    specialised: tuple[str, ...] = ()
 
 
 class Field(msgspec.Struct, frozen=True, array_like=True):

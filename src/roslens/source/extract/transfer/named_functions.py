@@ -13,7 +13,7 @@ from roslens.source.extract.ir.makes_endpoints import makes_endpoints
 from roslens.source.extract.ir.program import Function
 from roslens.source.extract.symbols.memo import Found
 from roslens.source.extract.symbols.symbol_table import Defined, DefinedFunction, SymbolTable
-from roslens.source.extract.transfer.overload_choice import overload, taking
+from roslens.source.extract.transfer.overload_choice import overload, specialised, taking
 
 _FEW = 3
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
@@ -59,23 +59,28 @@ class NamedFunctions:
                 return chosen.what, chosen.path
         return None
 
-    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
+    def methods(
+        self, thing: Obj, name: str, count: int, arguments: Sequence[Value] = (), templates: Sequence[str] = ()
+    ) -> Callable | None:
         """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
         defined = thing.defined
         if defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
         known, key = self._ctx.index.memo.overloads, (id(defined.what), name, count)
         found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
-        if arguments and found is not None and key not in self._ctx.index.memo.alone:
-            found = self._overload_of(defined, name, count, arguments)
+        if (arguments or templates) and found is not None and key not in self._ctx.index.memo.alone:
+            found = self._overload_of(defined, name, count, arguments, templates)
         return None if found is None else Callable(found[0], found[1], thing)
 
-    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = ()) -> Found:
+    def _overload_of(
+        self, defined: Defined, name: str, count: int, arguments: Sequence[Value] = (), templates: Sequence[str] = ()
+    ) -> Found:
         """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
         hidden: Found = None
         for one in self._ctx.index.chain(defined):
             found = self._ctx.index.methods(one, name)
-            chosen = overload(self._ctx.index, found, count, arguments, self._ctx.stack.running)
+            meant = specialised(found, templates)
+            chosen = overload(self._ctx.index, meant, count, arguments, self._ctx.stack.running)
             if chosen is None:
                 continue
             if taking(self._ctx.index, [chosen], count) or not self._ctx.index.programs[chosen.path].dialect.overloads:
@@ -86,7 +91,9 @@ class NamedFunctions:
             hidden = hidden or (chosen.what, chosen.path)
         return hidden
 
-    def function(self, name: str, count: int, arguments: Sequence[Value] = ()) -> Callable | None:
+    def function(
+        self, name: str, count: int, arguments: Sequence[Value] = (), templates: Sequence[str] = ()
+    ) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
         frame, known = self._ctx.state.frame, self._ctx.index.memo.functions
         key = (name, frame.path, frame.scope, count)
@@ -94,8 +101,8 @@ class NamedFunctions:
             found = known[key]
         else:
             several = self._ctx.index.functions_of(name, frame.path, frame.scope)
-            found = self._function(several, name, count, arguments)
-            if len(several) < 2:
+            found = self._function(specialised(several, templates), name, count, arguments)
+            if len(several) < 2 and not any(one.what.specialised for one in several):
                 known[key] = found
         return None if found is None else Callable(found[0], found[1])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Value
@@ -13,6 +14,8 @@ from roslens.source.extract.symbols.symbol_table import DefinedFunction, SymbolT
 
 _TEXTS = frozenset({"string", "char", "QString", "string_view"})
 _TAGS = {"true_type": True, "false_type": False}
+_STANDARD = re.compile(r"\b(?:::)?std::")
+_SAME_TYPES = {"int32_t": "int", "signed": "int", "uint32_t": "unsigned", "unsignedint": "unsigned"}
 _FITS, _UNFIT = 1, -4
 _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 _PLAIN = _TEXTS | NUMBER_TYPES
@@ -51,6 +54,24 @@ def overload(
         if nearest >= Near.LINKED and len({one.path for one in best}) > 1:
             return None
     return max(best, key=lambda one: len(one.what.body), default=None)
+
+
+def specialised(found: list[DefinedFunction], templates: Sequence[str]) -> list[DefinedFunction]:
+    """Return the functions that a call with such template arguments may mean.
+
+    That is the specialisation for them, else those that are for no certain arguments. A call without any may mean each.
+    """
+    if not templates or not any(one.what.specialised for one in found):
+        return found
+    wanted = tuple(map(_plain_type, templates))
+    same = [one for one in found if tuple(map(_plain_type, one.what.specialised)) == wanted]
+    return same or [one for one in found if not one.what.specialised]
+
+
+def _plain_type(written: str) -> str:
+    """Return a type in one way of writing, as far as types are often written in two."""
+    plain = _STANDARD.sub("", "".join(written.replace(".", "::").split()))
+    return _SAME_TYPES.get(plain, plain)
 
 
 def _line(one: DefinedFunction) -> int:

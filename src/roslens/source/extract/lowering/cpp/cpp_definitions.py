@@ -27,7 +27,7 @@ from roslens.source.extract.lowering.cpp.cpp_lowered import Lowered, name_of, op
 from roslens.source.extract.lowering.cpp.cpp_macros import is_registration, macro_value
 from roslens.source.extract.lowering.cpp.cpp_parameters import Parameters, given_back
 from roslens.source.extract.lowering.cpp.cpp_statements import StatementLowering
-from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, dotted
+from roslens.source.extract.lowering.cpp.cpp_types import declared_name, declared_type, dotted, specialised_for
 from roslens.source.extract.lowering.cpp.cpp_variables import Statements
 from roslens.source.syntax.cpp_names import (
     base_names,
@@ -240,7 +240,7 @@ class Definitions:
         local = not class_name and (self._hidden > 0 or self._is_static(node))
         function = Function(
             name, qualified, line, class_name, parameters, first, statements, templates,
-            sets=sets, hands=hands, local=local,
+            sets=sets, hands=hands, local=local, specialised=specialised_for(declarator, self._lowered.source),
         )  # fmt: skip
         self._lowered.end_function(index, function)
 

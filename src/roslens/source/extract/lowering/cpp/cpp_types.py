@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from tree_sitter import Node
+
 from roslens.source.syntax.cpp_names import squeezed, text_of, without_arguments
 
 _STORAGE = re.compile(
@@ -57,6 +59,16 @@ def _template_arguments(text: str) -> tuple[str, ...]:
             break
         start -= 1
     return tuple(map(squeezed, split_at_commas(text[start + 1 : end]))) if start >= 0 else ()
+
+
+def specialised_for(declarator: Node, source: bytes) -> tuple[str, ...]:
+    """Return the template arguments of the name of a function that is a specialisation; empty of another."""
+    named = declarator.child_by_field_name("declarator")
+    while named is not None and named.type == "qualified_identifier":
+        named = named.child_by_field_name("name")
+    if named is None or named.type not in ("template_function", "template_method"):
+        return ()
+    return name_and_templates(source[named.start_byte : named.end_byte])[1]
 
 
 def split_at_commas(text: str) -> list[str]:

@@ -42,15 +42,25 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             f"`{view.text(call)}` in {spoken(callback)}: messages queue up meanwhile; expected a timer that goes on "
             "later",
             callback=callback,
-            certainty=None if length >= _LONG_S else Certainty.HEURISTIC,
+            certainty=None if length >= _LONG_S and not _executes(callback, view) else Certainty.HEURISTIC,
         )
+
+
+def _executes(callback: str, view: FileView) -> bool:
+    """Return whether a callback carries out goals of an action: to take its time is what it is for."""
+    name = callback.rpartition(".")[2].encode()
+    given = (
+        rb"\bActionServer\s*\((?:[^()=]*,|[^()]*\bexecute_callback\s*=)\s*(?:self\s*\.\s*)?" + re.escape(name) + rb"\b"
+    )
+    return bool(name) and re.search(given, view.code) is not None
 
 
 RULE = FileRule(
     id="node.sleep_in_callback_python",
     title="Sleep in a callback (Python)",
     finds="A callback that sleeps: of a subscription or timer, in rclpy of a service or action too. Let a timer go on "
-    "later instead. A sleep of less than a second, or of a length that is computed, is a note: a device may need it.",
+    "later instead. A sleep of less than a second, or of a length that is computed, is a note: a device may need it. "
+    "So is one where goals of an action are carried out, which may take their time: only other callbacks wait.",
     why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
     consequence=Consequence.MAY_BE_WRONG,

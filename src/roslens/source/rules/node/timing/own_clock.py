@@ -74,7 +74,7 @@ RULE = FileRule(
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",
-    consequence=Consequence.WRONG,
+    consequence=Consequence.MAY_BE_WRONG,
     certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("time", "simulation"),

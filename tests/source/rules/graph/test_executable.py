@@ -27,6 +27,7 @@ def test_what_is_installed_and_what_is_not_known_is_none():
         node("/d", executable="x", package="elsewhere"),
         node("/e", executable="slam_*"),
         node("/f", executable="echo", kind="process"),
+        node("/g", executable="/opt/venv/bin/python"),
     )
 
 

@@ -39,7 +39,8 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     for node in configuration.nodes:
         package, name = _owner(node)
         installed = surroundings.installed.get(package)
-        if not name or "*" in package + name or node.kind == "process":
+        # A whole path is started as it is, whatever the package (``os.path.join`` and ``which`` keep it).
+        if not name or "*" in package + name or node.kind == "process" or name.startswith("/"):
             continue
         if installed is None:
             if _misspelt(package, name, node, surroundings):

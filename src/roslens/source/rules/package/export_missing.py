@@ -16,13 +16,15 @@ _ID = "package.export_missing"
 _PREFIX = re.compile(r"\$\{prefix\}/(?P<path>[^$\s]+\.\w+)")
 _READ_IN_ROS2 = frozenset({"rqt_gui"})
 """Exports of package.xml that something reads in ROS 2: pluginlib takes what CMake writes into the index instead."""
+_FOR_DOCUMENTS = frozenset({"rosdoc"})
+"""Exports that no program of the robot reads."""
 _OPEN = re.compile(r"\$|[*?]|GLOB")
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each file below ``${prefix}`` of an export that does not exist, or that no rule installs."""
     for export in view.package.exports:
-        if not export.active or (1 not in view.ros and export.tag not in _READ_IN_ROS2):
+        if not export.active or export.tag in _FOR_DOCUMENTS or (1 not in view.ros and export.tag not in _READ_IN_ROS2):
             continue
         for written in export.attributes.values():
             match = _PREFIX.fullmatch(written.strip())

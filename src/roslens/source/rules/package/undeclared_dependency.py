@@ -87,11 +87,19 @@ def _expected(use: Use, view: PackageView) -> bool:
     name = use.name
     if not use.required or name in NEEDS_NO_KEY or name == view.package.name:
         return False
+    if use.how.startswith("import") and _is_own_module(name, view):
+        return False
     if any(one.endswith((f"Find{name}.cmake", f"{name}-config.cmake", f"{name}Config.cmake")) for one in view.listing):
         return False
     if name.startswith("ament_cmake"):
         return use.when == TEST and name.removeprefix("ament_cmake_") in ("gtest", "gmock", "pytest")
     return use.how.startswith("launch") or name in KEYS or looks_like_ros_package(name)
+
+
+def _is_own_module(name: str, view: PackageView) -> bool:
+    """Return whether the package has a module of a name, wherever: ``sys.path`` may have its folder."""
+    ends = (f"/{name}.py", f"/{name}/__init__.py")
+    return any(one.endswith(ends) for one in view.listing)
 
 
 RULE = PackageRule(

@@ -1,8 +1,9 @@
 from roslens.model.configuration import Proof
+from roslens.model.finding import Severity
 from roslens.model.source import Dependency, Location, Package
 from roslens.source.rules.graph.executable import found
 from roslens.source.rules.graph.surroundings import Surroundings
-from testbed.configured import configuration, node
+from testbed.configured import configuration, launched, node
 
 INSTALLED = {"robot": ("slam_node", "robot::Slam", "Filter")}
 
@@ -68,6 +69,10 @@ def test_a_package_that_is_not_there_and_nearly_one_that_has_the_program():
         "`robot`, which installs it? Else add <exec_depend>robto</exec_depend>. In doubt: `robto` may be installed on "
         "the target machine."
     )
+    assert one.severity is Severity.WARNING
+    guessed = launched(4, sure="likely")
+    (same,) = findings(node("/slam", package="robto", executable="slam_node", known=False, proof=guessed))
+    assert same.severity is Severity.WARNING
     assert not findings(node("/slam", package="robto", executable="other_node", known=False))
     place = Location("package.xml", 1)
     for one in (

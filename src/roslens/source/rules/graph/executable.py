@@ -80,7 +80,8 @@ def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Su
     node = min(nodes, key=lambda one: (len(one.conditions), one.proof))
     near = _misspelt(package, name, node, surroundings)
     more = f"`{package}` may be installed on the target machine" if near else ""
-    certainty, doubt = weighed(RULE.certainty, (node.proof,), node.conditions, more=more)
+    # The name that a node is given without its code says nothing about the package that a launch file names.
+    certainty, doubt = weighed(RULE.certainty, () if near else (node.proof,), node.conditions, more=more)
     what = _WHAT.get(node.kind, "executable")
     if near:
         message = (

@@ -17,13 +17,27 @@ _MANIFEST = b"""\
 <package format="3"><name>a</name><version>1.0.0</version><description>a</description>
 <maintainer email="a@example.org">a</maintainer><license>MIT</license></package>
 """
+_LAUNCH = b"""\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package="a", executable="a")])
+"""
+_CMAKE = b"""\
+project(a)
+find_package(b)
+rosidl_generate_interfaces(a msg/A.msg)
+add_executable(a a.cpp)
+install(TARGETS a DESTINATION a)
+ament_package()
+"""
 _FILES = {
     "a.cpp": (Language.CPP, b"#include <vector>\nclass A { public: int a(int b) { return b ? 1 : 2; } };\n"),
     "a.py": (Language.PYTHON, b"class A:\n    def a(self, b):\n        return 1 if b else 2\n"),
-    "CMakeLists.txt": (
-        Language.CMAKE,
-        b"project(a)\nfind_package(b)\nadd_executable(a a.cpp)\ninstall(TARGETS a DESTINATION a)\nament_package()\n",
-    ),
+    "CMakeLists.txt": (Language.CMAKE, _CMAKE),
+    "launch/a.launch.py": (Language.PYTHON, _LAUNCH),
     "launch/a.launch": (Language.LAUNCH_XML, b'<launch><node pkg="a" exec="a" name="a"/></launch>\n'),
     "msg/A.msg": (Language.MSG, b"int32 a\n"),
     "package.xml": (Language.MANIFEST, _MANIFEST),
@@ -38,11 +52,13 @@ def make_ready() -> None:
     from roslens.source.extract.builds.python_setup import read_setup_script
     from roslens.source.extract.builds.python_setup_targets import read_setup
     from roslens.source.extract.facts.files import FolderFiles
+    from roslens.source.extract.launch.launch_ros2 import actions_of
 
     read_setup("", FolderFiles(Path(), {}), frozenset())
+    actions_of("a.launch.py", _LAUNCH, FolderFiles(Path(), {}))
     read_setup_script(_SETUP, "setup.py", frozenset())
     settings = SourceSettings()
-    package = Package("a", "a", ".", Location("package.xml"))
+    package = Package("a", "a", ".", Location("package.xml"), build_type="ament_cmake")
     files = tuple(
         SourceFile(path, language, size=len(content), content_hash=content_hash(content))
         for path, (language, content) in _FILES.items()

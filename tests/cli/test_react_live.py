@@ -48,7 +48,7 @@ def test_what_makes_no_sense_is_refused_before_anything_begins(reference, words,
 
 
 def test_what_was_done_before_a_monitor_began_again_counts_on(tmp_path):
-    from roslens.cli.react.react_live import _done_before
+    from roslens.cli.react.done_before import done_before
     from roslens.store.journals.journal import Journal
 
     path, now = tmp_path / "journal.jsonl", time.time()
@@ -58,6 +58,6 @@ def test_what_was_done_before_a_monitor_began_again_counts_on(tmp_path):
         journal.add("announced", now - 60.0, decision="r/2.0", reaction="r", entity="node:/a", action=action)
         journal.add("announced", now - 50.0, decision="r/3.0", reaction="r", action={"kind": 3})
         journal.add("outcome", now - 40.0, decision="r/2.0", result="done")
-    ((decision, ago_s),) = _done_before(path, 600.0)
+    ((decision, ago_s),) = done_before(path, 600.0)
     assert (decision.id, str(decision.action.target)) == ("r/2.0", "node:/a")
     assert 60.0 <= ago_s < 90.0

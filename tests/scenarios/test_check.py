@@ -35,9 +35,13 @@ def test_text_says_what_is_wrong_and_what_to_do_next(roslens, robot):
 
 def test_fail_on_decides_the_exit_code(roslens, robot):
     robot.package("arm", knotty__cpp=KNOTTY)
-    assert roslens("check", robot.root, "--fail-on", "warning").code == 1
-    assert roslens("check", robot.root, "--fail-on", "never").code == 0
-    assert roslens("check", robot.root, "--fail-on", "warning", "--tag", "comments").code == 0
+    # Limits of the ROS model are warnings where it is asked for, and notes by default.
+    strict = ("check", robot.root, "--model", "ros", "--fail-on")
+    assert roslens(*strict, "warning").code == 1
+    assert roslens(*strict, "never").code == 0
+    assert roslens(*strict, "warning", "--tag", "nesting").code == 0
+    assert roslens("check", robot.root, "--fail-on", "warning").code == 0
+    assert roslens("check", robot.root, "--fail-on", "note").code == 1
 
 
 def test_a_finding_carries_value_bound_and_model(roslens, robot):
@@ -90,11 +94,12 @@ def test_test_code_is_visible_but_does_not_fail_the_gate(roslens, robot):
     folder = robot.package("arm")
     (folder / "test").mkdir()
     (folder / "test" / "test_knotty.cpp").write_text(KNOTTY)
-    done = roslens("check", robot.root, "--fail-on", "warning", "--format", "json")
+    strict = ("check", robot.root, "--model", "ros", "--fail-on", "warning")
+    done = roslens(*strict, "--format", "json")
     (finding,) = [found for found in done.json()["findings"] if found["rule"] == CC_RULE]
     assert (done.code, finding["gated"]) == (0, False)
     (robot.root / "roslens.toml").write_text('gate_roles = ["own", "test"]\n')
-    assert roslens("check", robot.root, "--fail-on", "warning").code == 1
+    assert roslens(*strict).code == 1
 
 
 def test_a_suppression_hides_a_finding(roslens, robot):
@@ -113,7 +118,7 @@ def test_more_models_judge_by_more_bounds(roslens, robot):
 
 def test_the_counts_of_findings_are_quantities(roslens, robot):
     robot.package("arm", knotty__cpp=BRANCHING)
-    report = report_of(roslens, robot)
+    report = roslens("check", robot.root, "--model", "ros", "--format", "json").json()
     (package,) = report["packages"]
     assert [one["rule"] for one in report["findings"]] == ["ros.function_limits"]
     assert (package["metrics"]["rqv"], package["metrics"]["rcv"]) == (2, 0)

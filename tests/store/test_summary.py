@@ -25,6 +25,7 @@ def test_the_small_run(sample):
             ("complexity", "metrics", "ros"),
             1.133333,
             path="src/drive/src/drive.cpp",
+            line=12,
         ),
         RuleCount(
             "style.tabs",
@@ -34,6 +35,7 @@ def test_the_small_run(sample):
             'src/drive/test/test_drive.cpp:3: a tab, "quoted"',
             ("style",),
             path="src/drive/test/test_drive.cpp",
+            line=3,
         ),
     )
 

@@ -25,7 +25,7 @@ def test_what_would_have_been_done_when_and_why(front, capsys):
     assert lines[0] == "    21.50 s  front.blind/1.0: publish"
     assert "             because topic:/scan is absent since 21.00 s: given" in lines
     assert "             first cause node:/lidar" in lines
-    assert "    22.10 s  front.lidar/2.1: restart node:/lidar: /lidar on robot-1 is gone" in lines
+    assert "    22.10 s  front.lidar/2.1: restart node:/lidar: /lidar on robot-1 is crashed" in lines
     assert "    32.10 s  front.lidar/2.1: still there: the next action follows" in lines
     assert lines[-1] == "front.test.yaml: 4 actions in 40.0 s; nothing was done"
 

@@ -155,7 +155,7 @@ RULE = PackageRule(
     certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("launch",),
-    bad='<include file="$(find base_bringup)/launch/lidr.launch"/>',
-    good='<include file="$(find base_bringup)/launch/lidar.launch"/>',
+    bad='<rosparam command="load" file="$(find base_bringup)/params/lidr.yaml"/>',
+    good='<rosparam command="load" file="$(find base_bringup)/params/lidar.yaml"/>',
     found=found,
 )

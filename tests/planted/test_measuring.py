@@ -10,7 +10,7 @@ SOME = {
     "cmake.missing_source",
     "cpp.delete_form",
     "cpp.header_function",
-    "launch.missing_file",
+    "launch.missing_include",
     "node.queue_size_zero",
     "node.handle_dropped",
     "package.required_tag",

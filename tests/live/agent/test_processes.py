@@ -157,6 +157,15 @@ def test_an_end_is_told_once(machine, sampler):
     assert sampler.ended(10, 3.0) is None
 
 
+def test_what_has_ended_does_not_appear_again_while_its_parent_has_not_asked_how(machine, sampler):
+    machine.start(10)
+    sampler.name([10])
+    sampler.find(1.0)
+    machine.run(10, state="Z")
+    assert reported([sampler.ended(10, 1.5)]) == [("vanished", "process:base/10")]
+    assert sampler.find(2.0) == []
+
+
 def test_a_number_that_is_used_again_is_another_process(machine, sampler):
     machine.start(10, started=500)
     sampler.find(1.0)

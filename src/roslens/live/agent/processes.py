@@ -36,6 +36,7 @@ NEVER = float("-inf")
 NOT = float("inf")
 _STOPPED = (b"T", b"t")
 _HUNG = b"D"
+_ENDED = (b"Z", b"X")
 _MOST_TASKS = 64
 """Threads of a process that are asked how long they waited."""
 _SCHEDSTAT_FIELDS = 3
@@ -204,8 +205,9 @@ class ProcessSampler:
         one.slow, one.slow_seen = counters, now
 
     def _started(self, pid: int) -> int | None:
+        """Return when a process began; None where it has ended, also where its parent has not asked how yet."""
         fields = _stat_fields(_bytes_of(self._proc / str(pid) / "stat"))
-        return None if fields is None else int(fields[19])
+        return None if fields is None or fields[0] in _ENDED else int(fields[19])
 
     def _age(self, ticks: int) -> float:
         uptime = _bytes_of(self._proc / "uptime").split()

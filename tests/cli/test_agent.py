@@ -1,3 +1,5 @@
+from base64 import urlsafe_b64decode
+
 import pytest
 
 from roslens.cli.main import main
@@ -38,7 +40,7 @@ def test_a_new_key_has_256_random_bits_and_is_for_its_user_alone(tmp_path):
     for path in paths:
         assert main(["agent", "--new-key", str(path)]) == 0
         assert path.stat().st_mode & 0o777 == 0o600
-    one, other = (bytes.fromhex(path.read_text("ascii")) for path in paths)
+    one, other = (urlsafe_b64decode(path.read_text("ascii")[4:47] + "=") for path in paths)
     assert (len(one) * 8, len(other) * 8) == (256, 256)
     assert one != other
 
@@ -50,7 +52,7 @@ def test_a_word_is_refused_as_a_key_with_what_to_do(tmp_path, capsys):
     assert main(["agent", "base", "--key-file", str(path)]) == 2
     assert main(["watch", "--listen", "127.0.0.1:0", "--key-file", str(path)]) == 2
     said = capsys.readouterr().err
-    assert said.count("expected 256 random bits") == 2
+    assert said.count("expected a key that roslens generated, with 256 random bits") == 2
     assert said.count(f"`roslens agent --new-key {path}`") == 2
 
 

@@ -155,11 +155,9 @@ class Guard:
             token, to = parse_qs((body or b"").decode("latin-1")).get("token", [""])[0], "/"
         else:
             return None
-        if (wait := self._access.refusals.wait(_peer(scope))) > 0:
-            return self._refused(scope, _Refusal(429, "Too many wrong tokens came from there.", wait, counted=False))
         person = self._access.tokens.holder(token)
         if person is None:
-            return self._refused(scope, _Refusal(401, "That token is not one of this server."))
+            return self._refused(scope, self._wrong_token(scope))
         # A path that begins with two slashes would lead to another server.
         answer = RedirectResponse("/" + to.lstrip("/\\"), status_code=303)
         answer.set_cookie(
@@ -174,9 +172,7 @@ class Guard:
         given = Headers(scope=scope)
         kind, _, token = given.get("authorization", "").partition(" ")
         if kind.lower() == "bearer":
-            if (wait := self._access.refusals.wait(_peer(scope))) > 0:
-                return _Refusal(429, "Too many wrong tokens came from there.", wait, counted=False)
-            return self._access.tokens.holder(token.strip()) or _Refusal(401, "That token is not one of this server.")
+            return self._access.tokens.holder(token.strip()) or self._wrong_token(scope)
         held = _session(given.get("cookie", ""), _cookie(scope))
         if held and (person := self._access.tokens.in_session(held)) is not None:
             return person
@@ -184,6 +180,13 @@ class Guard:
             why = "Open the address that `roslens` printed, which has one in it, or give it here."
             return _Refusal(401, why, counted=False)
         return ANYBODY
+
+    def _wrong_token(self, scope: Scope) -> _Refusal:
+        # Only wrong ones wait: nobody guesses 256 random bits however often, and a page of somebody else in a browser
+        # on the same machine could otherwise keep out everybody there.
+        if (wait := self._access.refusals.wait(_source(scope))) > 0:
+            return _Refusal(429, "Too many wrong tokens came from there.", wait, counted=False)
+        return _Refusal(401, "That token is not one of this server.")
 
     def _refusal(self, scope: Scope, person: Person) -> _Refusal | None:
         """Return why a request is not allowed; None if it is."""
@@ -194,7 +197,7 @@ class Guard:
             return _Refusal(405, f"{method[:16]} is not answered. Expected GET, or POST of what acts.", counted=False)
         if not person.may_operate:
             return _Refusal(403, "Acting needs a token of the role operate.")
-        by_header = "authorization" in Headers(scope=scope)
+        by_header = Headers(scope=scope).get("authorization", "").lower().startswith("bearer ")
         if not _same_origin(scope, needed=not by_header):
             return _Refusal(403, "Only pages of this server may act with the session of its reader.")
         if (wait := self._access.acts.take(_peer(scope))) > 0:
@@ -203,7 +206,7 @@ class Guard:
 
     def _refused(self, scope: Scope, refusal: _Refusal) -> Response:
         # Who is refused without end is written down a few times only.
-        if refusal.counted and self._access.refusals.take(_peer(scope)) == 0:
+        if refusal.counted and self._access.refusals.take(_source(scope)) == 0:
             self._write_down(scope, None, refusal.status, refusal.why)
         headers = {"retry-after": str(math.ceil(refusal.retry_s))} if refusal.retry_s else {}
         if refusal.status == 405:
@@ -222,6 +225,25 @@ class Guard:
 
 def _peer(scope: Scope) -> str:
     return scope["client"][0] if scope.get("client") else ""
+
+
+def _source(scope: Scope) -> str:
+    """Return what refusals are counted for: an address, and apart from it the pages of other origins in its browsers.
+
+    All other origins of an address are one source: a program can name as many as it likes.
+    """
+    given = Headers(scope=scope)
+    own = f"{scope['scheme']}://{given.get('host', '')}".lower()
+    origins = (given.get("origin"), _origin_of(given.get("referer", "")))
+    foreign = given.get("sec-fetch-site") in ("cross-site", "same-site") or any(
+        one and one.lower() != own for one in origins
+    )
+    return f"{_peer(scope)} pages of other origins" if foreign else _peer(scope)
+
+
+def _origin_of(address: str) -> str:
+    scheme, separator, rest = address.partition("://")
+    return scheme + separator + rest.partition("/")[0]
 
 
 def _cookie(scope: Scope) -> str:

@@ -12,9 +12,10 @@ import pytest
 from roslens.cli.page.door import add_door_arguments, door_of
 from roslens.dashboard.access.person import Role
 from roslens.dashboard.listener import checked_tls, only_this_machine
+from roslens.intake.generated_secret import Secret, new_secret
 from roslens.model.errors import UsageError
 
-MADE = "hV3kqP0aZr7-XcTbYw5uNmLgEo1dSf2JiK8yQvHx4As"
+MADE = new_secret(Secret.TOKEN)
 
 
 def options(*given: str) -> argparse.Namespace:

@@ -19,6 +19,7 @@ from roslens.cli.page.door import door_of
 from roslens.cli.react.react_live import questions_of
 from roslens.cli.served.reacting import reacting_beside, refusals_to
 from roslens.dashboard.server import create_app
+from roslens.intake.generated_secret import Secret, new_secret
 from roslens.live.react.actor import CarriedOut
 from roslens.model.acting.reaction import Decision
 from roslens.model.graph import Graph, Node
@@ -36,7 +37,7 @@ reactions:
     when: {node: /lidar, is: gone}
     do: [{restart: {node: /lidar}}]
 """
-OPERATOR, VIEWER = "hV3kqP0aZr7-XcTbYw5uNmLgEo1dSf2JiK8yQvHx4As", "B9_wMeR6tYxUzLpOqI2sDfGhJkZcVbN1aKjSoQyT3uE"
+OPERATOR, VIEWER = new_secret(Secret.TOKEN), new_secret(Secret.TOKEN)
 WAIT_S = 25.0
 
 

@@ -149,6 +149,13 @@ def test_another_page_does_not_act_with_the_session_of_a_reader(server: Server, 
     assert server.entries[-1].why.startswith("Only pages of this server")
 
 
+@pytest.mark.parametrize("kind", ["Basic", "Bearer", "bearer", ""])
+def test_only_a_token_in_the_header_replaces_the_origin(server: Server, kind: str) -> None:
+    given = f"{kind} {VIEW if kind.lower() == 'bearer' else 'x'}"
+    assert server.act_with(server.session(OPERATE), authorization=given).status_code == 403
+    assert server.done == []
+
+
 def test_acting_is_a_post(server: Server) -> None:
     for method in ("PUT", "DELETE", "PATCH", "OPTIONS"):
         assert server.ask(method, "/act", headers=bearer(OPERATE)).status_code == 405
@@ -165,15 +172,47 @@ def test_where_nobody_may_operate_nothing_acts() -> None:
     assert server.ask("GET", "/", headers=bearer("wrong")).status_code == 401
 
 
-def test_wrong_tokens_are_heard_a_few_times_and_then_right_ones_neither(server: Server) -> None:
+def test_wrong_tokens_are_told_to_wait_and_right_ones_pass(server: Server) -> None:
     for _ in range(MOST_REFUSED):
         assert server.ask("GET", "/", headers=bearer("guess")).status_code == 401
-    answer = server.ask("GET", "/", headers=bearer(VIEW))
+    answer = server.ask("GET", "/", headers=bearer("guess"))
     assert answer.status_code == 429
     assert int(answer.headers["retry-after"]) >= 1
-    assert server.ask("GET", f"/?token={VIEW}").status_code == 429
-    server.now += int(answer.headers["retry-after"])
+    assert server.ask("GET", "/?token=guess").status_code == 429
+    assert len(server.entries) == MOST_REFUSED
     assert server.ask("GET", "/", headers=bearer(VIEW)).status_code == 200
+    assert server.ask("GET", f"/?token={VIEW}").status_code == 303
+    assert server.ask("POST", "/-/sign-in", data={"token": VIEW}, headers={"origin": HERE}).status_code == 303
+    server.now += int(answer.headers["retry-after"])
+    assert server.ask("GET", "/", headers=bearer("guess")).status_code == 401
+
+
+FOREIGN = [
+    {"sec-fetch-site": "cross-site"},
+    {"sec-fetch-site": "same-site"},
+    {"origin": "http://evil.example"},
+    {"origin": "null"},
+    {"referer": "http://evil.example/page"},
+    {"referer": "http://robot:8081/"},
+]
+
+
+@pytest.mark.parametrize("headers", FOREIGN)
+def test_pages_of_other_origins_are_counted_apart_from_their_address(server: Server, headers: dict[str, str]) -> None:
+    for _ in range(2 * MOST_REFUSED):
+        answer = server.ask("GET", "/?token=x", headers=headers)
+    assert answer.status_code == 429
+    assert server.ask("GET", "/?token=typo").status_code == 401
+    typed = {"sec-fetch-site": "none"}
+    assert server.ask("GET", "/?token=typo", headers=typed).status_code == 401
+    own = {"origin": HERE, "referer": HERE + "/packages", "sec-fetch-site": "same-origin"}
+    assert server.ask("POST", "/-/sign-in", data={"token": "typo"}, headers=own).status_code == 401
+    assert server.ask("GET", f"/?token={VIEW}", headers=headers).status_code == 303
+
+
+def test_ever_new_origins_do_not_fill_the_records(server: Server) -> None:
+    for number in range(5 * MOST_REFUSED):
+        server.ask("GET", "/?token=x", headers={"origin": f"http://evil{number}.example"})
     assert len(server.entries) == MOST_REFUSED
 
 

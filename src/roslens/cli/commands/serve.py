@@ -33,6 +33,8 @@ EXAMPLES = """\
   roslens serve
   roslens serve ~/robot_ws --port 8081
   roslens serve --live --reference robot.yaml      with a page of the robot that runs
+  roslens serve --new-token operate otto --tokens people.txt
+                                                   once for each person
   roslens serve --live --reference robot.yaml --react ask --tokens people.txt
                                                    and ask who may operate before anything is done about faults
   roslens serve --bag drive.bag --reference robot.yaml
@@ -48,6 +50,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="a run other than the last")
     add_door_arguments(parser)
+    parser.add_argument(
+        "--new-token", nargs=2, metavar=("ROLE", "NAME"),
+        help="print a new token of 256 random bits, add it to the file of --tokens, and end",
+    )  # fmt: skip
     parser.add_argument(
         "--accept", action="store_true",
         help="who opens the address that is printed may accept findings there (in roslens.accepted.toml)",
@@ -78,8 +84,15 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
+    if options.new_token is not None:
+        role, name = options.new_token
+        return _new_token(role, name, options.tokens)
     _refuse_contradictions(options)
     checked(options)
+    return _serve(options)
+
+
+def _serve(options: argparse.Namespace) -> int:
     from roslens.cli.check.kept_changes import shown_changes
     from roslens.cli.check.kept_new import shown_new
     from roslens.cli.check.shown_run import shown_run
@@ -144,6 +157,21 @@ def run(options: argparse.Namespace) -> int:
                 access=door.access,
                 tls=door.tls,
             )
+    return 0
+
+
+def _new_token(role: str, name: str, path: Path | None) -> int:
+    from roslens.dashboard.access.tokens import add_token
+
+    try:
+        token = add_token(role, name, path)
+    except OSError as error:
+        raise UsageError(
+            f"the token cannot be written: {error.strerror or error}", where=str(path), expected="a file of tokens"
+        ) from None
+    print(token)
+    line = f"{name} ({role})" if path is not None else f"the line `{role} {name} TOKEN` in the file of --tokens"
+    print(f"roslens: the token above is for {line}", file=sys.stderr)
     return 0
 
 

@@ -72,8 +72,9 @@ def door_of(
     from roslens.dashboard.access.audit import AuditFile, forgotten
     from roslens.dashboard.access.person import Person, Role
     from roslens.dashboard.access.policy import Access
-    from roslens.dashboard.access.tokens import made_token, read_tokens
+    from roslens.dashboard.access.tokens import read_tokens
     from roslens.dashboard.listener import checked_tls, only_this_machine
+    from roslens.intake.generated_secret import Secret, new_secret
 
     here = only_this_machine(host)
     holders: dict[str, Person] = {}
@@ -81,7 +82,7 @@ def door_of(
     if options.tokens is not None:
         holders = read_tokens(options.tokens)
     elif acting or not here:
-        token = made_token()
+        token = new_secret(Secret.TOKEN)
         holders = {token: Person("terminal", Role.OPERATE if acting else Role.VIEW)}
     if options.audit is not None and not options.audit.parent.is_dir():
         raise UsageError(f"no folder {options.audit.parent}", expected="a folder that is there", where="--audit")

@@ -38,7 +38,7 @@ class Access:
         self.tokens = Tokens(holders or {})
         self.view_needs_token = view_needs_token
         self.refusals = Allowance(MOST_REFUSED, REFUSED_EACH_S, steady)
-        """The limit on wrong tokens or origins; beyond it, tokens from the address are ignored for a while."""
+        """The limit on wrong tokens or origins of a source; those beyond it are told to wait, and not written down."""
         self.acts = Allowance(MOST_ACTS, ACTS_EACH_S, steady)
         """Of acting requests."""
         self._audit = audit

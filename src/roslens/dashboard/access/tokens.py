@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-import re
+import os
 import secrets
 import stat
 from collections.abc import Iterable, Mapping
@@ -12,18 +12,11 @@ from pathlib import Path
 
 from roslens.dashboard.access.person import Person, Role
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.generated_secret import Secret, new_secret, not_generated
 from roslens.model.errors import UsageError
 
-SHORTEST = 43
-"""Characters of a token: 256 bits where each stands for six."""
-
-_FORM = re.compile(r"[A-Za-z0-9_-]+\Z")
-_KINDS = tuple(map(re.compile, (r"[A-Z]", r"[a-z]", r"[0-9]")))
-_FEWEST_DIFFERENT = 20
-"""Characters: of 43 random ones of 64, fewer than 24 are different in one token of a million."""
-
-_EXPECTED = "lines `ROLE NAME TOKEN`, ROLE being view or operate, TOKEN of 256 random bits (43 characters)"
-_ADVICE = "Make one with: python3 -c 'import secrets; print(secrets.token_urlsafe(32))'"
+_EXPECTED = "lines `ROLE NAME TOKEN`, ROLE being view or operate, TOKEN one that roslens generated"
+_ADVICE = "Add one with: roslens serve --new-token ROLE NAME --tokens"
 
 
 class Tokens:
@@ -66,11 +59,29 @@ def _place(given: str, known: Iterable[bytes]) -> int | None:
     return found.index(True) if True in found else None
 
 
-def made_token() -> str:
-    """Return a new token of 256 random bits, of the form that :func:`read_tokens` asks for."""
-    while not _looks_made(token := secrets.token_urlsafe(32)):
-        pass
+def add_token(role: str, name: str, path: Path | None) -> str:
+    """Return a new token, written to a file of tokens for its owner alone if there is a ``path``.
+
+    Raises:
+        UsageError: the role is not a role, or the name has spaces or a ``#``.
+        OSError: the file cannot be written.
+    """
+    if role not in {one.value for one in Role}:
+        raise UsageError(f"the role {role!r}", expected=" or ".join(one.value for one in Role))
+    if not name.isprintable() or "#" in name or len(name.split()) != 1:
+        raise UsageError(f"the name {name!r}", expected="one word, without `#`")
+    token = new_secret(Secret.TOKEN)
+    if path is not None:
+        file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o600)
+        with os.fdopen(file, "a", encoding="utf-8") as stream:
+            stream.write(f"{_line_end(path)}{role} {name} {token}\n")
     return token
+
+
+def _line_end(path: Path) -> str:
+    """Return what ends a last line that was left open."""
+    text = read_bounded(path)
+    return "\n" if text and not text.endswith(b"\n") else ""
 
 
 def read_tokens(path: Path) -> dict[str, Person]:
@@ -96,33 +107,26 @@ def read_tokens(path: Path) -> dict[str, Person]:
         if not words:
             continue
         where = f"{path}:{number}"
-        token, person = _person(words, where)
+        token, person = _person(words, path, where)
         if token in found:
             raise UsageError(
                 f"{person.name!r} has the token of {found[token].name!r}", where=where, expected="one each"
             )
         found[token] = person
     if not found:
-        raise UsageError("no token", where=str(path), expected=_EXPECTED, advice=_ADVICE)
+        raise UsageError("no token", where=str(path), expected=_EXPECTED, advice=f"{_ADVICE} {path}")
     return found
 
 
-def _looks_made(token: str) -> bool:
-    """Return whether a token has the form of :func:`made_token`: people write neither digits nor so many characters."""
-    if len(token) < SHORTEST or not _FORM.match(token):
-        return False
-    return len(set(token)) >= _FEWEST_DIFFERENT and all(kind.search(token) for kind in _KINDS)
-
-
-def _person(words: list[str], where: str) -> tuple[str, Person]:
+def _person(words: list[str], path: Path, where: str) -> tuple[str, Person]:
     """Return the token of a line, and who has it."""
     if len(words) != 3 or words[0] not in {one.value for one in Role}:
         # The line holds a secret: it is not quoted.
         raise UsageError(f"{len(words)} words that are not a token", where=where, expected=_EXPECTED)
     role, name, token = words
-    if not _looks_made(token):
+    if problem := not_generated(Secret.TOKEN, token):
+        advice = f"Add another one with: roslens serve --new-token {role} {name} --tokens {path}"
         raise UsageError(
-            f"a token of {len(token)} characters for {name!r} that is not a generated one",
-            where=where, expected=_EXPECTED, advice=_ADVICE,
-        )  # fmt: skip
+            f"{problem}, for {name!r}", where=where, expected="a token that roslens generated", advice=advice
+        )
     return token, Person(name, Role(role))

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import os
 import re
-import secrets
 import shutil
 import subprocess
 from pathlib import Path
@@ -23,6 +22,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.generated_secret import Secret, new_secret
 from roslens.live.agent.allow_list import EXAMPLE
 from roslens.live.agent.key_file import read_key
 from roslens.live.agent.pinned_tls import fingerprint
@@ -32,6 +32,7 @@ _DAYS = 3650
 _HOST = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,62}\Z")
 _LARGEST = 100_000
 _OPENSSL_S = 30.0
+_ENROL = "Enrol the host anew with `roslens agent --enrol`, which makes one"
 
 
 class AgentEnrolment(msgspec.Struct, frozen=True):
@@ -76,7 +77,7 @@ def enrol(folder: Path, host: str) -> Path:
     _certificate(f"roslens agent {host}", theirs / "agent.pem")
     _write(theirs / "monitor.crt", _certificate_in(ours / "monitor.pem"))
     _write(ours / "hosts" / f"{host}.crt", _certificate_in(theirs / "agent.pem"))
-    key = secrets.token_hex(32) + "\n"
+    key = new_secret(Secret.KEY) + "\n"
     _write(theirs / "command.key", key)
     _write(ours / "hosts" / f"{host}.key", key)
     _write(
@@ -94,7 +95,9 @@ def read_agent(folder: Path) -> AgentEnrolment:
     _refuse_open(folder / "agent.pem")
     certificate = _text(folder / "monitor.crt")
     fingerprint(certificate)
-    return AgentEnrolment(folder / "agent.pem", certificate, read_key(folder / "command.key"), folder / "allow.yaml")
+    return AgentEnrolment(
+        folder / "agent.pem", certificate, read_key(folder / "command.key", _ENROL), folder / "allow.yaml"
+    )
 
 
 def read_monitor(folder: Path) -> MonitorEnrolment:
@@ -111,7 +114,7 @@ def read_monitor(folder: Path) -> MonitorEnrolment:
         )
     for certificate in certificates.values():
         fingerprint(certificate)
-    keys = {host: read_key(folder / "hosts" / f"{host}.key") for host in certificates}
+    keys = {host: read_key(folder / "hosts" / f"{host}.key", _ENROL) for host in certificates}
     return MonitorEnrolment(folder / "monitor.pem", certificates, keys)
 
 

@@ -121,7 +121,7 @@ def test_an_accepted_file_that_is_wrong_is_a_failure_and_the_results_stand(walki
     (failure,) = report["failures"]
     assert (failure["tool"], failure["path"], failure["line"]) == ("accepted", "roslens.accepted.toml", 1)
     assert main(["accept", "--path", str(walking), "calls.max@*", "--reason", "x"]) == 2
-    assert "Mend the file first" in capsys.readouterr().err
+    assert "Fix the file first" in capsys.readouterr().err
     assert place.read_text() == '[[accepted]]\nfingerprint = "x"\n'
 
 

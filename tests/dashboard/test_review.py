@@ -105,7 +105,7 @@ def test_a_file_that_cannot_be_read_is_not_written_over(scene: Scene) -> None:
     scene.place.write_text("[[accepted\n")
     answer = scene.post(reason="why")
     assert answer.status_code == 400
-    assert "Mend the file first" in answer.text
+    assert "Fix the file first" in answer.text
     assert scene.place.read_text() == "[[accepted\n"
     assert scene.ask("GET", "/findings").status_code == 200
 

@@ -16,7 +16,7 @@ from pathlib import Path
 import msgspec
 
 ROOT = Path(__file__).parents[2]
-WORDS = ("roslens", "cp", "cd", "git", "python", "python3", "pip", "chmod", "kill", "ros2", "make")
+WORDS = ("roslens", "sh", "cp", "cd", "git", "python", "python3", "pip", "chmod", "kill", "ros2", "make")
 """What a line of commands begins with."""
 _CODE = re.compile(r"(The|the) exit code is (\d)")
 _WRITTEN = re.compile(r" -o (\S+\.yaml)")

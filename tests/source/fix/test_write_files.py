@@ -24,7 +24,7 @@ def test_a_read_only_file_is_a_failure_and_the_others_stand(tmp_path):
     assert written == (open_,)
     (fault,) = faults
     assert fault.file == locked
-    assert str(fault.failure).startswith("a.cpp: it is read-only; expected a file that can be mended")
+    assert str(fault.failure).startswith("a.cpp: it is read-only; expected a file that can be fixed")
     assert "chmod u+w a.cpp" in fault.failure.advice
     assert (tmp_path / "a.cpp").read_bytes() == b"one\n"
 

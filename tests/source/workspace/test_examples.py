@@ -39,12 +39,10 @@ def test_packages(workspace: Workspace) -> None:
     assert [one.package.name for one in workspace.packages if one.package.metapackage] == ["rover_legacy"]
 
 
-def test_the_one_mistake_in_a_manifest(workspace: Workspace) -> None:
+def test_manifests_are_accepted(workspace: Workspace) -> None:
     assert not workspace.failures
     paths = [one.package.manifest.path for one in workspace.packages]
-    mistakes = [one for path in paths if path for one in mistakes_of(Path(workspace.root, path).read_bytes(), path)]
-    assert [str(one.location) for one in mistakes] == ["src/rover_legacy/rover_docking/package.xml:6:3"]
-    assert mistakes[0].what == 'the maintainer "Lena Brandt" has no e-mail address'
+    assert not [one for path in paths if path for one in mistakes_of(Path(workspace.root, path).read_bytes(), path)]
 
 
 def test_the_cycle(workspace: Workspace) -> None:

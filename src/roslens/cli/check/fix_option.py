@@ -23,7 +23,7 @@ def add_fix_arguments(parser: argparse.ArgumentParser) -> None:
         "--fix-rule",
         action="append",
         metavar="RULE",
-        help="with --fix or --diff, mend findings of these rules only; ids or patterns such as 'cpp.*'; may be given "
+        help="with --fix or --diff, fix findings of these rules only; ids or patterns such as 'cpp.*'; may be given "
         "again",
     )
     parser.add_argument(

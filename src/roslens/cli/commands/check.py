@@ -54,8 +54,8 @@ EXAMPLES = """\
   roslens check --baseline auto --new-only                   the same; in a CI, since the target of the pull request
   roslens check --changed                                    findings in files that differ from HEAD
   roslens check --fetch --distro jazzy --repository navigation2 --into nav2
-  roslens check --diff                                       what can be mended safely, as a diff
-  roslens check --fix                                        mend it; --undo-fix takes it back
+  roslens check --diff                                       what can be fixed safely, as a diff
+  roslens check --fix                                        fix it; --undo-fix takes it back
   roslens check --changed --fix --fix-rule 'cpp.*'           these rules only, in changed files
   roslens check --watch                                      each file again as it is saved
   roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history

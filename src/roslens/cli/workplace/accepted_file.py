@@ -26,7 +26,7 @@ def entries_of(place: Path) -> tuple[Acceptance, ...]:
     """
     entries, failures = read_acceptances(place)
     if failures:
-        raise UsageError(f"{place}: {failures[0].what}", expected=failures[0].expected, advice="Mend the file first")
+        raise UsageError(f"{place}: {failures[0].what}", expected=failures[0].expected, advice="Fix the file first")
     return entries
 
 

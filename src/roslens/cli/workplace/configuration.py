@@ -159,7 +159,7 @@ def _toml(path: Path, text: str) -> dict[str, Any]:
         match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
         where = Location(str(path), int(match[1]), int(match[2])) if match else str(path)
         what = str(error).split(" (at ")[0]
-        raise DocumentError(what, where=where, expected="TOML", advice="Mend that line") from error
+        raise DocumentError(what, where=where, expected="TOML", advice="Fix that line") from error
 
 
 class _Reader:

@@ -170,7 +170,7 @@ class _Mender:
                 texts[path] = edited(self.texts[path], chosen.edits(path))
             except EditError as error:
                 self._refused[path] = str(error)
-                self._fail(path, f"a fix cannot be written: {error}", "a file in UTF-8", "Mend it by hand")
+                self._fail(path, f"a fix cannot be written: {error}", "a file in UTF-8", "Fix it by hand")
         return texts
 
     def _broken(self, made: Sequence[Finding], texts: Mapping[str, bytes]) -> set[int]:
@@ -188,7 +188,7 @@ class _Mender:
             broken |= self._leave(guilty, "the file would not parse any more")
             rules = ", ".join(sorted({one.rule for one in guilty}))
             what = f"the fix of {rules} would bring a place that does not parse, {fault}; it was not made"
-            self._fail(path, what, "a file that parses as before", "Please report it with the file: mend it by hand")
+            self._fail(path, what, "a file that parses as before", "Please report it with the file: fix it by hand")
         return broken
 
     def _alone(self, finding: Finding, path: str) -> str:

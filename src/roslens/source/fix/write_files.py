@@ -85,4 +85,4 @@ def _write(part: Path, content: bytes, mode: int) -> None:
 
 
 def _failure(file: MendedFile, what: str, advice: str) -> Failure:
-    return Failure(TOOL, what, "a file that can be mended", advice, Location(file.path), entity=f"file:{file.path}")
+    return Failure(TOOL, what, "a file that can be fixed", advice, Location(file.path), entity=f"file:{file.path}")

@@ -33,7 +33,7 @@ MOST_LINES = 8
 
 _ADVICE = {
     "cpp": "The rest of the file is measured; if this is a macro of yours, name it under [macros] in roslens.toml",
-    "python": "The rest of the file is measured; mend the place, or name the file under `ignore` in roslens.toml",
+    "python": "The rest of the file is measured; fix the place, or name the file under `ignore` in roslens.toml",
 }
 
 

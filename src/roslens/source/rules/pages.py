@@ -77,7 +77,7 @@ def _cells(consequence: Consequence) -> str:
 
 def _fixes(rules: Sequence[Rule]) -> str:
     text = "\n## Rules with a fix\n\n"
-    text += f"What [`roslens check --fix`](fixes.md) mends: findings of {len(rules)} rules, where it is certain.\n\n"
+    text += f"What [`roslens check --fix`](fixes.md) fixes: findings of {len(rules)} rules, where it is certain.\n\n"
     text += "| rule | fix |\n| --- | --- |\n"
     return text + "".join(f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.fix} |\n" for rule in rules)
 

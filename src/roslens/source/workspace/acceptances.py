@@ -88,7 +88,7 @@ def _failure(path: Path, what: str, expected: str, line: int = 0) -> Failure:
         tool="accepted",
         what=what,
         expected=expected,
-        advice="Mend it; findings accepted there count until then",
+        advice="Fix it; findings accepted there count until then",
         location=Location(path.name, line),
     )
 

@@ -20,7 +20,7 @@ from roslens.model.finding import RuleInfo, Severity
 from roslens.model.weight.consequence import Certainty, Consequence, severity_of
 
 LAYOUT = "layout"
-"""Tag of the checks about white space, line length and the position of braces: what a formatter mends."""
+"""Tag of the checks about white space, line length and the position of braces: what a formatter fixes."""
 
 
 class Check(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):

@@ -1,4 +1,4 @@
-"""Layout in one line a package: what a formatter mends at one stroke is not reported line by line."""
+"""Layout in one line a package: what a formatter fixes at one stroke is not reported line by line."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ RULE = RuleInfo(
     'package are in this one; `[tools] layout = "each"` reports each separately.',
     Severity.NOTE,
     (LAYOUT,),
-    "A formatter mends it at one stroke; line by line it hides what matters.",
+    "A formatter fixes it at one stroke; line by line it hides what matters.",
     tool="roslens",
     scope="package",
     consequence=Consequence.STYLE,

@@ -88,7 +88,7 @@ class SarifSources:
                     name,
                     f"{name} was not run, because {command.command[0]!r} is not installed",
                     "a program on the search path, or its path",
-                    f"Install it, or mend [tools.{name}] command",
+                    f"Install it, or fix [tools.{name}] command",
                 )
             )
             return None

@@ -85,7 +85,7 @@ RULE = FileRule(
     title="Unreachable statement",
     finds="A statement behind `return`, `throw`, `break`, `continue` or `goto` in the same block. A `break` "
     "or a second `return` behind a `return` is let be, and so is what waits behind a `throw` that says that it is not "
-    "implemented yet. Remove it, or mend the order.",
+    "implemented yet. Remove it, or fix the order.",
     why="What is meant to happen last, such as stopping a motor or closing a port, never does.",
     consequence=Consequence.MAY_BE_WRONG,
     certainty=Certainty.HEURISTIC,

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="cpp.const_cast",
     title="`const_cast`",
-    finds="`const_cast` takes `const` away: changing what was made constant is undefined. Mend the type instead.",
+    finds="`const_cast` takes `const` away: changing what was made constant is undefined. Fix the type instead.",
     why="Messages that are shared between subscribers of a process are const for a reason: one callback "
     "changes what another reads.",
     consequence=Consequence.HARD_TO_MAINTAIN,

@@ -173,10 +173,10 @@ def test_the_tree_of_today_is_the_last_point(made, capsys):
 @on_both
 def test_new_and_resolved_between_two_releases(made, capsys):
     text = out(capsys, "compare", "1.0.0", "1.1.0", made.root)
-    assert "findings: 1 (1 warning) new" in text
+    assert "findings: 1 (1 note) new" in text
     assert "[extreme." in text
-    assert out(capsys, "compare", "1.0.0", "1.1.0", made.root, "--fail-on", "warning", code=1)
-    back = out(capsys, "compare", "1.1.0", "2.0.0", made.root, "--fail-on", "warning")
+    assert out(capsys, "compare", "1.0.0", "1.1.0", made.root, "--fail-on", "note", code=1)
+    back = out(capsys, "compare", "1.1.0", "2.0.0", made.root, "--fail-on", "note")
     assert "+ package q" in back
     assert "resolved" in back
     page = out(capsys, "compare", "1.0.0", "1.1.0", made.root, "--format", "markdown")

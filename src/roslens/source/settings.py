@@ -156,8 +156,8 @@ class ProcessSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     as_of: str = ""
 
 
-DEFAULT_MODELS = ("extreme", "ros:note")
-"""Limits that maintainers act on, and the numbers of the ROS model to look at."""
+DEFAULT_MODELS = ("extreme:note", "ros:note")
+"""Limits to look at: of rows about them that were read as maintainers would, none made anyone act."""
 
 
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -15,7 +15,7 @@ TEMPLATE = """\
 
 # Quality models: extreme, ros, nasa-satc, his, kth, akureyri, verifysoft, microsoft, paper2016, or a path to your own
 # YAML; NAME:note makes all limits of a model notes.
-models = ["extreme", "ros:note"]
+models = ["extreme:note", "ros:note"]
 
 # Exit with 1 on findings of at least this severity: note, warning, error or never.
 fail_on = "error"

@@ -48,9 +48,10 @@ _HEAD = """\
 
 A quality model is a YAML document with limits of quantities. `roslens check --model NAME` applies one of the built-in
 models below, `--model PATH` your own; several may be given, and `models = [...]` in `roslens.toml` sets them for a
-workspace. The default is `extreme` and `ros:note`: `:note`, `:warning` or `:error` behind a name gives all limits of
-the model that severity. All limits are *hard to maintain*; a warning says that whoever set it acts on it. `make docs`
-generates this page from `src/roslens/judge/`.
+workspace. The default is `extreme:note` and `ros:note`: `:note`, `:warning` or `:error` behind a name gives all limits
+of the model that severity, and without it they have their own. All limits are *hard to maintain*; a warning says that
+whoever set it acts on it, so that `--model extreme` brings the worst of them back as the last row of "Fix first".
+`make docs` generates this page from `src/roslens/judge/`.
 
 Bounds are inclusive: a finding is a value *above* `maximum` or *below* `minimum`. Its rule is called
 `<model>.<id>.max` or `<model>.<id>.min`; its tags are `metrics`, the name of the model, and those of the model and

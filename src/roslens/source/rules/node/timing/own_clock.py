@@ -12,6 +12,7 @@ from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import constructed, function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.timing.stamp_flow import reached
 from roslens.source.rules.rule import RCLCPP, FileRule
 
 _STAMP = re.compile(r"stamp|header|lookup_?transform|can_?transform|ransform\(", re.IGNORECASE)
@@ -28,14 +29,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.text(around.child_by_field_name("field")) != "now" or "STEADY" in view.text(made):
         return
     call = around.parent
-    if call is None or _is_measured(call):
+    if call is None:
         return
+    end = reached(call, view)
+    if end is None and _is_measured(call):
+        return
+    carried, certain = "", _is_stamp(call, view) and not _is_initial(call, view)
+    if end is not None and (not end.is_stamp or not _is_initial(call, view)):
+        certain, carried = True, end.carried
+        if not end.is_stamp and (not given or "SYSTEM" in view.text(made)):
+            carried += ", which throws, for the clocks differ" if carried else "; times of two clocks throw"
     yield view.hit(
         "node.own_clock",
         around,
-        f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
-        "`now()`",
-        certainty=None if _is_stamp(call, view) and not _is_initial(call, view) else Certainty.HEURISTIC,
+        f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says{carried}; expected the "
+        "node's `now()`",
+        certainty=None if certain else Certainty.HEURISTIC,
     )
 
 
@@ -68,9 +77,9 @@ RULE = FileRule(
     id="node.own_clock",
     title="Clock that belongs to no node",
     finds="`rclcpp::Clock().now()`: the time of a clock that was made on the spot. Use `now()` or `get_clock()` of "
-    "the node. "
-    "What goes into no stamp or look-up is a note, and so is the first value of a member; differences of times are let "
-    "be.",
+    "the node. The time is followed through variables, members and functions of the file. What goes into no stamp or "
+    "look-up and meets no time of ROS is a note, and so is the first value of a member; differences of times of one "
+    "clock are correct.",
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.calls import body_of, call_at, function_around, statement_around
+from roslens.source.rules.calls import body_of, call_at, function_around, statement_around, whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.timing.stamp_flow import reached
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _FOR_PEOPLE = re.compile(
@@ -23,22 +24,32 @@ _STAMP = re.compile(r"(?<![a-z])stamp")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a look at the system's clock, but where it names files, seeds random numbers or is shown."""
-    call = call_at(node)
+    call = call_at(node) or _read_as_declaration(node)
     function = function_around(node)
     body = body_of(function) if function is not None else None
     if call is None or body is None or not view.text(call).endswith("now()"):
         return
-    if _FOR_PEOPLE.search(view.code[body.start_byte : body.end_byte]):
+    end = reached(call, view)
+    if end is None and (
+        call.type != "call_expression" or _FOR_PEOPLE.search(view.code[body.start_byte : body.end_byte])
+    ):
         return
-    is_stamp = _STAMP.search(view.text(statement_around(call))) is not None
+    is_stamp = end is not None or _STAMP.search(view.text(statement_around(call))) is not None
+    carried = end.carried if end is not None else ""
     expected = "the node's `now()`" if is_stamp else "`std::chrono::steady_clock`, or the node's `now()`"
     yield view.hit(
         "node.system_time",
         call,
-        f"`{view.text(call)}` jumps when the computer's clock is set and does not follow simulated time; expected "
-        f"{expected}",
+        f"`{view.text(call)}` jumps when the computer's clock is set and does not follow simulated time{carried}; "
+        f"expected {expected}",
         certainty=None if is_stamp else Certainty.HEURISTIC,
     )
+
+
+def _read_as_declaration(node: Node) -> Node | None:
+    """Return what reads the clock in ``T t(std::chrono::system_clock::now());``, which could declare a function."""
+    named = whole_name(node).parent
+    return named if named is not None and named.type == "parameter_declaration" else None
 
 
 RULE = FileRule(
@@ -46,7 +57,8 @@ RULE = FileRule(
     title="System clock in a node",
     finds="`std::chrono::system_clock::now()` in code of nodes, where it neither names files nor is shown to people. "
     "Use "
-    "the node's clock for stamps, `steady_clock` to measure.",
+    "the node's clock for stamps, `steady_clock` to measure. The time is followed through variables, members and "
+    "functions of the file; what goes into no stamp and meets no time of ROS is a note.",
     why="Robots set their clock when they get a network: a timeout measured over that moment is over at once or "
     "never. In "
     "simulation, stamps of it match nothing.",

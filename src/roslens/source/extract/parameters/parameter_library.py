@@ -20,7 +20,10 @@ _TRUE = frozenset({"true", "yes", "on", "y"})
 
 
 class Declaration(msgspec.Struct, frozen=True):
-    """A parameter that is declared: its name with ``__map_`` parts as written, and what is said of it."""
+    """A parameter that is declared: its name with ``__map_`` parts as written, and what is said of it.
+
+    ``validators`` are the functions that check its value, without ``<>``, each where it is named.
+    """
 
     name: str
     type: str
@@ -29,6 +32,7 @@ class Declaration(msgspec.Struct, frozen=True):
     range: str = ""
     description: str = ""
     terms: Terms = Terms()
+    validators: dict[str, Evidence] = {}
 
 
 class ParameterLibrary(msgspec.Struct, frozen=True):
@@ -131,6 +135,7 @@ def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: P
             allowed=tuple(allowed),
             constraints=tuple(one for one in (*constraints, more) if one),
         ),
+        _places(validation, tree),
     )
 
 
@@ -155,6 +160,15 @@ def _checks(validation: Node | None) -> Iterator[tuple[str, list[str]]]:
             for name, node in nodes.items():
                 flat = [two for one in node.each for two in one.each]
                 yield name.replace("<>", ""), [written(one) for one in flat if not _is_empty(one)]
+
+
+def _places(validation: Node | None, tree: Tree) -> dict[str, Evidence]:
+    """Return where each function that checks a value is named."""
+    match validation:
+        case Table(keys=keys):
+            named = ((name.replace("<>", ""), tree.location(place)) for name, place in keys.items())
+            return {name: Evidence(at.path, at.line, at.column) for name, at in named}
+    return {}
 
 
 def _range(checks: dict[str, list[str]]) -> str:

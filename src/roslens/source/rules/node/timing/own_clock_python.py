@@ -26,7 +26,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     end = reached(read, view)
     carried = end.carried if end is not None else ""
     if end is not None and not end.is_stamp and "ROS_TIME" not in view.text(call):
-        carried += ", which raises TypeError, for the clocks differ" if carried else "; times of two clocks raise TypeError"
+        carried += (
+            ", which raises TypeError, for the clocks differ" if carried else "; times of two clocks raise TypeError"
+        )
     yield view.hit(
         "node.own_clock_python",
         around,

@@ -32,7 +32,18 @@ _CONVERSIONS = frozenset(
     (
         *("Time", "TimePoint", "from_sec", "fromSec", "from_msg", "to_msg", "toMsg", "from_seconds", "Stamp"),
         *("seconds", "nanoseconds", "toSec", "toNSec", "to_sec", "to_nsec", "time_since_epoch", "count", "timestamp"),
-        *("duration_cast", "time_point_cast", "static_cast", "int", "float", "round", "floor", "trunc", "modf", "divmod"),
+        *(
+            "duration_cast",
+            "time_point_cast",
+            "static_cast",
+            "int",
+            "float",
+            "round",
+            "floor",
+            "trunc",
+            "modf",
+            "divmod",
+        ),
         *("int32_t", "uint32_t", "int64_t", "uint64_t", "double", "milliseconds", "microseconds"),
     )
 )
@@ -42,10 +53,17 @@ _ARITHMETIC = frozenset(("/", "//", "*", "%"))
 _COMPARED = frozenset(("-", "<", ">", "<=", ">=", "==", "!="))
 _THROUGH = frozenset(
     (
-        *("parenthesized_expression", "argument_list", "initializer_list", "cast_expression", "compound_literal_expression"),
+        *(
+            "parenthesized_expression",
+            "argument_list",
+            "initializer_list",
+            "cast_expression",
+            "compound_literal_expression",
+        ),
         *("field_expression", "attribute", "subscript"),
     )
 )
+_DECLARATIONS = frozenset(("init_declarator", "declaration", "parameter_declaration"))
 _MOST_STEPS = 6
 _MOST_USES = 40
 
@@ -154,7 +172,11 @@ def _named(target: Node | None, binding: Node, view: FileView) -> tuple[str, Nod
     if not plain.isidentifier():
         return None
     function = function_around(binding)
-    if name != plain or function is None or (binding.type == "assignment_expression" and _is_member(plain, function, view)):
+    if (
+        name != plain
+        or function is None
+        or (binding.type == "assignment_expression" and _is_member(plain, function, view))
+    ):
         return (plain, view.root, 0)
     return (plain, function, binding.end_byte)
 
@@ -166,9 +188,9 @@ def _is_member(name: str, function: Node, view: FileView) -> bool:
         for at in word_places(name.encode(), view, outer.start_byte, outer.end_byte):
             found = view.node_at(at, at + len(name))
             around = found.parent if found is not None else None
-            if around is not None and around.type in ("init_declarator", "declaration", "parameter_declaration"):
-                if around.child_by_field_name("declarator") == found:
-                    return False
+            is_declared = around is not None and around.type in _DECLARATIONS
+            if is_declared and around is not None and around.child_by_field_name("declarator") == found:
+                return False
         outer = function_around(outer)
     return True
 

@@ -34,9 +34,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.system_time_python",
     title="System clock in a stamp (Python)",
-    finds="`time.time()`, `time.time_ns()` or `datetime.now()` that becomes the stamp of a message, or is compared with "
-    "or subtracted from a time of ROS. The time is followed through variables, attributes and functions of the file. "
-    "Use the clock of the node.",
+    finds="`time.time()`, `time.time_ns()` or `datetime.now()` that becomes the stamp of a message, or is compared "
+    "with or subtracted from a time of ROS. The time is followed through variables, attributes and functions of the "
+    "file. Use the clock of the node.",
     why="In simulation and in a played bag time begins elsewhere: transforms of such stamps do not exist, and messages "
     "seem to be years old.",
     consequence=Consequence.MAY_BE_WRONG,

@@ -31,8 +31,8 @@ def found(view: PackageView) -> Iterator[Hit]:
             if element.tag == _TAG and around:
                 line, column = document.place(element.start)
                 message = (
-                    f"<{_TAG}> inside of <{around}>: the controller manager reads those directly below <robot> only, and "
-                    f"finds no hardware here; expected it beside <{around}>"
+                    f"<{_TAG}> inside of <{around}>: the controller manager reads those directly below <robot> only, "
+                    f"and finds no hardware here; expected it beside <{around}>"
                 )
                 yield Hit("package.nested_control", message, line, column, context=around, path=file.path)
                 continue

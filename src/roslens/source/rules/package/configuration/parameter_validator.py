@@ -34,9 +34,7 @@ def found(view: PackageView) -> Iterator[Hit]:
                         f"{name}<> checks {wanted}, and {one.name!r} is of type {one.type}: the generated code raises "
                         "when the node starts; expected a validator for that type, or no validator"
                     )
-                    yield Hit(
-                        "package.parameter_validator", message, place.line, place.column, context=name, path=path
-                    )
+                    yield Hit("package.parameter_validator", message, place.line, place.column, context=name, path=path)
 
 
 def _described(view: PackageView) -> Iterator[str]:

@@ -12,7 +12,7 @@ from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import constructed, function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.node.timing.stamp_flow import reached
+from roslens.source.rules.node.timing.stamp_flow import Reached, reached
 from roslens.source.rules.rule import RCLCPP, FileRule
 
 _STAMP = re.compile(r"stamp|header|lookup_?transform|can_?transform|ransform\(", re.IGNORECASE)
@@ -21,31 +21,39 @@ _STAMP = re.compile(r"stamp|header|lookup_?transform|can_?transform|ransform\(",
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield the present time of a clock that was made just for it."""
-    given = constructed(node)
     made = whole_name(node).parent
-    around = made.parent if made is not None else None
-    if given is None or made is None or around is None or around.type != "field_expression":
-        return
-    if view.text(around.child_by_field_name("field")) != "now" or "STEADY" in view.text(made):
-        return
-    call = around.parent
-    if call is None:
+    read = _read(node, view)
+    call = read.parent if read is not None else None
+    if made is None or read is None or call is None:
         return
     end = reached(call, view)
     if end is None and _is_measured(call):
         return
-    carried, certain = "", _is_stamp(call, view) and not _is_initial(call, view)
-    if end is not None and (not end.is_stamp or not _is_initial(call, view)):
-        certain, carried = True, end.carried
-        if not end.is_stamp and (not given or "SYSTEM" in view.text(made)):
-            carried += ", which throws, for the clocks differ" if carried else "; times of two clocks throw"
-    yield view.hit(
-        "node.own_clock",
-        around,
-        f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says{carried}; expected the "
-        "node's `now()`",
-        certainty=None if certain else Certainty.HEURISTIC,
-    )
+    is_initial = _is_initial(call, view)
+    if end is not None and end.is_stamp and is_initial:
+        end = None
+    is_certain = end is not None or (_is_stamp(call, view) and not is_initial)
+    what = f"`{view.text(read)}()` reads the computer's clock, whatever `use_sim_time` says{_led_to(end, made, view)}"
+    certainty = None if is_certain else Certainty.HEURISTIC
+    yield view.hit("node.own_clock", read, f"{what}; expected the node's `now()`", certainty=certainty)
+
+
+def _read(node: Node, view: FileView) -> Node | None:
+    """Return ``rclcpp::Clock().now`` where a clock that follows no simulated time is made and read at once."""
+    made = whole_name(node).parent
+    around = made.parent if made is not None else None
+    if constructed(node) is None or around is None or around.type != "field_expression":
+        return None
+    is_read = view.text(around.child_by_field_name("field")) == "now" and "STEADY" not in view.text(made)
+    return around if is_read else None
+
+
+def _led_to(end: Reached | None, made: Node, view: FileView) -> str:
+    """Return what to add to a message on where the time leads."""
+    if end is None:
+        return ""
+    is_of_system = "ROS" not in view.text(made)
+    return f"{end.carried}; times of two clocks throw" if not end.is_stamp and is_of_system else end.carried
 
 
 def _is_measured(call: Node) -> bool:

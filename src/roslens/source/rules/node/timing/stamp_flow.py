@@ -121,39 +121,50 @@ def _climb(value: Node, view: FileView) -> Reached | tuple[str, Node, int] | Non
         return _named(declared.child_by_field_name("declarator") if declared else None, value, view)
     node = value
     while (around := node.parent) is not None:
-        kind = around.type
-        if kind in ("assignment_expression", "assignment"):
-            return _assigned(around, node, view)
-        if kind == "init_declarator" and around.child_by_field_name("value") == node:
-            return _named(around.child_by_field_name("declarator"), around, view)
-        if kind == "return_statement":
-            function = function_around(around)
-            name = function_name(function, view) if function is not None and function.type != "lambda" else ""
-            return (re.split(r"::|\.", name)[-1], view.root, 0) if name else None
-        if kind == "keyword_argument":
-            named = view.text(around.child_by_field_name("name"))
-            return Reached(around, is_stamp=True) if named == "stamp" else None
-        if kind in ("binary_expression", "binary_operator", "comparison_operator"):
-            met = _met(around, node, view)
-            if met is not True:
-                return met or None
-        elif kind in ("call_expression", "call"):
-            if callee_name(around, view) not in _CONVERSIONS:
-                return None
-        elif kind not in _THROUGH:
-            return None
+        end = _end(around, node, view)
+        if end is not None or not _is_still_a_time(around, view):
+            return end
         node = around
     return None
 
 
-def _met(operation: Node, node: Node, view: FileView) -> Reached | bool:
-    """Return the meeting of a time with one of ROS, whether it still is a time after the operation otherwise."""
-    others = [one for one in operation.named_children if one != node]
-    operator = operation.child_by_field_name("operator") or operation.children[1]
-    sign = view.text(operator)
-    if sign in _COMPARED and len(others) == 1 and _ROS_TIME.match(view.text(others[0])):
-        return Reached(operation, is_stamp=False)
-    return sign == "+" or (sign in _ARITHMETIC and len(others) == 1 and number_of(others[0], view) is not None)
+def _end(around: Node, node: Node, view: FileView) -> Reached | tuple[str, Node, int] | None:
+    """Return where a time leads by what is directly around it; None where that is no end."""
+    match around.type:
+        case "assignment_expression" | "assignment":
+            return _assigned(around, node, view)
+        case "init_declarator" if around.child_by_field_name("value") == node:
+            return _named(around.child_by_field_name("declarator"), around, view)
+        case "return_statement":
+            return _returned(around, view)
+        case "keyword_argument" if view.text(around.child_by_field_name("name")) == "stamp":
+            return Reached(around, is_stamp=True)
+        case "binary_expression" | "binary_operator" | "comparison_operator":
+            others = [one for one in around.named_children if one != node]
+            is_met = _sign(around, view) in _COMPARED and len(others) == 1 and _ROS_TIME.match(view.text(others[0]))
+            return Reached(around, is_stamp=False) if is_met else None
+    return None
+
+
+def _returned(statement: Node, view: FileView) -> tuple[str, Node, int] | None:
+    function = function_around(statement)
+    name = function_name(function, view) if function is not None and function.type == "function_definition" else ""
+    return (re.split(r"::|\.", name)[-1], view.root, 0) if name else None
+
+
+def _is_still_a_time(around: Node, view: FileView) -> bool:
+    """Return whether an expression around a time is another form of it."""
+    if around.type in ("call_expression", "call"):
+        return callee_name(around, view) in _CONVERSIONS
+    if around.type in ("binary_expression", "binary_operator"):
+        sign = _sign(around, view)
+        right = around.child_by_field_name("right")
+        return sign == "+" or (sign in _ARITHMETIC and number_of(right, view) is not None)
+    return around.type in _THROUGH
+
+
+def _sign(operation: Node, view: FileView) -> str:
+    return view.text(operation.child_by_field_name("operator") or operation.children[1])
 
 
 def _assigned(assignment: Node, node: Node, view: FileView) -> Reached | tuple[str, Node, int] | None:

@@ -13,6 +13,7 @@ from roslens.dashboard.tables import finding_list
 from roslens.dashboard.tables.finding_list import FindingList, filter_of, list_findings, role_of, select
 from roslens.dashboard.view import Limits, Query, Request
 from roslens.model.finding import Finding, Severity
+from roslens.model.weight.consequence import Consequence
 
 Listed = Callable[..., FindingList]
 
@@ -31,8 +32,9 @@ def everything(site: Site) -> list[Finding]:
 
 
 def test_unknown_words_do_not_filter() -> None:
-    wanted = filter_of(Query([("severity", "fatal"), ("role", "mine"), ("group", "colour")]))
+    wanted = filter_of(Query([("severity", "fatal"), ("consequence", "fire"), ("role", "mine"), ("group", "colour")]))
     assert wanted.severity is None
+    assert wanted.consequence is None
     assert (wanted.role, wanted.group) == ("", "rule")
     assert not wanted.active
 
@@ -46,6 +48,10 @@ def test_what_the_page_is_about_cannot_be_overridden() -> None:
     ("query", "meant"),
     [
         ({"severity": "warning"}, lambda found, _: found.severity is Severity.WARNING),
+        (
+            {"consequence": "may be wrong at run time"},
+            lambda found, _: found.weight[0] is Consequence.MAY_BE_WRONG,
+        ),
         ({"include": "cpp,ros"}, lambda found, _: {"cpp", "ros"} & set(found.tags)),
         (
             {"include": "ROS", "exclude": "metrics"},
@@ -104,6 +110,15 @@ def test_a_group_leads_to_as_many_as_it_counts(site: Site, listed: Listed) -> No
         query = dict(group.more.query) if group.more else {"rule": group.key, "severity": group.severity}
         found = listed(**query)
         assert (found.total, found.own) == (group.total, group.own)
+
+
+def test_each_finding_says_its_consequence_and_how_certain_that_is(listed: Listed) -> None:
+    shown = [shown for group in listed(group="file").groups for shown in group.findings]
+    assert shown
+    for one in shown:
+        consequence, certainty = one.weight.split(", ")
+        assert consequence == one.finding.weight[0].value
+        assert certainty in {one.finding.weight[1].value, "unproven"}
 
 
 def test_groups_by_file_hold_what_is_in_the_file(site: Site, listed: Listed) -> None:

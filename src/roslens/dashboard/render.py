@@ -21,6 +21,7 @@ from roslens.dashboard.tables.breakable import breakable
 from roslens.dashboard.tables.table import next_sort
 from roslens.dashboard.tables.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
+from roslens.model.weight.consequence import Consequence
 from roslens.model.words.plural import plural
 
 TEMPLATES = Path(__file__).with_name("templates")
@@ -164,6 +165,7 @@ def environment(medium: str, **known: object) -> Environment:
         number=number,
         share=share,
         plural=plural,
+        consequences=[(one.value, one.value) for one in Consequence],
         next_sort=next_sort,
         reference=reference,
         requery=requery,

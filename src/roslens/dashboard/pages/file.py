@@ -11,7 +11,8 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.sources.colours import colour
 from roslens.dashboard.sources.source_rows import CodeLine
 from roslens.dashboard.tables.entity_tables import classes_table, functions_table
-from roslens.dashboard.tables.finding_list import filter_of, findings_table, select
+from roslens.dashboard.tables.finding_list import filter_of, select
+from roslens.dashboard.tables.finding_table import findings_table
 from roslens.dashboard.tables.table import Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.site import Site
-from roslens.dashboard.tables.finding_list import filter_of, findings_table, list_findings, select
+from roslens.dashboard.tables.finding_list import filter_of, list_findings, select
+from roslens.dashboard.tables.finding_table import findings_table
 from roslens.dashboard.tables.set_aside_table import set_aside_table
 from roslens.dashboard.view import Request, View
 

@@ -8,7 +8,8 @@ from roslens.dashboard.computation.unstarted_rows import unstarted_table
 from roslens.dashboard.pages.packages import tiers_of_packages
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.entity_tables import classes_table, files_table, functions_table
-from roslens.dashboard.tables.finding_list import filter_of, findings_table, list_findings, select
+from roslens.dashboard.tables.finding_list import filter_of, list_findings, select
+from roslens.dashboard.tables.finding_table import findings_table
 from roslens.dashboard.tables.metric_rows import metrics_table
 from roslens.dashboard.tables.table import Table, sort_rows
 from roslens.dashboard.view import Request, View

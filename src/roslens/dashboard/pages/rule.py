@@ -6,7 +6,8 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.site import Site
-from roslens.dashboard.tables.finding_list import filter_of, findings_table, list_findings, select
+from roslens.dashboard.tables.finding_list import filter_of, list_findings, select
+from roslens.dashboard.tables.finding_table import findings_table
 from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.weight.consequence import weight_text

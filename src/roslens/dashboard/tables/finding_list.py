@@ -12,12 +12,13 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.review import Reviewed
 from roslens.dashboard.site import Site
 from roslens.dashboard.sources.source_text import Excerpt
-from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.totals import RuleTotal
 from roslens.dashboard.view import Query, Request
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Role
 from roslens.model.tags import TagFilter, tag_filter
+from roslens.model.weight.consequence import Consequence
+from roslens.report.run.finding_text import weight_of
 
 GROUPINGS = ("rule", "file", "function")
 STATUSES = ("new", "old")
@@ -44,6 +45,7 @@ class FindingFilter(msgspec.Struct, frozen=True):
     group: str = "rule"
     without: tuple[str, ...] = ()
     status: str = ""
+    consequence: Consequence | None = None
 
     @property
     def tags(self) -> TagFilter:
@@ -54,7 +56,14 @@ class FindingFilter(msgspec.Struct, frozen=True):
     def active(self) -> bool:
         """Whether the reader has filtered, over and above what the page itself is about."""
         return bool(
-            self.severity or self.include or self.exclude or self.text or self.role or self.without or self.status
+            self.severity
+            or self.consequence
+            or self.include
+            or self.exclude
+            or self.text
+            or self.role
+            or self.without
+            or self.status
         )
 
     def facts(self) -> dict[str, object]:
@@ -63,7 +72,7 @@ class FindingFilter(msgspec.Struct, frozen=True):
 
 
 class ShownFinding(msgspec.Struct, frozen=True):
-    """A finding with what a reader needs besides it."""
+    """A finding with what a reader needs besides it; ``weight`` is its consequence and certainty in words."""
 
     finding: Finding
     package: str
@@ -72,6 +81,7 @@ class ShownFinding(msgspec.Struct, frozen=True):
     ref: PageRef | None
     is_new: bool = False
     reviewed: Reviewed | None = None
+    weight: str = ""
 
 
 class FindingGroup(msgspec.Struct, frozen=True):
@@ -135,6 +145,7 @@ def filter_of(
 ) -> FindingFilter:
     """Read a filter from an address; what the page is about cannot be overridden. Unknown words do not filter."""
     severities = {severity.value: severity for severity in Severity}
+    consequences = {consequence.value: consequence for consequence in Consequence}
     roles = {role.value for role in Role}
     wanted = query.get("group")
     return FindingFilter(
@@ -149,11 +160,12 @@ def filter_of(
         group=wanted if wanted in GROUPINGS else group,
         without=query.all("without"),
         status=query.get("status") if query.get("status") in STATUSES else "",
+        consequence=consequences.get(query.get("consequence")),
     )
 
 
 def select(site: Site, wanted: FindingFilter) -> Iterator[Finding]:
-    """Yield the findings meant, by package, path and line."""
+    """Return the findings meant, by package, path and line."""
     found = site.view.findings(
         package=wanted.package,
         rule=wanted.rule or None,
@@ -162,16 +174,20 @@ def select(site: Site, wanted: FindingFilter) -> Iterator[Finding]:
         severity=wanted.severity,
     )
     needle = wanted.text.casefold()
-    for finding in found:
-        if finding.rule in wanted.without:
-            continue
-        if wanted.status and not _has_status(site, finding, wanted.status):
-            continue
-        if wanted.role and not _is_of(site, finding, wanted.role):
-            continue
-        if needle and needle not in f"{finding.message}\n{finding.path}\n{finding.rule}\n{finding.entity}".casefold():
-            continue
-        yield finding
+    return (one for one in found if _is_meant(site, one, wanted) and (not needle or needle in _text_of(one)))
+
+
+def _is_meant(site: Site, finding: Finding, wanted: FindingFilter) -> bool:
+    return (
+        finding.rule not in wanted.without
+        and (not wanted.consequence or finding.weight[0] is wanted.consequence)
+        and (not wanted.status or _has_status(site, finding, wanted.status))
+        and (not wanted.role or _is_of(site, finding, wanted.role))
+    )
+
+
+def _text_of(finding: Finding) -> str:
+    return f"{finding.message}\n{finding.path}\n{finding.rule}\n{finding.entity}".casefold()
 
 
 def _has_status(site: Site, finding: Finding, status: str) -> bool:
@@ -207,7 +223,7 @@ def list_findings(site: Site, wanted: FindingFilter, request: Request) -> Findin
         return _by_file(site, wanted, request, start)
     if wanted.group == "function":
         return _by_function(site, wanted, request, start)
-    if wanted.rule or wanted.path or wanted.text or wanted.role or wanted.status:
+    if wanted.rule or wanted.path or wanted.text or wanted.role or wanted.status or wanted.consequence:
         return _scanned(site, wanted, request, start)
     return _by_rule(site, wanted, request, start)
 
@@ -333,6 +349,7 @@ def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[Show
             file_ref(site, finding.path, finding.line),
             site.since is not None and finding.gated and site.since.is_new(finding),
             reviewed.get(finding.fingerprint),
+            weight_of(finding.weight, site.rules.get(finding.rule)),
         )
         for finding in islice(found, limits.findings)
     )
@@ -343,52 +360,3 @@ def file_ref(site: Site, path: str, line: int = 0) -> PageRef | None:
     if path not in site.places:
         return None
     return PageRef("file", path, anchor=f"L{line}" if line else "")
-
-
-COLUMNS = (
-    Column("severity", "Severity", "mark"),
-    Column("rule", "Rule", "code"),
-    Column("message", "Message"),
-    Column("package", "Package"),
-    Column("path", "File", "code"),
-    Column("line", "Line", "number"),
-    Column("column", "Column", "number"),
-    Column("entity", "Entity", "code"),
-    Column("tags", "Tags"),
-    Column("tool", "Tool"),
-    Column("role", "Code"),
-    Column("model", "Model"),
-    Column("quantity", "Quantity", "code"),
-    Column("value", "Value", "number"),
-    Column("bound", "Bound", "number"),
-    Column("fingerprint", "Fingerprint", "code"),
-)
-
-
-def findings_table(site: Site, found: Iterable[Finding], total: int) -> Table:
-    """Return findings as a table, for the twins."""
-    rows = tuple(
-        tuple(
-            Cell(value)
-            for value in (
-                finding.severity.value,
-                finding.rule,
-                finding.message,
-                package_of(site, finding),
-                finding.path,
-                finding.line or None,
-                finding.column or None,
-                finding.entity,
-                " ".join(finding.tags),
-                finding.tool,
-                role_of(site, finding),
-                finding.model,
-                finding.quantity,
-                finding.value,
-                finding.bound,
-                finding.fingerprint,
-            )
-        )
-        for finding in found
-    )
-    return Table("findings", "Findings", COLUMNS, rows, total=total)

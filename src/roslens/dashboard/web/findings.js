@@ -4,7 +4,7 @@ import { enterParameters, medium, onReturn, parameters, setParameters } from "./
 import { figure, settled } from "./dom.js";
 import { onKey } from "./keys.js";
 
-const FIELDS = ["severity", "role", "include", "exclude", "text", "group", "columns"];
+const FIELDS = ["severity", "consequence", "role", "include", "exclude", "text", "group", "columns"];
 
 function visible() {
   return [...document.querySelectorAll("main .finding")].filter((finding) => finding.checkVisibility());
@@ -57,13 +57,14 @@ export function startFindingKeys() {
 
 const split = (text) => text.toLocaleLowerCase().split(",").map((part) => part.trim()).filter(Boolean);
 
-/** The same filter as on the server: severity, role, any tag included, no tag excluded, text. */
+/** The same filter as on the server: severity, consequence, role, any tag included, no tag excluded, text. */
 function accepts(finding, wanted) {
   const data = finding.dataset;
   const tags = (data.tags || "").split(" ");
   const include = split(wanted.include || "");
   const exclude = split(wanted.exclude || "");
   if (wanted.severity && data.severity !== wanted.severity) return false;
+  if (wanted.consequence && data.consequence !== wanted.consequence) return false;
   if (wanted.role && data.role !== wanted.role && data.gate !== wanted.role) return false;
   if (wanted.rule && data.rule !== wanted.rule) return false;
   if (include.length && !include.some((tag) => tags.includes(tag))) return false;

@@ -6,8 +6,14 @@ import contextlib
 import os
 import signal
 import sys
+from collections.abc import Sequence
+from functools import cache
 
 _PR_SET_PDEATHSIG = 1
+
+_SETPRIV, _SHELL = "/usr/bin/setpriv", "/bin/sh"
+_STILL_CHILD = 'test "$PPID" = "$0" && exec "$@"'
+"""The parent may be gone before the kernel is told to end its child with it."""
 
 
 def end_with_parent(parent: int = 0) -> None:
@@ -24,6 +30,21 @@ def end_with_parent(parent: int = 0) -> None:
         ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
     if parent and os.getppid() != parent:
         os._exit(1)
+
+
+def words_with_lifeline(words: Sequence[str]) -> list[str] | None:
+    """Return the command that runs ``words`` so that they end with this process; None if the system has none.
+
+    It takes two milliseconds, a Python that calls :func:`end_with_parent` first twenty.
+    """
+    if not _has_setpriv():
+        return None
+    return [_SETPRIV, "--pdeathsig", "KILL", _SHELL, "-c", _STILL_CHILD, str(os.getpid()), *words]
+
+
+@cache
+def _has_setpriv() -> bool:
+    return sys.platform == "linux" and all(os.access(path, os.X_OK) for path in (_SETPRIV, _SHELL))
 
 
 def watch_parent() -> None:

@@ -252,7 +252,7 @@ def test_nothing_that_a_repository_brings_runs_or_leads_out(server, here, capsys
     (server.folder / "one/.git/hooks/post-upload-pack").write_text(f"touch {mark}")
     assert main(["fetch", "--into", "ws", "--distribution", repos(here, one=url), "--no-color"]) == 0
     out = capsys.readouterr().out
-    assert "1 submodules are not fetched, the first at sub" in out
+    assert "1 submodule is not fetched, the first at sub" in out
     assert "2 links that lead out of the repository are left out, the first at out" in out
     assert not mark.exists()
     assert (here / "ws/one/a.txt").read_bytes() == b"a\nb\n"

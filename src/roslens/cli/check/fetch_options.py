@@ -23,7 +23,19 @@ if TYPE_CHECKING:
     from roslens.source.fetch.wanted import Wanted
     from roslens.source.progress import Progress
 
-_OWN = ("distro", "distribution", "filter", "package", "repository", "depth", "at", "whole", "update", "into")
+_OWN = (
+    "distro",
+    "distribution",
+    "filter",
+    "package",
+    "repository",
+    "depth",
+    "at",
+    "whole",
+    "submodules",
+    "update",
+    "into",
+)
 
 
 def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
@@ -55,6 +67,9 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
     )
     group.add_argument(
         "--whole", action="store_true", help="also the content of past revisions, for churn and `roslens history`"
+    )
+    group.add_argument(
+        "--submodules", action="store_true", help="also submodules, each at the commit that its repository records"
     )
     group.add_argument(
         "--update", action="store_true", help="fetch the current heads of branches instead of the locked commits"
@@ -112,6 +127,7 @@ def fetched(
         files=not distribution.remote,
         rewrites=configuration.fetch.rewrite,
         jobs=jobs or configuration.fetch.jobs,
+        submodules=options.submodules,
     )
     concerned = {str(one.entity) for one in distribution.failures}
     failures = [

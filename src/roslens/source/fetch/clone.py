@@ -6,7 +6,6 @@ finished, whatever ended the last attempt.
 
 from __future__ import annotations
 
-import os
 import shutil
 from pathlib import Path
 
@@ -15,11 +14,15 @@ import msgspec
 from roslens.children.fetching_git import ATTRIBUTES, CONFIGURATION
 from roslens.intake.bounded_file import read_bounded
 from roslens.intake.is_there import is_file
+from roslens.model.words.plural import plural
 from roslens.source.fetch.at import At, revision_at
-from roslens.source.fetch.git_runner import GitError, GitRunner
+from roslens.source.fetch.git_runner import GitError, GitRunner, PrintedTooMuchError
+from roslens.source.fetch.index_entries import Entries, IndexFormatError, index_entries
 from roslens.source.fetch.lacking_files import write_files
 from roslens.source.fetch.leaving_links import remove_leaving
-from roslens.source.fetch.refs import Ref, is_commit, ref_of
+from roslens.source.fetch.new_clone import begin_clone, set_head
+from roslens.source.fetch.refs import Ref, is_commit, is_ref_name, is_unknown_ref, ref_of
+from roslens.source.fetch.submodules import Submodule, SubmoduleSettings, submodules_of
 from roslens.source.fetch.taken import How, Taken
 from roslens.source.fetch.urls import is_local
 from roslens.source.fetch.wanted import Wanted
@@ -37,6 +40,7 @@ class Request(msgspec.Struct, frozen=True):
         at: which revision.
         depth: how many commits of history; 0 for all.
         whole: whether the content of past revisions comes too.
+        submodules: where submodules come from; None to leave them out.
     """
 
     wanted: Wanted
@@ -44,6 +48,7 @@ class Request(msgspec.Struct, frozen=True):
     at: At
     depth: int = 0
     whole: bool = False
+    submodules: SubmoduleSettings | None = None
 
     @property
     def count(self) -> int:
@@ -67,9 +72,10 @@ def clone(git: GitRunner, request: Request, place: Path, part: Path) -> Taken:
     shutil.rmtree(part, ignore_errors=True)
     part.mkdir(parents=True)
     try:
-        _begin(git, request, part)
-        tip = _fetch(git, request, str(part))
-        taken = _set_to(git, request, part, revision_at(git, str(part), tip, request.at, request.count), How.FETCHED)
+        begin_clone(part, request.url)
+        tip = _fetch(git, request, part)
+        taken = _set_to(git, request, part, _wanted_of(git, request, part, tip), How.FETCHED)
+        _take_submodules(git, request, part)
         place.parent.mkdir(parents=True, exist_ok=True)
         part.rename(place)
         return taken
@@ -88,15 +94,17 @@ def update(git: GitRunner, request: Request, place: Path) -> Taken:
     own_attributes(place)
     if git.ask(folder, "diff-index", "--quiet", "HEAD") is None:
         raise GitError("files in it were changed; keep them elsewhere, and remove the folder")
-    before = git.do(folder, "rev-parse", "HEAD").strip()
-    tip = _fetch(git, request, folder)
-    commit = revision_at(git, folder, tip, request.at, request.count)
-    if commit == before:
-        return described(git, request, place, How.KEPT)
-    taken = _set_to(git, request, place, commit, How.UPDATED)
+    before = head_of(git, place)
+    tip = _fetch(git, request, place)
+    found = _wanted_of(git, request, place, tip)
+    if found.commit == before:
+        _take_submodules(git, request, place)
+        return _described(request, place, found, How.KEPT, _entries(place))
+    taken = _set_to(git, request, place, found, How.UPDATED)
+    _take_submodules(git, request, place)
     # Only an available history can decide that.
-    if not request.depth and git.ask(folder, "merge-base", "--is-ancestor", before, commit) is None:
-        forced = f"its history was rewritten: {before[:12]}, which was here, is not behind {commit[:12]}"
+    if not request.depth and git.ask(folder, "merge-base", "--is-ancestor", before, found.commit) is None:
+        forced = f"its history was rewritten: {before[:12]}, which was here, is not behind {found.commit[:12]}"
         return msgspec.structs.replace(taken, notes=(forced, *taken.notes))
     return taken
 
@@ -152,7 +160,7 @@ def still_there(git: GitRunner, request: Request, place: Path, locked: Taken) ->
     """
     if not locked.commits or not locked.day or is_file(place / ".git" / "shallow"):
         return described(git, request, place, How.KEPT)
-    notes = _about_submodules(git, str(place))
+    notes = _about_submodules(request, _entries(place))
     return msgspec.structs.replace(locked, how=How.KEPT, notes=notes, failure="")
 
 
@@ -161,41 +169,119 @@ def described(git: GitRunner, request: Request, place: Path, how: How) -> Taken:
 
     Raises:
         GitError: git cannot tell.
+        OSError: its files cannot be read.
     """
-    folder = str(place)
-    notes = [*_about_submodules(git, folder)]
-    shallow = git.do(folder, "rev-parse", "--is-shallow-repository").strip() == "true"
-    if shallow and not request.depth:
+    return _described(request, place, _tip(git, place, "HEAD"), how, _entries(place))
+
+
+class _Tip(msgspec.Struct, frozen=True):
+    """A commit, on which day it was committed, and how many there are behind it and with it."""
+
+    commit: str
+    day: str
+    commits: int
+
+
+def _tip(git: GitRunner, place: Path, name: str) -> _Tip:
+    """Return the commit of a name; of a part of a history commits are not counted."""
+    folder, whole = str(place), not is_file(place / ".git" / "shallow")
+    words = ("rev-list", "--format=%cI", name)
+    commits = 0
+    try:
+        rows = git.do(folder, *words, *(() if whole else ("-1",))).split()
+        commits = len(rows) // 3 if whole else 0
+    except PrintedTooMuchError:
+        # A million commits and more.
+        rows = git.do(folder, *words, "-1").split()
+        commits = int(git.do(folder, "rev-list", "--count", name))
+    if not rows:
+        raise GitError(f"{name} names no commit")
+    return _Tip(rows[1], rows[2], commits)
+
+
+def _wanted_of(git: GitRunner, request: Request, place: Path, tip: str) -> _Tip:
+    """Return the revision that is asked for behind a tip."""
+    if request.at == At():
+        return _tip(git, place, tip)
+    return _tip(git, place, revision_at(git, str(place), tip, request.at, request.count))
+
+
+def _described(request: Request, place: Path, tip: _Tip, how: How, entries: Entries) -> Taken:
+    notes = [*_about_submodules(request, entries)]
+    if is_file(place / ".git" / "shallow") and not request.depth:
         notes.append("the server has only a part of the history, so that nothing is counted in it")
-    commits = 0 if shallow else int(git.do(folder, "rev-list", "--count", "HEAD"))
-    commit, day = git.do(folder, "rev-list", "-1", "--format=%cI", "HEAD").removeprefix("commit ").split()
-    wanted = request.wanted
-    return Taken(wanted, how, request.at.text(), commit, commits, day, request.depth, request.whole, tuple(notes))
+    return Taken(
+        request.wanted,
+        how,
+        request.at.text(),
+        tip.commit,
+        tip.commits,
+        tip.day,
+        request.depth,
+        request.whole,
+        tuple(notes),
+        submodules=request.submodules is not None,
+    )
 
 
-def _about_submodules(git: GitRunner, folder: str) -> tuple[str, ...]:
-    rows = git.do(folder, "ls-tree", "-r", "-z", "HEAD").split("\0")
-    submodules = [row.partition("\t")[2] for row in rows if row.startswith("160000 ")]
-    return (f"{len(submodules)} submodules are not fetched, the first at {submodules[0]}",) if submodules else ()
+def _entries(place: Path) -> Entries:
+    try:
+        return index_entries(place)
+    except IndexFormatError as error:
+        raise GitError(str(error)) from error
 
 
-def _begin(git: GitRunner, request: Request, part: Path) -> None:
-    folder = str(part)
-    git.do(folder, "init", "--quiet", "--template=")
-    own_attributes(part)
-    git.do(folder, "config", "remote.origin.url", request.url)
-    git.do(folder, "config", "remote.origin.fetch", "+refs/heads/*:refs/remotes/origin/*")
+def _about_submodules(request: Request, entries: Entries) -> tuple[str, ...]:
+    found = entries.submodules
+    if not found or request.submodules is not None:
+        return ()
+    many = plural(len(found), "submodule is", "submodules are")
+    return (f"{many} not fetched, the first at {found[0][0]}; `--submodules` fetches them",)
 
 
-def _fetch(git: GitRunner, request: Request, folder: str) -> str:
-    """Fetch what is wanted of the server and return the commit that it has now."""
-    version = request.wanted.version
+def _take_submodules(git: GitRunner, request: Request, place: Path) -> None:
+    """Have the submodules of a checkout at the commits that it records; without one of them it is not whole."""
+    settings = request.submodules
+    if settings is None:
+        return
+    inner = msgspec.structs.replace(settings, level=settings.level + 1)
+    for one in submodules_of(git, place, request.url, _entries(place), settings):
+        wanted = Wanted(one.path, one.url, one.commit)
+        asked = Request(wanted, one.url, At(), request.depth, request.whole, inner)
+        try:
+            _take_submodule(git, asked, one, place)
+        except GitError as error:
+            raise GitError(f"the submodule at {one.path}: {error}") from error
+
+
+def _take_submodule(git: GitRunner, request: Request, submodule: Submodule, place: Path) -> None:
+    folder = place / submodule.path
+    if (folder / ".git").is_dir():
+        refuse_strange(git, folder, request.url)
+        if head_of(git, folder) != submodule.commit:
+            update(git, request, folder)
+        return
+    clone(git, request, folder, place / ".git" / "part")
+
+
+def _fetch(git: GitRunner, request: Request, place: Path) -> str:
+    """Fetch what is wanted of the server and return the name of the commit that it has now."""
+    folder, version = str(place), request.wanted.version
     if is_commit(version) and (found := _known(git, folder, version)):
         return found
+    if version and not is_commit(version) and is_ref_name(version):
+        # A branch, as nearly always: the server need not be asked first what it calls a tag.
+        try:
+            _take(git, request, folder, f"+refs/heads/{version}:refs/remotes/origin/{version}")
+        except GitError as error:
+            if not is_unknown_ref(str(error)):
+                raise
+        else:
+            return f"refs/remotes/origin/{version}"
     ref = ref_of(git, folder, request.url, version)
     if ref.name:
         _take(git, request, folder, f"+{ref.name}:{_tracking(ref)}")
-        return git.do(folder, "rev-parse", "--verify", f"{_tracking(ref)}^{{commit}}").strip()
+        return f"{_tracking(ref)}^{{commit}}"
     try:
         _take(git, request, folder, f"+{ref.id}:{_FOUND}")
     except GitError:
@@ -206,7 +292,7 @@ def _fetch(git: GitRunner, request: Request, folder: str) -> str:
                 f"the server has no commit {ref.id[:12]} any more: its history was rewritten, or it is another "
                 "repository; `--update` fetches what it has now"
             ) from None
-    return git.do(folder, "rev-parse", "--verify", f"{ref.id}^{{commit}}").strip()
+    return f"{ref.id}^{{commit}}"
 
 
 def _known(git: GitRunner, folder: str, commit: str) -> str:
@@ -236,15 +322,14 @@ def _is_shallow(url: str) -> bool:
     return is_local(url) and any(is_file(f"{url.removeprefix('file://')}{inner}/shallow") for inner in ("", "/.git"))
 
 
-def _set_to(git: GitRunner, request: Request, place: Path, commit: str, how: How) -> Taken:
+def _set_to(git: GitRunner, request: Request, place: Path, tip: _Tip, how: How) -> Taken:
     """Write the files of a commit, fetching their content where it is not here yet."""
     folder = str(place)
-    git.do(folder, "update-ref", "--no-deref", "HEAD", commit)
-    lacking = write_files(git, folder, commit, local=is_local(request.url))
-    rows = git.do(folder, "ls-tree", "-r", "-z", commit).split("\0")
-    links = [row.partition("\t")[2] for row in rows if row.startswith("120000 ")]
-    gone = remove_leaving(place, map(os.fspath, links))
-    taken = described(git, request, place, how)
+    set_head(place, tip.commit)
+    lacking = write_files(git, folder, tip.commit, local=is_local(request.url))
+    entries = _entries(place)
+    gone = remove_leaving(place, entries.links)
+    taken = _described(request, place, tip, how, entries)
     notes = list(taken.notes)
     if lacking:
         notes.append(f"the server lacks the content of {_files(len(lacking))}, first {lacking[0]}; none is a source")

@@ -26,6 +26,7 @@ from roslens.source.fetch.folder_name import is_folder_name
 from roslens.source.fetch.git_runner import GitError, GitRunner
 from roslens.source.fetch.journal import Journal, alone
 from roslens.source.fetch.retry import Retry
+from roslens.source.fetch.submodules import SubmoduleSettings
 from roslens.source.fetch.taken import How, Taken
 from roslens.source.fetch.urls import UrlError, checked, is_local, rewritten
 from roslens.source.fetch.wanted import Wanted
@@ -49,6 +50,7 @@ class FetchOptions(msgspec.Struct, frozen=True):
         files: whether the document may name folders of this machine.
         rewrites: prefixes of URLs, and what takes their place.
         jobs: repositories at once.
+        submodules: whether submodules come too, each at the commit that its repository records.
     """
 
     at: At = At()
@@ -59,6 +61,7 @@ class FetchOptions(msgspec.Struct, frozen=True):
     files: bool = True
     rewrites: Mapping[str, str] = {}
     jobs: int = JOBS
+    submodules: bool = False
 
 
 def fetch_all(
@@ -120,14 +123,21 @@ def _one(git: GitRunner, wanted: Wanted, place: Path, part: Path, before: Taken 
     asked = options.at.text()
     try:
         request = _request(wanted, options)
-        locked = before if before and before.answers(wanted, asked, options.depth, whole=options.whole) else None
+        locked = before if before and _answers(before, wanted, options) else None
         taken = _had(git, request, place, part, locked, options)
     except (GitError, UrlError, OSError) as error:
         # What an earlier attempt left stays, and stays known.
         commit = before.commit if before and os.path.lexists(place) else ""
-        return Taken(wanted, How.FAILED, asked, commit, depth=options.depth, whole=options.whole, failure=_words(error))
+        return Taken(
+            wanted, How.FAILED, asked, commit, depth=options.depth, whole=options.whole, failure=_words(error),
+            submodules=options.submodules,
+        )  # fmt: skip
     # A lock's commit is a way to what was asked for; the lock goes on saying what that was.
     return msgspec.structs.replace(taken, wanted=wanted, at=asked)
+
+
+def _answers(before: Taken, wanted: Wanted, options: FetchOptions) -> bool:
+    return before.answers(wanted, options.at.text(), options.depth, whole=options.whole, submodules=options.submodules)
 
 
 def _request(wanted: Wanted, options: FetchOptions) -> Request:
@@ -144,7 +154,8 @@ def _request(wanted: Wanted, options: FetchOptions) -> Request:
         raise UrlError("the filter has no number of commits for it")
     url = rewritten(wanted.url, options.rewrites)
     url = checked(url, files=options.files or url != wanted.url)
-    return Request(wanted, url, options.at, options.depth, options.whole)
+    settings = SubmoduleSettings(options.rewrites, options.files) if options.submodules else None
+    return Request(wanted, url, options.at, options.depth, options.whole, settings)
 
 
 def _way_round(wanted: Wanted) -> str:

@@ -7,7 +7,7 @@ from threading import Event
 
 from roslens.children.fetching_git import fetching_environment, fetching_words
 from roslens.source.fetch.retry import Retry, may_pass
-from roslens.source.tools.running.run_tool import Ended, ToolError, ToolRunner
+from roslens.source.tools.running.run_tool import Ended, ToolError, ToolRunner, ToolTalkError
 
 TIME_LIMIT_S = 3600.0
 """For one command: the largest repositories of a distribution take a quarter of an hour on a slow line."""
@@ -22,6 +22,10 @@ _ADVICE = ("Please make sure you have the correct access rights", "and the repos
 
 class GitError(Exception):
     """Git did not do what it was asked for; the text is what it said."""
+
+
+class PrintedTooMuchError(GitError):
+    """Git printed more than is read."""
 
 
 class GitRunner:
@@ -95,6 +99,8 @@ class GitRunner:
                 environment=self._environment,
                 most_processes=_MOST_PROCESSES,
             )
+        except ToolTalkError as error:
+            raise PrintedTooMuchError(str(error)) from error
         except ToolError as error:
             raise GitError(str(error)) from error
 

@@ -25,6 +25,16 @@ def is_commit(version: str) -> bool:
     return _COMMIT.match(version) is not None
 
 
+def is_ref_name(version: str) -> bool:
+    """Return whether a version can be the name of a branch or tag."""
+    return _REF.match(version) is not None and ".." not in version and not version.endswith((".lock", "/"))
+
+
+def is_unknown_ref(complaint: str) -> bool:
+    """Return whether git complains that the server has no branch or tag of a name."""
+    return "couldn't find remote ref" in complaint
+
+
 def ref_of(git: GitRunner, folder: str, url: str, version: str) -> Ref:
     """Return what a version is called at the server.
 
@@ -33,7 +43,7 @@ def ref_of(git: GitRunner, folder: str, url: str, version: str) -> Ref:
     """
     if is_commit(version):
         return Ref("", version)
-    if version and (not _REF.match(version) or ".." in version or version.endswith((".lock", "/"))):
+    if version and not is_ref_name(version):
         raise GitError(f"{version!r} is not a valid name of a branch or tag")
     if not version:
         return _head(git, folder, url)

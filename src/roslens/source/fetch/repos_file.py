@@ -84,6 +84,7 @@ def _entry(taken: Taken) -> dict[str, object]:
         "day": taken.day,
         "depth": taken.depth,
         "whole": taken.whole,
+        "submodules": taken.submodules,
         "packages": list(wanted.packages),
         "failure": taken.failure,
     }
@@ -123,6 +124,7 @@ def taken_of(data: Mapping[str, Any]) -> list[Taken]:
                 _number(own.get("depth")),
                 own.get("whole") is True,
                 failure=failure,
+                submodules=own.get("submodules") is True,
             )
         )
     return found

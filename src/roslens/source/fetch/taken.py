@@ -32,6 +32,7 @@ class Taken(msgspec.Struct, frozen=True, omit_defaults=True):
         whole: whether the content of past revisions is there too.
         notes: what else a reader should know.
         failure: why there is no commit.
+        submodules: whether submodules are there too.
     """
 
     wanted: Wanted
@@ -44,9 +45,10 @@ class Taken(msgspec.Struct, frozen=True, omit_defaults=True):
     whole: bool = False
     notes: tuple[str, ...] = ()
     failure: str = ""
+    submodules: bool = False
 
-    def answers(self, wanted: Wanted, at: str, depth: int, *, whole: bool) -> bool:
+    def answers(self, wanted: Wanted, at: str, depth: int, *, whole: bool, submodules: bool = False) -> bool:
         """Return whether it is what is wanted now, so that nothing has to be asked of a server."""
         asked = (wanted.url, wanted.version, wanted.commits if at == "count" else 0, at, depth)
         mine = (self.wanted.url, self.wanted.version, self.wanted.commits if at == "count" else 0, self.at, self.depth)
-        return bool(self.commit) and asked == mine and (self.whole or not whole)
+        return bool(self.commit) and asked == mine and self.whole >= whole and self.submodules >= submodules

@@ -6,6 +6,7 @@ import json
 import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
 
 import msgspec
 
@@ -120,7 +121,7 @@ class ForgeClient:
                 said, wait = f"answers {status}", self._pause(url, status, headers, body, turn)
             if turn < TRIES - 1:
                 self._sleep(wait)
-        raise ForgeError(f"{url} {said}, {TRIES} times", "Try again later; responses so far are kept")
+        raise ForgeError(f"{url} {said}, {TRIES} times", _again(url, said))
 
     def _pause(self, url: str, status: int, headers: Mapping[str, str], body: bytes, turn: int) -> float:
         """Return for how many seconds to wait after an answer that is none.
@@ -181,6 +182,17 @@ class ForgeClient:
         if self._token:
             return "Try again later"
         return f"Give a token in {self._names[0]}, or try again later"
+
+
+def _again(url: str, complaint: str) -> str:
+    """Return what to do about a forge that gave no answer."""
+    if "WRONG_VERSION_NUMBER" in complaint.upper():
+        parts = urlsplit(url)
+        return (
+            f"{parts.netloc} was asked by https, which it does not speak there; if it speaks only http, give "
+            f"--forge-host http://{parts.netloc}=KIND"
+        )
+    return "Try again later; responses so far are kept"
 
 
 def _is_limit(headers: Mapping[str, str]) -> bool:

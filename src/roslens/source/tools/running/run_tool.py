@@ -15,6 +15,7 @@ from threading import Lock
 
 import msgspec
 
+from roslens.children.lifeline import words_with_lifeline
 from roslens.children.safe_path import python_words, safe_environment
 from roslens.children.sandbox import (
     BUBBLEWRAP,
@@ -53,6 +54,10 @@ class ToolError(Exception):
 
 class ToolHangError(ToolError):
     """It did not end in time."""
+
+
+class ToolTalkError(ToolError):
+    """It printed more than is read."""
 
 
 class Ended(msgspec.Struct, frozen=True):
@@ -149,20 +154,22 @@ class ToolRunner:
         assert process.stdout is not None  # noqa: S101 - Popen was asked for pipes
         assert process.stderr is not None  # noqa: S101
         taken: dict[int, list[bytes]] = {process.stdout.fileno(): [], process.stderr.fileno(): []}
-        size = 0
+        size, next_look = 0, time.monotonic() + _LOOK_S
         with selectors.DefaultSelector() as selector:
             for descriptor in taken:
                 selector.register(descriptor, selectors.EVENT_READ)
             while selector.get_map():
                 left = deadline - time.monotonic()
                 ready = selector.select(max(0.0, min(left, _LOOK_S) if most_processes else left))
-                if most_processes and (many := number_in_session(process.pid)) > most_processes:
-                    raise ToolError(f"started {many} processes, which would go on and on")
+                if most_processes and time.monotonic() >= next_look:
+                    next_look = time.monotonic() + _LOOK_S
+                    if (many := number_in_session(process.pid)) > most_processes:
+                        raise ToolError(f"started {many} processes, which would go on and on")
                 if not ready and deadline <= time.monotonic():
                     raise ToolHangError(f"did not end within {time_limit_s:g} s")
                 size += _read([key.fd for key, _ in ready], selector, taken)
                 if size > self._most_bytes:
-                    raise ToolError(f"printed more than {self._most_bytes:,} bytes")
+                    raise ToolTalkError(f"printed more than {self._most_bytes:,} bytes")
         try:
             code = process.wait(max(0.1, deadline - time.monotonic()))
         except subprocess.TimeoutExpired:
@@ -173,6 +180,8 @@ class ToolRunner:
 
 def _confined(words: Sequence[str], sandbox: Sandbox | None) -> list[str]:
     """Return the command that runs words in a sandbox, and ends with this process."""
+    if sandbox is None and (alive := words_with_lifeline(words)) is not None:
+        return alive
     confined = ""
     if sandbox is not None:
         changed = environment_of(sandbox)

@@ -163,8 +163,7 @@ class ToolRunner:
                 ready = selector.select(max(0.0, min(left, _LOOK_S) if most_processes else left))
                 if most_processes and time.monotonic() >= next_look:
                     next_look = time.monotonic() + _LOOK_S
-                    if (many := number_in_session(process.pid)) > most_processes:
-                        raise ToolError(f"started {many} processes, which would go on and on")
+                    _refuse_many(process.pid, most_processes)
                 if not ready and deadline <= time.monotonic():
                     raise ToolHangError(f"did not end within {time_limit_s:g} s")
                 size += _read([key.fd for key, _ in ready], selector, taken)
@@ -176,6 +175,11 @@ class ToolRunner:
             raise ToolHangError(f"did not end within {time_limit_s:g} s") from None
         stdout, stderr = (b"".join(pieces) for pieces in taken.values())
         return Ended(code, stdout, stderr)
+
+
+def _refuse_many(leader: int, most: int) -> None:
+    if (many := number_in_session(leader)) > most:
+        raise ToolError(f"started {many} processes, which would go on and on")
 
 
 def _confined(words: Sequence[str], sandbox: Sandbox | None) -> list[str]:

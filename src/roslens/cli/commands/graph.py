@@ -18,8 +18,9 @@ if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
 
 TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
-FORMATS = ("text", "json", "dot", "mermaid", "svg", "nodl", "rosgraph", "markdown")
-_ONE = ("rosgraph",)
+FORMATS = ("text", "json", "dot", "mermaid", "svg", "nodl", "params", "commands", "sros2", "rosgraph", "markdown")
+_ONE = ("rosgraph", "sros2")
+_WITH_IMPLICIT = ("sros2",)
 _WITH_UNSTARTED = ("text", "json", "dot")
 EXAMPLES = """\
   roslens graph                                    every node of the packages below this folder
@@ -27,6 +28,8 @@ EXAMPLES = """\
   roslens graph --package rover_base --node base_node --all
   roslens graph --launch rover_bringup/rover.launch.py --format svg -o rover.svg
   roslens graph --launch rover_bringup/rover.launch.py --html rover.html
+  roslens graph --launch rover_bringup/rover.launch.py --format params -o rover_parameters.yaml
+  roslens graph --launch rover_bringup/rover.launch.py --format commands
   roslens graph --launch rover_bringup/rover.launch.py --check --fail-on warning
   roslens graph --launch rover_bringup/rover.launch.py --diff origin/main HEAD --format markdown
   roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
@@ -103,7 +106,7 @@ def run(options: argparse.Namespace) -> int:
         if not found:
             _say_why(source, options)
     listed = (*found, *unstarted) if options.format in _WITH_UNSTARTED and not options.node else found
-    shown = tuple(chosen(one, options.node, implicit=options.all) for one in listed)
+    shown = tuple(chosen(one, options.node, implicit=options.all or options.format in _WITH_IMPLICIT) for one in listed)
     write_result(_text(shown, options), options.output)
     return code
 
@@ -211,4 +214,7 @@ _WRITERS = {
     "text": ("configuration_text", "to_configuration_text"),
     "mermaid": ("to_mermaid", "to_mermaid"),
     "nodl": ("to_nodl", "to_nodl"),
+    "params": ("to_parameters", "to_parameters"),
+    "commands": ("to_commands", "to_commands"),
+    "sros2": ("to_sros2", "to_sros2"),
 }

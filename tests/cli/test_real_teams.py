@@ -20,7 +20,7 @@ CAUGHT = """\
 // And what not.
 #include <stdexcept>
 int f() {
-  try { return 1; } catch (std::runtime_error e) { return 2; }
+  try { return 1; } catch (std::exception e) { return 2; }
 }
 """
 
@@ -122,7 +122,7 @@ def test_pre_commit_runs_the_hook(workspace):
     refused = committed()
     assert (refused.returncode, "cpp.catch_by_value" in refused.stdout) == (1, True), refused.stdout + refused.stderr
     source = workspace / "src/late/late.cpp"
-    source.write_text(CAUGHT.replace("std::runtime_error e", "const std::runtime_error&"))
+    source.write_text(CAUGHT.replace("std::exception e", "const std::exception&"))
     subprocess.run([*git, "add", "."], check=True)
     mended = committed()
     assert mended.returncode == 0, mended.stdout + mended.stderr

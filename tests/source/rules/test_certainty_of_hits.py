@@ -35,6 +35,7 @@ EITHER = (
     "#include <ros/ros.h>\nvoid f() {{ ros::ServiceClient client; if (near()) {{ client.call(s); {} }}"
     " else if (far()) {{ stop(); }} else {{ turn(); }} {} }}\n"
 )
+CATCHES = "void f() {{ try {{ g(); }} catch ({0}) {{ h(); }} }}\n"
 COMPARED = "#include <rclcpp/rclcpp.hpp>\nbool f() {{ return {0} > rclcpp::Time(0); }}\n"
 CLOCK = "#include <rclcpp/rclcpp.hpp>\nvoid f() {{ {0} = std::chrono::system_clock::now(); }}\n"
 SPINS = '#include <ros/ros.h>\nvoid f(A a) {{ {0} }}\nvoid g() {{ handle.subscribe("a", 1, f); }}\n'
@@ -87,6 +88,9 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.mixed_clocks", Language.CPP, COMPARED.format("get_node()->now()"), None),
         ("node.mixed_clocks", Language.CPP, COMPARED.format("this->node_->get_clock()->now()"), None),
         ("node.mixed_clocks", Language.CPP, COMPARED.format("steady_clock_->now()"), Certainty.HEURISTIC),
+        ("cpp.catch_by_value", Language.CPP, CATCHES.format("std::exception e"), None),
+        ("cpp.catch_by_value", Language.CPP, CATCHES.format("std::runtime_error e"), Certainty.HEURISTIC),
+        ("cpp.catch_by_value", Language.CPP, CATCHES.format("tf2::TransformException ex"), Certainty.HEURISTIC),
         ("cpp.swallowed", Language.CPP, "void f() { try { g(); } catch (...) { } }\n", None),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Certainty.HEURISTIC),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),

@@ -15,6 +15,7 @@ SOURCE = (
     "{}PLUGINLIB_EXPORT_CLASS(arm::{}, base::Base)\n"
 )
 USES = '<launch><param name="a" value="$(arg arm)"/></launch>'
+INCLUDES = '<launch><include file="$(find p)/launch/a.launch"/></launch>'
 SHOWS = '<launch><node name="a" pkg="rviz" type="rviz" args="-d $(find p)/{}"/></launch>'
 
 
@@ -34,7 +35,13 @@ SHOWS = '<launch><node name="a" pkg="rviz" type="rviz" args="-d $(find p)/{}"/><
             Severity.WARNING,
         ),
         ("launch.undeclared_argument", "catkin", {"launch/legacy/a.launch": USES}, Severity.NOTE),
-        ("launch.undeclared_argument", "catkin", {"launch/a.launch": USES}, Severity.WARNING),
+        ("launch.undeclared_argument", "catkin", {"launch/a.launch": USES}, Severity.NOTE),
+        (
+            "launch.undeclared_argument",
+            "catkin",
+            {"launch/a.launch": USES, "launch/all.launch": INCLUDES},
+            Severity.WARNING,
+        ),
         ("launch.missing_file", "catkin", {"launch/a.launch": SHOWS.format("urdf.rviz")}, Severity.NOTE),
         ("launch.missing_file", "catkin", {"launch/a.launch": SHOWS.format("urdf.yaml")}, Severity.WARNING),
     ],

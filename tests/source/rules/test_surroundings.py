@@ -50,7 +50,7 @@ def test_headers_of_plugins_that_nobody_asks_for_need_not_be_installed(plugins, 
     [
         ("<depend>p</depend>", "true", []),
         ("<depend>p</depend>", "false", [Severity.WARNING]),
-        ("", "true", [Severity.WARNING]),
+        ("", "true", [Severity.NOTE]),
     ],
 )
 def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, severities, package_view, tmp_path):
@@ -71,7 +71,7 @@ def test_a_package_that_depends_on_it_may_pass_all_arguments(asks, passes, sever
     ],
 )
 def test_a_script_may_give_an_argument(path, text, severity, package_view, tmp_path):
-    package(tmp_path, "p", kind="catkin", launch__one_dot_launch=START)
+    package(tmp_path, "p", kind="catkin", launch__one_dot_launch=START, launch__half_dot_launch=WHOLE.format("false"))
     package(tmp_path, "q")
     (tmp_path / path).write_text(text)
     assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == [severity]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from roslens.model.edit import Edit
-from roslens.model.weight.consequence import Certainty
+from roslens.model.weight.consequence import Certainty, Consequence
 
 HEADER, SOURCE, GUARDED = "header", "source", "guarded"
 """Values of ``only``: for files that are included by others, for those that are compiled, and for headers that must be
@@ -33,6 +33,7 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         entity: text form of the id it is about, where that is not the innermost one around the line.
         edits: what mends it; those without a path are of the file itself. :data:`GUARD_NAME` in their text stands for
             the name that a header guard of the file has.
+        consequence: where it is milder than that of the rule.
     """
 
     rule: str
@@ -48,3 +49,4 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     certainty: Certainty | None = None
     entity: str = ""
     edits: tuple[Edit, ...] = ()
+    consequence: Consequence | None = None

@@ -65,7 +65,8 @@ def rule_findings(
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
     placed = as_notes_with_older_standard(as_notes_without_python3(placed, view), view)
     placed = as_notes_in_nested_package(as_notes_of_caught_types(placed, view), view)
-    placed = as_notes_where_left_behind(as_notes_of_unused_scripts(placed, view))
+    names = {path.rpartition("/")[2] for path in view.listing}
+    placed = as_notes_where_left_behind(as_notes_of_unused_scripts(placed, view), names)
     placed = as_notes_of_unbuilt_sources(as_notes_where_used_once(placed, view), view)
     placed = as_notes_where_uncalled(as_notes_where_launch_names(placed, view), view)
     return place_hits(placed, callbacks, selection, rules, entities)

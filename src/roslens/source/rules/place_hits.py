@@ -76,10 +76,13 @@ def _counted(path: PurePosixPath) -> tuple[str, ...]:
 
 
 def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selection, rule: Rule) -> Finding:
-    severity, certainty = selection[hit.rule], rule.certainty
+    severity, certainty, consequence = selection[hit.rule], rule.certainty, rule.consequence
+    if hit.consequence is not None and hit.consequence.rank < consequence.rank:
+        consequence = hit.consequence
+        severity = min(severity, severity_of(consequence, certainty), key=lambda one: one.rank)
     if hit.certainty is not None and hit.certainty.rank <= certainty.rank:
         certainty = hit.certainty
-        lowered = severity_of(rule.consequence, certainty, unproven=True)
+        lowered = severity_of(consequence, certainty, unproven=True)
         severity = min(severity, lowered, key=lambda one: one.rank)
     return Finding(
         rule=hit.rule,
@@ -95,7 +98,7 @@ def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selectio
         tool=TOOL,
         fingerprint=fingerprint(hit.rule, entity, hit.context, ordinal),
         edits=hit.edits,
-        consequence=rule.consequence,
+        consequence=consequence,
         certainty=certainty,
     )
 

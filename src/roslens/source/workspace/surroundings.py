@@ -12,6 +12,7 @@ from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 
 _SOURCES = "src/"
 _STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
+_DEFINITIONS = (Language.MSG, Language.SRV, Language.ACTION)
 
 
 class Started(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -34,6 +35,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
             looks for packages there.
         asked_by: names of the packages that depend on it, sorted.
         launched_by: launch files in XML of these, where it has any that they could include.
+        users: sources and definitions of these, where it has definitions of messages and no code of its own.
         folders: of the packages of the workspace, by name, where it has launch files, which name others.
         started: launch files, and files of parameters, of all these packages.
     """
@@ -41,6 +43,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     inside: str = ""
     asked_by: tuple[str, ...] = ()
     launched_by: tuple[SourceFile, ...] = ()
+    users: tuple[SourceFile, ...] = ()
     folders: tuple[tuple[str, str], ...] = ()
     started: Started = Started()
 
@@ -70,11 +73,13 @@ def surroundings_of(
         if not any(map(_is_launched, files.get(one.id, ()))):
             launched_by = ()
         inside = next((above for above in _above(one.path) if above in folders), "")
+        users = tuple(file for other in by for file in files.get(other.id, ()) if _may_use(file))
         starts = any(file.language in _STARTING for file in files.get(one.id, ()))
         found[one.id] = Surroundings(
             inside,
             tuple(sorted({other.name for other in by})),
             launched_by,
+            users if _is_of_definitions(files.get(one.id, ())) else (),
             every if starts else (),
             started if starts else Started(),
         )
@@ -89,6 +94,16 @@ def _started(files: Sequence[SourceFile]) -> Started:
 
 def _is_launched(file: SourceFile) -> bool:
     return file.language is Language.LAUNCH_XML
+
+
+def _may_use(file: SourceFile) -> bool:
+    return file.language.parsed_as != "" or file.language in _DEFINITIONS
+
+
+def _is_of_definitions(files: Sequence[SourceFile]) -> bool:
+    """Return whether a package defines messages and has no sources that could use them."""
+    has_code = any(file.language.parsed_as and file.language not in _STARTING for file in files)
+    return not has_code and any(file.language in _DEFINITIONS for file in files)
 
 
 def _above(path: str) -> Iterator[str]:

@@ -32,6 +32,20 @@ def test_libraries_without_an_element_around_them():
     assert not unresolved
 
 
+def test_a_base_class_may_have_parameters():
+    text = b"""<library path="lib/libscan">
+  <class name="scan/Filter" type="scan::Filter"
+         base_class_type="filters::FilterBase<sensor_msgs::LaserScan>"/>
+</library>"""
+    (one,), failed = read_plugins(text, "plugins.xml")
+    assert (one.type, one.parent, one.evidence.line) == (
+        "scan::Filter",
+        "filters::FilterBase<sensor_msgs::LaserScan>",
+        2,
+    )
+    assert not failed
+
+
 def test_what_is_broken_is_said():
     classes, unresolved = read_plugins(b'<library path="a"><class type="n::A"/><class/><class', "p.xml")
     assert [found.name for found in classes] == ["n::A"]

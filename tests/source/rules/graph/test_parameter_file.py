@@ -36,6 +36,27 @@ def test_a_name_that_is_nearly_it_is_a_mistake_whoever_else_runs():
     assert one.severity is Severity.ERROR
 
 
+def test_a_file_for_a_whole_system_has_names_that_are_like_others():
+    keys = ("/amcl", "/planner_server", "/map_saver")
+    given = Ignored("/map_server", launched(2, "config/nav2.yaml"), keys, launched(9))
+    (one,) = found(configuration(node("/map_server")), Surroundings(ignored=(given,)))
+    assert one.severity is Severity.NOTE
+    assert "it is keyed to other nodes, `/amcl`" in one.message
+    assert "nearly" not in one.message
+
+
+def test_the_name_of_a_node_that_runs_is_no_typing_mistake():
+    given = Ignored("/camera_1", launched(2, "config/camera.yaml"), ("/camera_2",), launched(9))
+    (one,) = found(configuration(node("/camera_1"), node("/camera_2")), Surroundings(ignored=(given,)))
+    assert one.severity is Severity.NOTE
+
+
+def test_one_sign_is_a_typing_mistake_in_a_file_for_a_whole_system_too():
+    given = Ignored("/slam", launched(2, "config/all.yaml"), ("/amcl", "/planner", "/slan"), launched(9))
+    (one,) = found(configuration(node("/slam")), Surroundings(ignored=(given,)))
+    assert one.severity is Severity.ERROR
+
+
 def test_none_is_none():
     assert not list(found(configuration(node("/robot/slam")), Surroundings()))
 

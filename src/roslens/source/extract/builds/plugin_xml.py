@@ -12,6 +12,7 @@ from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.workspace.elements import Document, Element, read_elements
 
+_VALUE = re.compile(rb"""=\s*(?:"[^"]*"|'[^']*')""")
 _DECLARATION = re.compile(rb"\A\s*<\?xml[^>]*\?>")
 
 
@@ -70,9 +71,13 @@ def read_plugins(content: bytes, path: str) -> tuple[tuple[PluginClass, ...], tu
 def _document(content: bytes) -> Document:
     """Return a description; several libraries may stand one after the other without an element around them.
 
-    pluginlib reads them so (class_loader_imp.hpp), although no document of XML may have more than one root.
+    pluginlib reads them so (class_loader_imp.hpp), although no document of XML may have more than one root; nor does it
+    mind a ``<`` in the value of an attribute, such as a base class with parameters.
     """
     document = read_elements(content)
+    if document.faults and b"<" in b"".join(_VALUE.findall(content)):
+        content = _VALUE.sub(lambda value: value[0].replace(b"<", b"&lt;"), content)
+        document = read_elements(content)
     if not document.faults or document.root is None or document.root.tag != "library":
         return document
     # The declaration gives its place to the element, so that what follows keeps its line.

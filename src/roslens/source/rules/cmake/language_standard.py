@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -16,6 +18,8 @@ _COMPILES = re.compile(
 )
 """Commands that have something compiled. An interface of ROS 2 is; a message of ROS 1 is a header."""
 _NO_TARGETS = frozenset({"catkin_package", "ament_package", "catkin_metapackage", "find_package"})
+_OLD = frozenset({"98", "03", "0x", "11"})
+_OLD_IN_ROS2 = frozenset({"1y", "14"})
 _STANDARD = re.compile(r"-std=(?:c|gnu)\+\+(\w+)")
 
 
@@ -31,7 +35,16 @@ def found(view: PackageView) -> Iterator[Hit]:
         written = " ".join(argument.written for argument in one.command.arguments)
         if match := _STANDARD.search(written):
             message = f"{match[0]!r} for all targets; expected CMAKE_CXX_STANDARD, or target_compile_features()"
-            yield one.hit("cmake.language_standard", message)
+            is_old = match[1] in _OLD or (match[1] in _OLD_IN_ROS2 and 2 in view.ros)
+            is_needed = 2 in view.ros or any(name.lower().startswith("pcl") for name in _named(view))
+            certainty = None if is_old and is_needed else Certainty.HEURISTIC
+            yield msgspec.structs.replace(one.hit("cmake.language_standard", message), certainty=certainty)
+
+
+def _named(view: PackageView) -> Iterator[str]:
+    """Yield the packages that a package uses or declares."""
+    yield from (use.name for use in view.uses)
+    yield from (one.name for one in view.package.dependencies)
 
 
 def _compiles(view: PackageView) -> bool:
@@ -45,7 +58,8 @@ RULE = PackageRule(
     title="Standard of C++ as a flag for everything",
     finds="`-std=c++…` in `add_definitions`, `add_compile_options` or `CMAKE_CXX_FLAGS`, outside of any condition, "
     "where something is compiled. "
-    "Set `CMAKE_CXX_STANDARD`, or ask for `target_compile_features(… cxx_std_17)`.",
+    "Set `CMAKE_CXX_STANDARD`, or ask for `target_compile_features(… cxx_std_17)`. It is a note where the standard is "
+    "one that current distributions build with, and in ROS 1 where the package does not use PCL.",
     why="Headers of newer distributions need a newer standard (Noetic's log4cxx and PCL need C++14, ROS 2 needs "
     "C++17): the flag pins the old one, overrules what dependencies ask for, and the package no longer builds.",
     consequence=Consequence.HARD_TO_MAINTAIN,

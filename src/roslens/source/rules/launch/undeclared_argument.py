@@ -35,8 +35,8 @@ def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Ite
     what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
     message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
     hit = file.hit("launch.undeclared_argument", element, message, name)
-    is_said = passing.is_on_a_command_line(file, name)
-    yield msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_said else hit
+    is_meant = not passing.is_included(file) or passing.is_on_a_command_line(file, name)
+    yield msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_meant else hit
 
 
 def _used(element: Element) -> Iterator[str]:
@@ -52,8 +52,8 @@ RULE = PackageRule(
     title="Launch argument that is not declared",
     finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
     "where there is one. The files of ROS 2 are left out: they inherit what the including file declares. So is "
-    "what all files that include this one pass on by `pass_all_args`; where a script or README starts it, or "
-    "another launch file of the package, with `name:=` it is a note.",
+    "what all files that include this one pass on by `pass_all_args`; where no launch file includes it, so that "
+    "whoever starts it may give the argument, or a script or README does so with `name:=`, it is a note.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
     consequence=Consequence.STOPS_START,
     certainty=Certainty.LIKELY,

@@ -31,8 +31,8 @@ def _is_of_template(text: str, name: str) -> bool:
 
 def _hit(part: str, text: str, location: Location) -> Hit:
     message = f"{part} is {text!r}, as a template wrote it; expected what holds for this package"
-    # Nothing is lost by a description that says nothing.
-    certainty = Certainty.HEURISTIC if part == "description" else None
+    # Nothing is lost by a description that says nothing, and who asks for an address is asked for it once.
+    milder = None if part == "license" else Consequence.STYLE
     return Hit(
         "package.boilerplate",
         message,
@@ -40,7 +40,7 @@ def _hit(part: str, text: str, location: Location) -> Hit:
         location.column,
         context=part,
         path=location.path,
-        certainty=certainty,
+        consequence=milder,
     )
 
 
@@ -48,7 +48,7 @@ RULE = PackageRule(
     id="package.boilerplate",
     title="Manifest as a template wrote it",
     finds="A description, licence or maintainer in package.xml that still says what `ros2 pkg create` or "
-    "`catkin_create_pkg` wrote. Say what holds for this package.",
+    "`catkin_create_pkg` wrote. Say what holds for this package. A licence is a warning, the others are notes.",
     why="Without a licence the package may not be used, and without a maintainer there is no contact for its faults.",
     consequence=Consequence.HARD_TO_MAINTAIN,
     certainty=Certainty.PROVEN,

@@ -32,11 +32,15 @@ def found(view: PackageView) -> Iterator[Hit]:
         if "message_generation" not in kinds:
             message = "the package generates messages; expected <build_depend>message_generation"
             edits = manifest.added("build_depend", "message_generation")
-            yield _hit(view, message, "message_generation", Certainty.LIKELY, edits)
+            # What CMake finds is there today: the next machine lacks it.
+            if any(use.name == "message_generation" for use in view.uses):
+                yield _hit(view, message, "message_generation", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
+            else:
+                yield _hit(view, message, "message_generation", Certainty.LIKELY, edits)
         if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
             message = "the package generates messages; expected <exec_depend>message_runtime"
             edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
-            yield _hit(view, message, "message_runtime", Certainty.LIKELY, edits)
+            yield _hit(view, message, "message_runtime", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
 
 
 def _has_messages(view: PackageView) -> bool:
@@ -50,13 +54,28 @@ def _is_aside(command: Written) -> bool:
     return command.for_tests or command.defined or "SKIP_INSTALL" in command.words
 
 
-def _hit(view: PackageView, message: str, context: str, certainty: Certainty, edits: tuple[Edit, ...]) -> Hit:
+def _hit(
+    view: PackageView,
+    message: str,
+    context: str,
+    certainty: Certainty,
+    edits: tuple[Edit, ...],
+    milder: Consequence | None = None,
+) -> Hit:
     where = view.package.manifest
     rule = "package.interface_dependencies"
     if len(view.ros) > 1:
         edits = ()
     return Hit(
-        rule, message, where.line, where.column, context=context, path=where.path, certainty=certainty, edits=edits
+        rule,
+        message,
+        where.line,
+        where.column,
+        context=context,
+        path=where.path,
+        certainty=certainty,
+        edits=edits,
+        consequence=milder,
     )
 
 

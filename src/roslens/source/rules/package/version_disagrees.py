@@ -13,6 +13,8 @@ from roslens.source.workspace.placeholder import has_placeholder
 
 _PYTHON = ("ament_python_install_package", "catkin_python_setup", "ament_auto_package", "autoware_package")
 """Commands that install what setup.py names."""
+_OF_TEMPLATES = frozenset({"0.0.0", "0.0.1"})
+"""Versions that `ros2 pkg create` and its like write: nothing was released by them."""
 
 
 def found(view: PackageView) -> Iterator[Hit]:
@@ -27,7 +29,15 @@ def found(view: PackageView) -> Iterator[Hit]:
         if value.value != view.package.version and not has_placeholder(f"{value.value} {view.package.version}"):
             message = f"version {value.value!r} here, {view.package.version!r} in package.xml; expected the same"
             at = value.lineno, value.col_offset + 1
-            yield Hit("package.version_disagrees", message, *at, context="version", path=view.path("setup.py"))
+            written_by_template = not _OF_TEMPLATES.isdisjoint((value.value, view.package.version))
+            yield Hit(
+                "package.version_disagrees",
+                message,
+                *at,
+                context="version",
+                path=view.path("setup.py"),
+                certainty=Certainty.HEURISTIC if written_by_template else None,
+            )
 
 
 def _runs_nothing(view: PackageView) -> bool:
@@ -41,7 +51,8 @@ RULE = PackageRule(
     id="package.version_disagrees",
     title="Versions of setup.py and package.xml differ",
     finds="A `version` in setup.py that is not the `<version>` of package.xml. Keep them equal; "
-    "`catkin_prepare_release` raises both. A setup.py that the package's CMakeLists.txt does not use is left out.",
+    "`catkin_prepare_release` raises both. A setup.py that the package's CMakeLists.txt does not use is left out, and "
+    "where one of them is what a template wrote it is a note.",
     why="What is released, and what `pip`, `importlib.metadata` and `ros2 pkg xml` say on the robot, are two things.",
     consequence=Consequence.HARD_TO_MAINTAIN,
     certainty=Certainty.PROVEN,

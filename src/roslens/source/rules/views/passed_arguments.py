@@ -40,6 +40,11 @@ class Passing:
         by = [pair for pair in self._includes if pair[0].path != file.path and self._leads_to(pair[1], path)]
         return bool(by) and all(_passes(one, element, name) for one, element in by)
 
+    def is_included(self, file: LaunchXml) -> bool:
+        """Return whether another launch file includes a file."""
+        path = self._package.inside(file.path)
+        return any(one.path != file.path and self._leads_to(element, path) for one, element in self._includes)
+
     def is_on_a_command_line(self, file: LaunchXml, name: str) -> bool:
         """Return whether a script or a text gives an argument to a file, or to another of its package, by that name."""
         package = self._package.package.name

@@ -18,6 +18,8 @@ _KNOWN = re.compile(
     r"|(?:tf2?|ros|rclcpp|rclcpp::exceptions|image_transport|cv_bridge|pluginlib|class_loader|YAML|rosbag|cv)::\w+$"
 )
 """Classes whose `what()` is const, as that of `std::exception` is."""
+_KEEPS_NOTHING = re.compile(r"(?:std::)?exception$")
+"""A class whose copy says nothing of what was thrown; copies of others keep the text they were made with."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -33,6 +35,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 "cpp.catch_by_value",
                 one,
                 f"`catch ({view.text(one)})` copies the exception; expected `const {text}&`",
+                certainty=None if _KEEPS_NOTHING.match(text) else Certainty.HEURISTIC,
                 edits=_edits(node, one, kind, view),
             )
 
@@ -58,7 +61,7 @@ RULE = FileRule(
     id="cpp.catch_by_value",
     title="Exception caught by value",
     finds="`catch (E e)` of a class: the exception is copied, and what a derived class added is cut off. Catch "
-    "by `const E&`.",
+    "by `const E&`. What is copied of `std::exception` has lost its text; others keep theirs, and are notes.",
     why="The message of the error that mattered is lost in the log: `std::exception` alone says nothing.",
     consequence=Consequence.MAY_BE_WRONG,
     certainty=Certainty.LIKELY,

@@ -74,6 +74,29 @@ def test_a_package_of_a_maker_of_drivers_is_a_copy(tree: Tree) -> None:
     assert copied(root) == {"laser": "laser 2.1.4"}
 
 
+def test_packages_that_a_project_of_others_published_are_copies_however_many(tree: Tree) -> None:
+    names = ("nav2_core", "nav2_util", "nav2_planner", "nav2_controller")
+    copies = {f"navigation2/{name}/package.xml": manifest(name, "1.3.7", STRANGER) for name in names}
+    logs = {f"navigation2/{name}/CHANGELOG.rst": log(name, "1.3.7") for name in names}
+    assert copied(tree({**OWN, **copies, **logs})) == dict.fromkeys(names, "navigation2 1.3.7")
+
+
+def test_one_of_the_names_of_a_project_may_be_chance(tree: Tree) -> None:
+    others = {
+        "src/map_server/package.xml": manifest("map_server", "1.0.0", "Cy|cy@lab.edu"),
+        "src/usb_cam/package.xml": manifest("usb_cam", "1.0.0", STRANGER),
+    }
+    assert copied(tree({**OWN, **others})) == {"usb_cam": "usb_cam 1.0.0"}
+
+
+def test_a_project_is_at_home_in_its_repository_with_what_else_lies_there(tree: Tree) -> None:
+    names = ("nav2_core", "nav2_util", "nav2_new")
+    packages = {f"{name}/package.xml": manifest(name, "1.3.7", STRANGER) for name in names}
+    config = '[remote "origin"]\n\turl = https://github.com/ros-navigation/navigation2.git\n'
+    assert copied(tree({".git/HEAD": "", ".git/config": config, **packages})) == {}
+    assert copied(tree({".git/HEAD": "", **packages})) == {}, "its people maintain another package there"
+
+
 def test_its_files_are_vendored_unless_the_user_says_otherwise(tree: Tree) -> None:
     root = tree(
         {

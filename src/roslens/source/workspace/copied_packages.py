@@ -2,11 +2,12 @@
 
 The manifest and the change log keep where a package is from. A package came from elsewhere where it was released by
 itself (a ``CHANGELOG.rst`` of bloom with the date of a release), where its manifest names a repository that is named
-as the package or as a folder around it, or where all its maintainers are of makers whose packages are often copied. It
-is at home all the same
+as the package or as a folder around it, where all its maintainers are of makers whose packages are often copied, or
+where it has a name that a project of others published. It is at home all the same
 
 * at the root of the workspace, in a repository of that name, or in a checkout of its own;
-* where half of all packages or more have its version, name its repository or are of the same maker;
+* where half of all packages or more have its version, name its repository or are of the same maker, unless its name is
+  one that others published;
 * where its people, or others of their organisation, maintain a package that did not come from elsewhere, and so are
   all packages of its version.
 
@@ -23,6 +24,7 @@ from functools import lru_cache
 import msgspec
 
 from roslens.model.source import Package, Person
+from roslens.source.workspace.published_projects import published_elsewhere
 
 CHANGE_LOG = "CHANGELOG.rst"
 """Where bloom expects what changed in a release, beside the manifest."""
@@ -74,7 +76,12 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     """
     named = {one.package.id: repositories_named(one.package) for one in candidates}
     released = {one.package.id for one in candidates if one.read_log is not None and _is_released(one)}
-    elsewhere = [one for one in candidates if _is_from_elsewhere(one, released, named, homes)]
+    published = published_elsewhere([one.package.name for one in candidates], homes)
+    elsewhere = [
+        one
+        for one in candidates
+        if _may_be_a_copy(one) and (one.package.name in published or _is_from_elsewhere(one, released, named, homes))
+    ]
     if not elsewhere:
         return {}
     versions, repositories = _usual(candidates, released, named)
@@ -83,9 +90,12 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     away = [
         one
         for one in elsewhere
-        if repositories.isdisjoint(named[one.package.id])
-        and usual_makers.isdisjoint(_makers(one.package))
-        and not (one.package.id in released and one.package.version in versions)
+        if one.package.name in published
+        or (
+            repositories.isdisjoint(named[one.package.id])
+            and usual_makers.isdisjoint(_makers(one.package))
+            and not (one.package.id in released and one.package.version in versions)
+        )
     ]
     ids = {one.package.id for one in away}
     at_home = [one for one in candidates if one.package.id not in ids]
@@ -96,7 +106,11 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     ids -= {one.package.id for one in away if one.package.id in released and one.package.version in kept_versions}
     if not at_home:
         return {}
-    return {one.package.id: _origin(one.package, named) for one in away if one.package.id in ids}
+    return {
+        one.package.id: _origin(one.package, named, published.get(one.package.name, one.package.name))
+        for one in away
+        if one.package.id in ids
+    }
 
 
 @lru_cache(maxsize=4096)
@@ -119,12 +133,15 @@ def _is_released(one: Candidate) -> bool:
     return title is not None and title[1].decode("ascii", "replace") == one.package.name and bool(_RELEASE.search(text))
 
 
+def _may_be_a_copy(one: Candidate) -> bool:
+    """Return whether a package lies in a repository that may be of others: not at its root, and no checkout."""
+    return one.package.path not in ("", ".") and not one.own_checkout
+
+
 def _is_from_elsewhere(
     one: Candidate, released: Set[str], named: Mapping[str, tuple[str, ...]], homes: Set[str]
 ) -> bool:
     package = one.package
-    if package.path in ("", ".") or one.own_checkout:
-        return False
     names = _names(named[package.id])
     if not names.isdisjoint(homes):
         return False
@@ -188,6 +205,6 @@ def _people(package: Package) -> tuple[str, ...]:
     return tuple(key for person in (*package.maintainers, *package.authors) for key in _keys(person))
 
 
-def _origin(package: Package, named: Mapping[str, tuple[str, ...]]) -> str:
-    """Return what a copied package is a copy of: the repository that it names, or its name; with its version."""
-    return " ".join(part for part in (next(iter(named[package.id]), package.name), package.version) if part)
+def _origin(package: Package, named: Mapping[str, tuple[str, ...]], project: str) -> str:
+    """Return what a copied package is a copy of: the repository that it names, or its project; with its version."""
+    return " ".join(part for part in (next(iter(named[package.id]), project), package.version) if part)

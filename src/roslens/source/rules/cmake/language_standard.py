@@ -35,10 +35,15 @@ def found(view: PackageView) -> Iterator[Hit]:
         written = " ".join(argument.written for argument in one.command.arguments)
         if match := _STANDARD.search(written):
             message = f"{match[0]!r} for all targets; expected CMAKE_CXX_STANDARD, or target_compile_features()"
-            is_old = match[1] in _OLD or (match[1] in _OLD_IN_ROS2 and 2 in view.ros)
-            is_needed = 2 in view.ros or any(name.lower().startswith("pcl") for name in _named(view))
-            certainty = None if is_old and is_needed else Certainty.HEURISTIC
+            certainty = None if _is_too_old(match[1], view) else Certainty.HEURISTIC
             yield msgspec.structs.replace(one.hit("cmake.language_standard", message), certainty=certainty)
+
+
+def _is_too_old(standard: str, view: PackageView) -> bool:
+    """Return whether what a package is for, or uses, needs a newer standard in current distributions."""
+    if 2 in view.ros:
+        return standard in (*_OLD, *_OLD_IN_ROS2)
+    return standard in _OLD and any(name.lower().startswith("pcl") for name in _named(view))
 
 
 def _named(view: PackageView) -> Iterator[str]:

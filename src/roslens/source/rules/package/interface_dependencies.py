@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Set
 
 from roslens.model.edit import Edit
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -29,18 +29,26 @@ def found(view: PackageView) -> Iterator[Hit]:
         yield _hit(view, message, "rosidl_interface_packages", Certainty.PROVEN, edits)
     made = view.cmake.first("generate_messages")
     if made is not None and not made.defined and 1 in view.ros and _has_messages(view):
-        if "message_generation" not in kinds:
-            message = "the package generates messages; expected <build_depend>message_generation"
-            edits = manifest.added("build_depend", "message_generation")
-            # What CMake finds is there today: the next machine lacks it.
-            if any(use.name == "message_generation" for use in view.uses):
-                yield _hit(view, message, "message_generation", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
-            else:
-                yield _hit(view, message, "message_generation", Certainty.LIKELY, edits)
-        if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
-            message = "the package generates messages; expected <exec_depend>message_runtime"
-            edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
-            yield _hit(view, message, "message_runtime", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
+        yield from _of_ros1(view, kinds)
+
+
+def _of_ros1(view: PackageView, kinds: Mapping[str, Set[str]]) -> Iterator[Hit]:
+    """Yield what the manifest of a package of messages for ROS 1 lacks.
+
+    A generator that CMake finds is there today, and what lacks at run time builds: the next machine is without them.
+    """
+    manifest = view.manifest_edits
+    if "message_generation" not in kinds:
+        message = "the package generates messages; expected <build_depend>message_generation"
+        edits = manifest.added("build_depend", "message_generation")
+        if any(use.name == "message_generation" for use in view.uses):
+            yield _hit(view, message, "message_generation", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
+        else:
+            yield _hit(view, message, "message_generation", Certainty.LIKELY, edits)
+    if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
+        message = "the package generates messages; expected <exec_depend>message_runtime"
+        edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
+        yield _hit(view, message, "message_runtime", Certainty.PROVEN, edits, Consequence.HARD_TO_MAINTAIN)
 
 
 def _has_messages(view: PackageView) -> bool:

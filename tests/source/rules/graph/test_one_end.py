@@ -187,3 +187,16 @@ def test_a_configuration_that_is_not_whole_is_in_doubt():
     other = msgspec.structs.replace(missing, opens=False)
     (one,) = found(msgspec.structs.replace(whole, unresolved=(other,)), Surroundings())
     assert one.severity is Severity.NOTE
+
+
+def test_a_remapping_that_leads_out_of_the_namespace_of_the_other_end_is_a_warning():
+    planner = node("/barrow/planner", end("pub", "/barrow/path"))
+    follower = node("/barrow/follower", end("sub", "/path", given="~/path", remapped=launched(6)))
+    (one,) = findings(planner, follower)
+    assert one.severity is Severity.WARNING
+    assert "Candidate: /barrow/path of /barrow/planner" in one.message
+    # In code the name may be global on purpose, and in another namespace it is no slip of a slash.
+    (one,) = findings(planner, node("/barrow/follower", end("sub", "/path")))
+    assert one.severity is Severity.NOTE
+    (one,) = findings(planner, node("/other/follower", end("sub", "/path", remapped=launched(6))))
+    assert one.severity is Severity.NOTE

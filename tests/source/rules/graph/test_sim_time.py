@@ -28,7 +28,8 @@ def test_nodes_without_it_among_nodes_with_it_are_told_once():
     assert one.line == 7
     assert one.message == (
         "use_sim_time is true for /a (launch/robot.launch.xml:4), but not for /b (launch/robot.launch.xml:7), "
-        "/c (launch/robot.launch.xml:8), /d (launch/robot.launch.xml:9). Set it for all nodes that run together."
+        "/c (launch/robot.launch.xml:8, false in launch/robot.launch.xml:5), "
+        "/d (launch/robot.launch.xml:9). Set it for all nodes that run together."
     )
 
 
@@ -57,3 +58,9 @@ def test_what_could_not_be_read_may_set_it():
 
 def test_the_node_inside_of_a_listener_of_transforms_is_none():
     assert not findings(node("/a", parameters=SIMULATED), node("/transform_listener_impl_*"))
+
+
+def test_a_value_of_its_own_is_told_where_it_is_set():
+    (one,) = findings(node("/a", parameters=SIMULATED), node("/c", line=8, parameters=REAL))
+    assert (one.path, one.line) == ("launch/robot.launch.xml", 5)
+    assert "but not for /c (launch/robot.launch.xml:8, false in launch/robot.launch.xml:5)." in one.message

@@ -31,18 +31,18 @@ from roslens.source.rules.graph.parameters import (
     parameter_undeclared,
 )
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.timing import deadlock, qos, queue, sim_time
+from roslens.source.rules.graph.timing import deadlock, latched, qos, queue, sim_time
 
 Found = Callable[[Configuration, Surroundings], Iterator[Finding]]
 
 _MODULES = (
-    qos, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range, parameter_file,
-    parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic, transform,
-    dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
+    qos, latched, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range,
+    parameter_file, parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic,
+    transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""
-_OF_A_SYSTEM = frozenset(one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time))
+_OF_A_SYSTEM = frozenset(one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time, latched))
 """Rules that say nothing of nodes of which nobody knows whether they run together."""
 
 

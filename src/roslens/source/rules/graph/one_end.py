@@ -23,7 +23,8 @@ RULE = graph_rule(
     "name is below that of a node of the configuration that has no such endpoint; or a parameter passes it to a node "
     "that does not use it. Topics with subscribers only are listed, those with publishers only if their type is "
     "defined in the workspace. In a configuration that `roslens.toml` declares to be the whole system (`whole = "
-    "true`), a subscription without a publisher and a client without a server are warnings. Names whose other end is "
+    "true`), a subscription without a publisher and a client without a server are warnings, and so is one that a "
+    "remapping to a global name takes out of the namespace in which the other end is. Names whose other end is "
     "usually outside the workspace are not reported; `external` in `[options.graph]` lists them.",
     Consequence.MAY_BE_WRONG,
     Certainty.HEURISTIC,
@@ -85,8 +86,9 @@ def _told(
     kind, name = key
     end = of_name[0]
     waits = end.role in WAITING
+    usual = Certainty.LIKELY if waits and (surroundings.whole or _leaves_its_namespace(end, why)) else RULE.certainty
     certainty, doubt = weighed(
-        Certainty.LIKELY if surroundings.whole and waits else RULE.certainty,
+        usual,
         (end.one.proof,),
         end.conditions,
         # That the other end is expected says more than that somebody unknown might be there.
@@ -106,6 +108,16 @@ def _told(
     return occurrence(
         RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=end.role.value, doubt=doubt
     )
+
+
+def _leaves_its_namespace(end: End, why: Expected | None) -> bool:
+    """Return whether a remapping leads out of the namespace of a node, in which the other end of the name waits.
+
+    A leading slash leaves the namespace that a group or a launch file pushes.
+    """
+    space = end.node.name.rpartition("/")[0]
+    moved = end.one.remapped is not None and why is not None and why.name == f"{space}{end.name}"
+    return bool(space) and moved
 
 
 def _missing(view: View) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.configuration import Configuration, ConfiguredNode, Proof, Unresolved
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
@@ -38,22 +40,44 @@ _STAMPED = re.compile(
 """Types of messages that carry a time as a rule."""
 
 
+class _Real(msgspec.Struct, frozen=True):
+    """A node on the time of the computer; ``set_by`` where something says so, else nothing does."""
+
+    node: ConfiguredNode
+    set_by: Proof | None = None
+
+    @property
+    def proof(self) -> Proof:
+        """The place to change: that of the value, or of the start of a node that is given none."""
+        return self.set_by or self.node.proof
+
+    @property
+    def label(self) -> str:
+        """The node and the places, as messages name it."""
+        places = [self.node.proof.place]
+        if self.set_by is not None and self.set_by.place != places[0]:
+            places.append(f"false in {self.set_by.place}")
+        return f"{self.node.name} ({', '.join(places)})"
+
+
 def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
     """Yield at most one finding: the setting of ROS 1 is the same for all nodes."""
     if configuration.generation != "ros2":
         return
     simulated: list[tuple[ConfiguredNode, Proof]] = []
-    real: list[ConfiguredNode] = []
+    real: list[_Real] = []
     for node in configuration.nodes:
         if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node) or _is_inner(node):
             continue
         setting = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
         value = (setting.value or "").lower() if setting is not None else "false"
         if value == "false" and _stamps(node):
-            real.append(node)
+            real.append(_Real(node, setting.set_by if setting is not None else None))
         elif value == "true" and setting is not None and setting.set_by is not None:
             simulated.append((node, setting.set_by))
-    real = [node for node in real if any(not exclude_each_other(node.clauses, one.clauses) for one, _ in simulated)]
+    real = [
+        one for one in real if any(not exclude_each_other(one.node.clauses, other.clauses) for other, _ in simulated)
+    ]
     if simulated and real:
         yield _told(simulated, real, missing_parts(configuration))
 
@@ -71,21 +95,19 @@ def _stamps(node: ConfiguredNode) -> bool:
     return any(_STAMPED.fullmatch(one.type) for one in ends)
 
 
-def _told(
-    simulated: list[tuple[ConfiguredNode, Proof]], real: list[ConfiguredNode], missing: list[Unresolved]
-) -> Finding:
+def _told(simulated: list[tuple[ConfiguredNode, Proof]], real: list[_Real], missing: list[Unresolved]) -> Finding:
     node, proof = min(simulated, key=lambda one: (len(one[0].conditions), one[0].name))
-    without = sorted(real, key=lambda one: (len(one.conditions), one.name))
+    without = sorted(real, key=lambda one: (len(one.node.conditions), one.node.name))
     more = (
         f"what `{shortened(missing[0].text, 60)}` ({missing[0].proof.place}) starts or sets is unknown"
         if missing
         else ""
     )
-    certainty, doubt = weighed(RULE.certainty, (proof,), (*node.conditions, *without[0].conditions), more=more)
-    others = [f"{one.name} ({one.proof.place})" for one in without]
+    certainty, doubt = weighed(RULE.certainty, (proof,), (*node.conditions, *without[0].node.conditions), more=more)
+    others = [one.label for one in without]
     message = (
         f"use_sim_time is true for {listed([one.name for one, _ in simulated])} ({proof.place}), but not for "
         f"{listed(others)}. Set it for all nodes that run together."
     )
-    first, *also = ids_of(without)
+    first, *also = ids_of([one.node for one in without])
     return occurrence(RULE, message, without[0].proof, entity=first, certainty=certainty, also=tuple(also), doubt=doubt)

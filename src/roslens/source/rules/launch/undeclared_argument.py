@@ -22,18 +22,40 @@ def found(view: PackageView) -> Iterator[Hit]:
         declared = {*declared_in(file)}
         if file.broken or file.is_test:
             continue
-        for element, _ in file.elements:
+        known = frozenset(declared)
+        for element, visible in _in_scope(file):
             for name in _used(element):
-                if name not in declared:
+                if name not in declared or (name in known and not any(name in one for one in visible)):
+                    # Each name once.
                     declared.add(name)
+                    known -= {name}
                     yield from _hits(file, element, name, passing)
+
+
+def _in_scope(file: LaunchXml) -> Iterator[tuple[Element, tuple[set[str], ...]]]:
+    """Yield each element with the names that are declared before it, by the file and by each ``<group>`` around it."""
+    root = file.root
+    waiting: list[tuple[Element, tuple[set[str], ...], str]] = [(root, (set(),), "")] if root is not None else []
+    while waiting:
+        element, visible, around = waiting.pop()
+        yield element, visible
+        if element.tag == "arg" and around != "include":
+            visible[-1].add(element.attributes.get("name", ""))
+        inside = (*visible, set()) if element.tag == "group" else visible
+        waiting.extend((child, inside, element.tag) for child in reversed(element.elements()))
 
 
 def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Iterator[Hit]:
     if passing.is_passed(file, name):
         return
-    what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
-    message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
+    if name in declared_in(file):
+        what = (
+            f"$(arg {name}) is used where <arg name={name!r}> is not known: it comes later, or in a <group> that ended"
+        )
+        message = f"{what}; expected it before this element, outside of the <group>"
+    else:
+        what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
+        message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
     hit = file.hit("launch.undeclared_argument", element, message, name)
     is_meant = not passing.is_included(file) or passing.is_on_a_command_line(file, name)
     yield msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_meant else hit

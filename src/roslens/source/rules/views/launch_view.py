@@ -42,6 +42,11 @@ class LaunchXml:
         """Whether not all of it could be read."""
         return bool(self._document.faults) or self._document.root is None
 
+    @property
+    def root(self) -> Element | None:
+        """The outermost element, as far as it could be read."""
+        return self._document.root
+
     @cached_property
     def elements(self) -> tuple[tuple[Element, str], ...]:
         """All elements in order, each with the tag of the one around it."""

@@ -31,18 +31,19 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield from _of_xml(file, view)
     for one in view.of_language(Language.LAUNCH_PYTHON, roles=(Role.OWN,)):
         text = view.read(one.path).decode("utf-8", "replace")
-        if len(text) > _LONGEST or _INDIRECT.search(text):
+        if len(text) <= _LONGEST and not _INDIRECT.search(text) and not _is_listed(text):
+            yield from _of_python(text, one.path, view)
+
+
+def _of_python(text: str, path: str, view: PackageView) -> Iterator[Hit]:
+    for match in _DECLARED.finditer(text):
+        name = match[2]
+        if len(re.findall(rf"['\"]{re.escape(name)}['\"]", text)) != 1:
             continue
-        for match in _DECLARED.finditer(text):
-            name = match[2]
-            if len(re.findall(rf"['\"]{re.escape(name)}['\"]", text)) == 1 and not _is_listed(text):
-                line = text.count("\n", 0, match.start()) + 1
-                end = text.find(")", match.end())
-                switches = _SWITCHED.search(text, match.end(), end) is not None
-                certainty = None if switches and _is_alone(name, one.path, view) else Certainty.HEURISTIC
-                yield Hit(
-                    "launch.unused_argument", _message(name), line, context=name, path=one.path, certainty=certainty
-                )
+        line = text.count("\n", 0, match.start()) + 1
+        switches = _SWITCHED.search(text, match.end(), text.find(")", match.end())) is not None
+        certainty = None if switches and _is_alone(name, path, view) else Certainty.HEURISTIC
+        yield Hit("launch.unused_argument", _message(name), line, context=name, path=path, certainty=certainty)
 
 
 def _of_xml(file: LaunchXml, view: PackageView) -> Iterator[Hit]:

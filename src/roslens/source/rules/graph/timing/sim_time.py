@@ -66,20 +66,26 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         return
     simulated: list[tuple[ConfiguredNode, Proof]] = []
     real: list[_Real] = []
-    for node in configuration.nodes:
-        if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node) or _is_inner(node):
-            continue
+    for node in (one for one in configuration.nodes if not _needs_no_time(one)):
         setting = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
+        set_by = setting.set_by if setting is not None else None
         value = (setting.value or "").lower() if setting is not None else "false"
         if value == "false" and _stamps(node):
-            real.append(_Real(node, setting.set_by if setting is not None else None))
-        elif value == "true" and setting is not None and setting.set_by is not None:
-            simulated.append((node, setting.set_by))
-    real = [
-        one for one in real if any(not exclude_each_other(one.node.clauses, other.clauses) for other, _ in simulated)
-    ]
+            real.append(_Real(node, set_by))
+        elif value == "true" and set_by is not None:
+            simulated.append((node, set_by))
+    real = [one for one in real if _runs_beside(one.node, simulated)]
     if simulated and real:
         yield _told(simulated, real, missing_parts(configuration))
+
+
+def _runs_beside(node: ConfiguredNode, others: list[tuple[ConfiguredNode, Proof]]) -> bool:
+    """Whether a node may run together with one of several others."""
+    return any(not exclude_each_other(node.clauses, other.clauses) for other, _ in others)
+
+
+def _needs_no_time(node: ConfiguredNode) -> bool:
+    return node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node) or _is_inner(node)
 
 
 def _is_inner(node: ConfiguredNode) -> bool:

@@ -172,6 +172,26 @@ class ParameterFileUse(msgspec.Struct, frozen=True, array_like=True):
     evidence: Evidence
 
 
+class Shared(msgspec.Struct, frozen=True, array_like=True):
+    """An argument of an included file that gets the value which another included file left, not its default.
+
+    Attributes:
+        name: of the argument.
+        evidence: where it is declared.
+        default: that it is declared with.
+        value: that it gets.
+        left_by: where the other file declares the argument, or is given it.
+        include: of the file that declares it.
+    """
+
+    name: str
+    evidence: Evidence
+    default: str
+    value: str
+    left_by: Evidence
+    include: Evidence
+
+
 class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a launch file comes to with its arguments, all that it includes with it.
 
@@ -184,6 +204,7 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
         unresolved: what could not be evaluated.
         failed: where it ends with an error.
         raw_files: files of parameters that rcl reads as they are.
+        shared: arguments of included files that get the value of another one (ROS 2).
     """
 
     generation: str
@@ -194,3 +215,4 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
     unresolved: tuple[Unresolved, ...] = ()
     failed: tuple[Failed, ...] = ()
     raw_files: tuple[ParameterFileUse, ...] = ()
+    shared: tuple[Shared, ...] = ()

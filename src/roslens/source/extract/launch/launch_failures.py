@@ -41,6 +41,11 @@ class Failures:
         """The files of parameters that rcl reads as they are."""
         return tuple(self._raw_files)
 
+    @property
+    def include(self) -> Evidence:
+        """Where the file that is followed is included."""
+        return self._through[-1] if self._through else self.at
+
     def enter(self, include: Evidence) -> None:
         """Follow a file that is included at a place."""
         self._through.append(include)

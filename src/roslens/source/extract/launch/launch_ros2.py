@@ -24,6 +24,7 @@ from roslens.source.extract.launch.ros2_names import full_name, within
 from roslens.source.extract.launch.ros2_space import Space, keep, remaps_of
 from roslens.source.extract.launch_python.deferred import Scope, Value, condition_holds, resolve
 from roslens.source.extract.launch_python.launch_action import Action, Parameter
+from roslens.source.extract.launch_python.shared_values import SharedValues
 from roslens.source.extract.launch_python.turns import turns_over, turns_up_to
 from roslens.source.extract.parameters.ros2_values import type_in_launch
 from roslens.source.extract.symbolic.text import Conditions, Text, Written, unknown
@@ -56,7 +57,7 @@ def evaluate_ros2(
     whole.file(path, given, Space(), Evidence(path, 0), outer=True)
     return Launch(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
-        whole.failures.failed, whole.failures.raw_files,
+        whole.failures.failed, whole.failures.raw_files, whole.shared.found,
     )  # fmt: skip
 
 
@@ -81,6 +82,7 @@ class _Whole:
     def __init__(self, files: Files, environment: Mapping[str, str], *, any_arguments: bool = False) -> None:
         self.files = files
         self.failures = Failures()
+        self.shared = SharedValues()
         self._any_arguments = any_arguments
         self.nodes: list[Launched] = []
         self.arguments: list[Argument] = []
@@ -256,15 +258,19 @@ class _Whole:
 
     def _argument(self, action: Action, scope: Scope) -> None:
         name = str(resolve(action.values["name"], scope))
-        if name in scope.configurations:
-            return
         written = action.values.get("default")
+        if (value := scope.configurations.get(name)) is not None:
+            default = None if written is None else resolve(written, msgspec.structs.replace(scope, report=None))
+            self.shared.meet(name, value, default, action.evidence, self.failures.include, tuple(self._open))
+            return
         default = None if written is None else resolve(written, scope)
         if default is None:
             self.miss(name, action.evidence, "the argument is required, but not given")
         is_outer = len(self._open) == 1
         held = self._held(name, default) if is_outer or default is None else default
         scope.configurations[name] = held
+        if not is_outer:
+            self.shared.leave(name, held, action.evidence, tuple(self._open))
 
     def _group(self, action: Action, scope: Scope, space: Space, inner: Space) -> None:
         if action.scoped:
@@ -305,7 +311,8 @@ class _Whole:
         path = place_of(file.known)
         # An included file sees what is set around it, and what it sets stays set after it.
         for child in action.children:
-            scope.configurations[str(resolve(child.values["name"], scope))] = resolve(child.values["value"], scope)
+            name, value = str(resolve(child.values["name"], scope)), resolve(child.values["value"], scope)
+            self.shared.give(scope.configurations, name, value, child.evidence, (*self._open, path))
         if path not in self.included:
             self.included.append(path)
         self.file(path, scope.configurations, inner, action.evidence)

@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.live.system import misfit as fit
-from roslens.live.system.misfit import MOST_PAIRS, incompatible, misfits
+from roslens.live.system.misfit import MOST_PAIRS, incompatible, misfits, misfits_by_topic
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 
@@ -45,6 +45,22 @@ def test_another_definition_of_the_same_type_is_named():
 def test_another_type_is_named():
     (failure,) = misfits([end(Role.PUBLISHER), end(Role.SUBSCRIPTION, kind="a/msg/C")])
     assert "its type is a/msg/C" in failure.what
+
+
+def test_publishers_of_several_types_are_named_where_nobody_subscribes():
+    ends = [end(Role.PUBLISHER, node="/a"), end(Role.PUBLISHER, node="/b", kind="a/msg/C"), end(Role.PUBLISHER)]
+    (failure,) = misfits(ends)
+    assert failure.what == "/a and /b publish different types on /t: a/msg/B and a/msg/C"
+    assert misfits_by_topic(ends) == {"/t": 1}
+
+
+def test_a_subscription_shows_which_of_several_types_is_wrong():
+    ends = [end(Role.PUBLISHER, node="/a"), end(Role.PUBLISHER, node="/b", kind="a/msg/C"), end(Role.SUBSCRIPTION)]
+    assert [one.what for one in misfits(ends)] == ["/n gets nothing of what /b publishes on /t: its type is a/msg/B"]
+
+
+def test_publishers_whose_types_are_unknown_are_no_failure():
+    assert list(misfits([end(Role.PUBLISHER, node="/a"), end(Role.PUBLISHER, node="/b", kind="")])) == []
 
 
 def test_what_fits_or_is_unknown_is_no_failure():

@@ -31,6 +31,7 @@ class Endpoint(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         hash: RIHS01 type hash (ROS 2) or MD5 (ROS 1); empty where unknown.
         qos: of the endpoint; None in ROS 1 or where unknown.
         gid: of the middleware, in hexadecimal; empty where it has none.
+        apart: publishers to which a subscription of ROS 1 has no connection, though both run; None where unknown.
     """
 
     node: str
@@ -40,6 +41,7 @@ class Endpoint(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     hash: str = ""
     qos: Qos | None = None
     gid: str = ""
+    apart: tuple[str, ...] | None = None
 
 
 class Instance(msgspec.Struct, frozen=True, order=True, omit_defaults=True):

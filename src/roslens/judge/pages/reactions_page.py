@@ -110,9 +110,10 @@ A reaction with `match: any` can start again once its condition is no longer tru
 ended meanwhile, or were never judged, do not prevent that; a host that is no longer sampled does, if it was judged
 before: its fault may persist.
 
-Everything is unknown while the monitor itself is impaired: in its first seconds, while its evaluations are late, while
-it sheds records, and after its clock was set. Hold times (`for`) then restart. The hold time of silence (`absent`)
-counts from the last message, any other from the first report.
+Everything is unknown while the monitor itself is impaired: until its observers have seen for 5 s and no further node
+was found for 3 s (after 30 s at the latest), while its evaluations are late, while it sheds records, and after its
+clock was set. The journal has `well` once it is fit. Hold times (`for`) then restart. The hold time of silence
+(`absent`) counts from the last message, any other from the first report.
 
 A bad verdict counts only as a **first cause**: if another fault explains it, that fault is the one to repair.
 `effects: true` counts both, which is right for stopping the robot and wrong for a restart. The cause must have been the

@@ -193,7 +193,7 @@ class Known:
     def _take_graph(self, graph: Graph, now: float) -> None:
         self._graph = graph
         self.presences.take_graph(graph, now)
-        self._misfits = misfits_by_topic(graph.endpoints)
+        self._misfits = misfits_by_topic(graph.endpoints, by_connection=graph.generation == "ros1")
         self._ends = {}
         for end in graph.endpoints:
             if end.role in (Role.PUBLISHER, Role.SUBSCRIPTION):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import islice, product
+from itertools import combinations, islice, product
 
 from roslens.judge.ranges.qos_match import mismatches
 from roslens.model.failure import Failure
@@ -22,6 +22,8 @@ _Groups = dict[_Kind, _Nodes]
 def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
     """Yield one failure per pair of nodes, or of a node with itself, that exchange nothing over a topic, and why.
 
+    Where nobody subscribes, publishers of several types are such pairs: no subscription could take what both send.
+
     What decides is the same of most ends of a topic: each kind of publisher is held against each kind of subscription,
     so that 200 of both cost no more than one of both.
     """
@@ -37,6 +39,9 @@ def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
                 if failure not in reported:
                     reported.add(failure)
                     yield failure
+        if not any(kind[0] for kind in subscriptions):
+            yield from _several_types(topic, publishers)
+        yield from _apart(topic, publishers, subscriptions)
 
 
 def _misfits_between(topic: str, sending: _Nodes, receiving: _Nodes) -> Iterator[Failure]:
@@ -49,10 +54,45 @@ def _misfits_between(topic: str, sending: _Nodes, receiving: _Nodes) -> Iterator
             yield failure
 
 
-def misfits_by_topic(endpoints: Iterable[Endpoint]) -> dict[str, int]:
-    """Return how many pairs of nodes exchange nothing over each topic of which both ends are known; 0 where all do."""
-    ends = list(endpoints)
-    found = dict.fromkeys((end.name for end in ends if end.type and end.role in (Role.PUBLISHER, Role.SUBSCRIPTION)), 0)
+def _apart(topic: str, publishers: _Groups, subscriptions: _Groups) -> Iterator[Failure]:
+    """Yield the publishers and subscriptions of ROS 1 that are not connected, though both run."""
+    types = {node: type_ for (type_, _, _), nodes in publishers.items() for node in nodes}
+    for subscription in (end for nodes in subscriptions.values() for end in nodes.values()):
+        for publisher in subscription.apart or ():
+            published = types.get(publisher) or "another type"
+            yield Failure(
+                TOOL, f"{subscription.node} gets nothing of what {publisher} publishes on {topic}: they are not "
+                f"connected, though both run; {published} is published",
+                "a connection between them", "Give both the same type, built from the same definition; where it is the "
+                f"same, see whether {subscription.node} reaches the host of {publisher}", entity=f"topic:{topic}",
+            )  # fmt: skip
+
+
+def _several_types(topic: str, publishers: _Groups) -> Iterator[Failure]:
+    """Yield the pairs of publishers whose types differ, where no subscription shows which of them is wrong."""
+    by_type: dict[str, str] = {}
+    for (type_, _, _), nodes in publishers.items():
+        if type_:
+            by_type[type_] = min(*nodes, by_type.get(type_, next(iter(nodes))))
+    for (first, node), (second, other) in combinations(sorted(by_type.items()), 2):
+        yield Failure(
+            TOOL, f"{node} and {other} publish different types on {topic}: {first} and {second}",
+            "one type for each topic, since a subscription has one", "Give one of the two topics another name",
+            entity=f"topic:{topic}",
+        )  # fmt: skip
+
+
+def misfits_by_topic(endpoints: Iterable[Endpoint], *, by_connection: bool = False) -> dict[str, int]:
+    """Return how many pairs of nodes exchange nothing over each topic of which both ends are known; 0 where all do.
+
+    ``by_connection`` is the way of ROS 1, whose master tells no types of subscriptions: topics are left out while it is
+    not known of each of their subscriptions whether it is connected.
+    """
+    ends = [end for end in endpoints if end.role in (Role.PUBLISHER, Role.SUBSCRIPTION)]
+    if by_connection:
+        unknown = {end.name for end in ends if end.role is Role.SUBSCRIPTION and end.apart is None}
+        ends = [end for end in ends if end.name not in unknown]
+    found = dict.fromkeys((end.name for end in ends if end.type), 0)
     for failure in misfits(ends):
         topic = failure.entity.partition(":")[2]
         found[topic] = found.get(topic, 0) + 1

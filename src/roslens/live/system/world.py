@@ -203,7 +203,7 @@ class World:
         self.graph = graph
         self._take_servers(graph)
         moved = self._take_hosts(graph)
-        misfits = misfits_by_topic(graph.endpoints) if graph.generation != "ros1" else {}
+        misfits = misfits_by_topic(graph.endpoints, by_connection=graph.generation == "ros1")
         for name in sorted(ends.keys() - self.topics.keys()):
             if self.full:
                 self.refused += 1

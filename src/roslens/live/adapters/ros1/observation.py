@@ -7,15 +7,18 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 import msgspec
 
+from roslens.live.adapters.ros1.beyond_master.apart import Apart
+from roslens.live.adapters.ros1.beyond_master.orphans import Orphans
+from roslens.live.adapters.ros1.beyond_master.publisher_types import PublisherTypes, asked_type
 from roslens.live.adapters.ros1.bus import Bus, Reading
 from roslens.live.adapters.ros1.contact import Contact, Look
 from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import TOPIC_OF_ALL, Follower
 from roslens.live.adapters.ros1.graph import build_graph, changes
-from roslens.live.adapters.ros1.orphans import Orphans
 from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.wire.xml_rpc import CallError, Trouble
+from roslens.live.system.misfit import misfits
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
 from roslens.model.traffic.tally import Tally
@@ -78,6 +81,11 @@ class Observation:
         self._orphans = Orphans()
         self._pool = ThreadPoolExecutor(_AT_ONCE, "node")
         self._asked: dict[Contact, Future[Look]] = {}
+        self._apart = Apart()
+        self._types = PublisherTypes(
+            lambda uri, topic: asked_type(uri, topic, caller, resolver, wait_s),
+            self._pool,
+        )
 
     @property
     def publishers(self) -> dict[str, list[tuple[str, str]]]:
@@ -115,10 +123,12 @@ class Observation:
         if self._parameters and self._follower.there:
             set_since, unread = self._parameters.step(self._clock(), restarted=step.restarted)
             failures += unread
-        fresh = [failure for failure in dict.fromkeys(failures) if failure not in self._said]
-        self._said = set(failures)
+        self._compare(readings)
         now = self._clock()
         events, graph = self._renew(now)
+        failures += self._misfits()
+        fresh = [failure for failure in dict.fromkeys(failures) if failure not in self._said]
+        self._said = set(failures)
         if step.news:
             events.insert(0, Event(now, Change.CHANGED, f"host:{self._hostname}", step.news))
         return self._frame(now, tallies, [*events, *set_since], graph, fresh)
@@ -218,6 +228,17 @@ class Observation:
         del self._asked[contact]
         return asked.result()
 
+    def _compare(self, readings: list[Reading]) -> None:
+        """Find out who is not connected, and what their publishers send."""
+        state = self._orphans.with_state(self._follower.state)
+        self._apart.take(state, readings)
+        wanted = ((topic, node, self._contacts.get(node)) for topic, node in self._apart.wanted(state))
+        self._types.want((topic, node, one.uri) for topic, node, one in wanted if one is not None and not one.dead)
+
+    def _misfits(self) -> list[Failure]:
+        found = misfits(self._graph.endpoints) if self._graph is not None else ()
+        return [msgspec.structs.replace(failure, tool="ros1") for failure in found]
+
     def _tallies(self, readings: list[Reading]) -> list[Tally]:
         self._unframed.update(reading.node for reading in readings if reading.stats.wraps)
         homes = {contact.uri.rstrip("/"): name for name, contact in self._contacts.items()}
@@ -227,7 +248,7 @@ class Observation:
         """Return what changed, and the graph if anything did; the first graph has no events."""
         living = {name: contact.node for name, contact in self._contacts.items() if not contact.dead}
         state, types = self._orphans.with_state(self._follower.state), self._orphans.with_types(self._follower.types)
-        graph = build_graph(state, types, living)
+        graph = self._apart.completed(build_graph(state, types, living), self._types.of)
         before = self._graph
         if self._parameters:
             # New knowledge of parameters is no reason to report the whole at once.

@@ -127,7 +127,7 @@ def _wrong_node(node: Node) -> str:
 
 
 def _wrong_endpoint(end: Endpoint) -> str:
-    wrong = _wrong_name(end.node) or _wrong_name(end.name) or _too_long(end.type, end.hash)
+    wrong = _wrong_name(end.node) or _wrong_name(end.name) or _too_long(end.type, end.hash, *(end.apart or ()))
     if not wrong and not _HEX.fullmatch(end.gid):
         return f"the identifier {quoted(end.gid)}"
     return wrong or (_wrong_qos(end.qos) if end.qos is not None else "")

@@ -12,7 +12,8 @@ from roslens.model.errors import UsageError
 LIVE = "live"
 _ADDRESS = re.compile(r"(https?://\S+|(?:[A-Za-z0-9.-]+|\[[0-9A-Fa-f:]+\]):[0-9]{1,5}/?)\Z")
 _STORED = re.compile(r"[0-9]+:.+\Z")
-_RECORDING = (".bag", ".mcap", ".db3", ".mcap.zstd", ".db3.zstd", ".mcap.zst", ".bag.active")
+_PACKED = ("", ".zstd", ".zst", ".lz4", ".gz", ".bz2")
+_RECORDING = (".bag.active", *(f"{kind}{packed}" for kind in (".bag", ".mcap", ".db3") for packed in _PACKED))
 _LAUNCH = (".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml", "_launch.py", ".test")
 _KIND = re.compile(rb"^kind:\s*[\"']?(\w+)", re.MULTILINE)
 _NODES = re.compile(rb"^nodes:", re.MULTILINE)

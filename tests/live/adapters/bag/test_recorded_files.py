@@ -3,8 +3,8 @@ from pathlib import Path
 import pytest
 
 from roslens.live.adapters.bag.damage import FailureLog
+from roslens.live.adapters.bag.files.recorded_files import find_files
 from roslens.live.adapters.bag.open_bag import open_bag
-from roslens.live.adapters.bag.recorded_files import find_files
 from roslens.model.errors import UsageError
 
 START = 1_700_000_000_000_000_000
@@ -54,11 +54,9 @@ def test_metadata_that_cannot_be_read_is_told_and_the_files_are_read(tmp_path, t
     assert "metadata that cannot be read" in failures.all()[0].what
 
 
-@pytest.mark.parametrize("name", ["missing", "", "folder", "packed"])
+@pytest.mark.parametrize("name", ["missing", "", "folder"])
 def test_where_there_is_no_recording_is_said(tmp_path, name):
     (tmp_path / "folder").mkdir()
-    (tmp_path / "packed").mkdir()
-    (tmp_path / "packed" / "a.mcap.zstd").touch()
     path = tmp_path / name
     with pytest.raises(UsageError) as caught:
         open_bag(path)

@@ -47,8 +47,13 @@ class Bag:
             that was written between two of them.
     """
 
-    def __init__(self, parts: Sequence[Part], failures: FailureLog, graphs: Sequence[tuple[float, Graph]] = ()) -> None:
+    def __init__(
+        self, parts: Sequence[Part], failures: FailureLog, graphs: Sequence[tuple[float, Graph]] = (),
+        kept: Sequence[object] = (),
+    ) -> None:  # fmt: skip
+        """Take the parts of a recording; what they need is ``kept`` as long as it may be read."""
         self._parts = parts
+        self._kept = kept
         self.graphs = tuple(graphs)
         self._failures = failures
         self.generation = parts[0].generation

@@ -11,9 +11,10 @@ from roslens.live.adapters.bag import mcap_layout, ros1_layout, sqlite
 from roslens.live.adapters.bag.bag import Bag
 from roslens.live.adapters.bag.block import Part
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
+from roslens.live.adapters.bag.files.recorded_files import find_files
+from roslens.live.adapters.bag.files.unpacked_file import Unpacked, unpack
 from roslens.live.adapters.bag.graphs.graph_messages import graphs_of, named, sole_publishers
 from roslens.live.adapters.bag.mcap import open_mcap
-from roslens.live.adapters.bag.recorded_files import find_files
 from roslens.live.adapters.bag.ros1 import open_ros1
 from roslens.live.adapters.bag.source import Source
 from roslens.live.adapters.bag.sqlite import SqlitePart
@@ -25,6 +26,8 @@ _LONGEST_MAGIC = 16
 def open_bag(path: Path | Sequence[Path]) -> Bag:
     """Open a recording: a ROS 1 bag, an MCAP file, a SQLite file, a folder of them, or several of those in order.
 
+    Files that were packed as a whole are unpacked into a temporary folder, which goes with the recording.
+
     The format is that of the content, whatever the name says. Only what a file says of itself is read, unless it does
     not say it, and of ROS 2 the graphs that somebody published: who published what else is in none of its records.
 
@@ -35,9 +38,12 @@ def open_bag(path: Path | Sequence[Path]) -> Bag:
     failures = FailureLog()
     files = find_files(path, failures)
     parts: list[Part] = []
+    unpacked = []
     for file in files.paths:
         try:
-            parts.append(_open_part(file, files.compression))
+            one = _unpacked(file, failures)
+            unpacked += [one.folder] if one is not None else []
+            parts.append(_open_part(one.path if one is not None else file, files.compression))
         except UsageError as error:
             if len(files.paths) == 1:
                 raise
@@ -57,7 +63,23 @@ def open_bag(path: Path | Sequence[Path]) -> Bag:
     publishers = sole_publishers(graphs)
     for part in parts if publishers else ():
         part.channels = named(part.channels, publishers)
-    return Bag(parts, failures, graphs)
+    return Bag(parts, failures, graphs, unpacked)
+
+
+def _unpacked(path: Path, failures: FailureLog) -> Unpacked | None:
+    """Unpack a file that was packed as a whole; None of any other.
+
+    Raises:
+        UsageError: it cannot be opened, or not unpacked.
+    """
+    try:
+        return unpack(path, failures)
+    except OSError as error:
+        raise _closed(path, error) from None
+
+
+def _closed(path: Path, error: OSError) -> UsageError:
+    return UsageError(f'"{path}" cannot be opened: {error.strerror or error}', advice="Check its permissions.")
 
 
 def _open_part(path: Path, compression: str) -> Part:
@@ -72,9 +94,7 @@ def _open_part(path: Path, compression: str) -> Part:
         magic = source.read(0, min(_LONGEST_MAGIC, source.size))
         part = _part_of(source, magic)
     except OSError as error:
-        raise UsageError(
-            f'"{path}" cannot be opened: {error.strerror or error}', advice="Check its permissions."
-        ) from None
+        raise _closed(path, error) from None
     except DamageError as damage:
         raise UsageError(f"a recording that cannot be read: {damage}", where=str(path), advice=advice) from None
     if part is None:

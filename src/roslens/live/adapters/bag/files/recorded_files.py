@@ -13,7 +13,7 @@ from roslens.live.adapters.bag.damage import FailureLog
 from roslens.model.errors import UsageError
 
 _SUFFIXES = (".bag", ".bag.active", ".orig.bag", ".mcap", ".db3")
-_PACKED = (".bag.zst", ".db3.zstd", ".mcap.zstd", ".db3.lz4", ".mcap.lz4")
+_PACKED = (".zstd", ".zst", ".lz4", ".gz", ".bz2")
 _EXPECTED = "a .bag, .mcap or .db3 file, or a folder of them"
 _LONGEST_METADATA = 50_000_000
 _METADATA = "metadata.yaml"
@@ -61,19 +61,21 @@ def _files_of(path: Path, failures: FailureLog) -> RecordedFiles:
 
 
 def _folder(folder: Path, failures: FailureLog) -> RecordedFiles:
-    there = sorted((file for file in folder.iterdir() if file.name.endswith(_SUFFIXES)), key=_natural)
+    there = sorted(_unpacked_before_packed(folder), key=_natural)
     information = _information(folder / _METADATA, failures)
     named = _named(folder, information.get("relative_file_paths") or [], failures)
     if not named and not there:
-        packed = sorted(file.name for file in folder.iterdir() if file.name.endswith(_PACKED))
-        if packed:
-            raise UsageError(
-                f'"{folder}" holds "{packed[0]}", packed as a whole', expected=_EXPECTED, advice="Unpack it: zstd -d."
-            )
         raise UsageError(f'"{folder}" holds no recording', expected=_EXPECTED, advice="Check the path.")
     mode = str(information.get("compression_mode") or "").lower()
     kind = str(information.get("compression_format") or "").lower()
     return RecordedFiles(named or there, kind if mode == "message" else "")
+
+
+def _unpacked_before_packed(folder: Path) -> Iterable[Path]:
+    """Return the recordings in a folder; of one that is there packed as a whole too, the one that is not."""
+    files = list(folder.iterdir())
+    packed = {file.stem: file for file in files if file.suffix in _PACKED and file.stem.endswith(_SUFFIXES)}
+    return {**packed, **{file.name: file for file in files if file.name.endswith(_SUFFIXES)}}.values()
 
 
 def _named(folder: Path, entries: Iterable[object], failures: FailureLog) -> list[Path]:
@@ -81,7 +83,7 @@ def _named(folder: Path, entries: Iterable[object], failures: FailureLog) -> lis
     named = []
     for entry in entries:
         file = _within(folder, str(entry))
-        if file.suffix in {".zstd", ".lz4"}:
+        if file.suffix in _PACKED:
             file = file.with_suffix("") if file.with_suffix("").is_file() else file
         if file.is_file():
             named.append(file)

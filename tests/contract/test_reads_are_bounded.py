@@ -23,6 +23,8 @@ OWN = {
     "source/rules/published/standards.py": "comes with roslens",
     "source/tools/witnesses.py": "comes with roslens",
     "live/adapters/bag/source.py": "reads a recording piece by piece, never beyond its end",
+    "live/adapters/bag/files/unpacked_file.py": "unpacks a recording piece by piece, up to a bound",
+    "live/agent/last_log.py": "the last 4 KB of a log",
     "live/adapters/ros1/wire/definition.py": "comes with roslens",
     "live/adapters/ros1/place.py": "of the kernel",
     "live/adapters/ros2/local_process.py": "of the kernel",

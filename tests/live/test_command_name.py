@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.live.system.command_name import command_name
+from roslens.model.words.command_name import command_name
 
 
 @pytest.mark.parametrize(

@@ -100,7 +100,7 @@ def _wrong_event(event: Event) -> str:
         entity = EntityId.parse(event.entity)
     except ValueError:
         return f"the entity {quoted(event.entity)}"
-    return _wrong_entity(entity) or _not_finite("time", event.time) or _too_long(event.detail, event.ended)
+    return _wrong_entity(entity) or _not_finite("time", event.time) or _too_long(event.detail, event.ended, *event.said)
 
 
 def _wrong_sample(sample: Sample) -> str:

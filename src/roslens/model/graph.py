@@ -115,7 +115,8 @@ class Event(msgspec.Struct, frozen=True, omit_defaults=True):
     """A change of the graph at ``time``, seconds on the monitor's clock; ``entity`` is the text form of an id.
 
     ``ended`` is how a process that vanished ended, or that of a node which vanished with it
-    (`model/acting/process_end.py`); empty where no end of a process was seen.
+    (`model/acting/process_end.py`); empty where no end of a process was seen. ``said`` are the last lines of its log,
+    as far as they could be read.
     """
 
     time: float
@@ -123,3 +124,4 @@ class Event(msgspec.Struct, frozen=True, omit_defaults=True):
     entity: str
     detail: str = ""
     ended: str = ""
+    said: tuple[str, ...] = ()

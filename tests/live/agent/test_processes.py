@@ -157,6 +157,16 @@ def test_an_end_is_told_once(machine, sampler):
     assert sampler.ended(10, 3.0) is None
 
 
+def test_an_end_comes_with_the_last_lines_of_its_log(machine, sampler, tmp_path):
+    machine.start(10)
+    (machine.root / "10" / "environ").write_text(f"ROS_LOG_DIR={tmp_path}\0")
+    (tmp_path / "talker_10_1.log").write_text("[ERROR] out of range\n")
+    sampler.find(1.0)
+    machine.stop(10)
+    (event,) = sampler.find(2.0)
+    assert event.said == ("[ERROR] out of range",)
+
+
 def test_what_has_ended_does_not_appear_again_while_its_parent_has_not_asked_how(machine, sampler):
     machine.start(10)
     sampler.name([10])

@@ -15,6 +15,7 @@ import msgspec
 
 from roslens.children.exit_status import how_it_ended
 from roslens.live.agent.kept_open import KeptOpen
+from roslens.live.agent.last_log import last_lines, log_folder
 from roslens.model.acting.process_end import UNKNOWN
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process
@@ -60,6 +61,8 @@ class _Watched(msgspec.Struct):
     kept: dict[str, float] = {}
     stopped: float = NOT
     hung: float = NOT
+    log: Path | None = None
+    owner: int = -1
 
 
 class ProcessSampler:
@@ -163,14 +166,20 @@ class ProcessSampler:
         inner = _inner(_bytes_of(folder / "status"))
         process = Process(self._host, pid, written, self._started_at(ticks), inner=inner if inner != pid else 0)
         entity = self.entity(pid)
-        self._watched[pid] = _Watched(pid, ticks, KeptOpen(folder / "stat"), self._open_handle(pid), entity, process)
+        # In another namespace a path is that of another file.
+        log = log_folder(_bytes_of(folder / "environ")) if inner in (0, pid) else None
+        self._watched[pid] = _Watched(
+            pid, ticks, KeptOpen(folder / "stat"), self._open_handle(pid), entity, process,
+            log=log, owner=_owner(folder),
+        )  # fmt: skip
         return [Event(now, Change.APPEARED, str(entity), written)]
 
     def _gone(self, pid: int, now: float) -> Event:
         one = self._watched.pop(pid)
         ended = how_it_ended(pid, one.handle, self._proc) if one.handle >= 0 else UNKNOWN
         _let_go(one)
-        return Event(now, Change.VANISHED, str(one.entity), one.process.command, ended)
+        said = last_lines(one.log, pid, one.owner) if one.log is not None else ()
+        return Event(now, Change.VANISHED, str(one.entity), one.process.command, ended, said)
 
     def _quick(self, one: _Watched, now: float) -> dict[str, float] | None:
         fields = _stat_fields(one.stat.read())
@@ -276,6 +285,13 @@ def _bytes_of(path: Path) -> bytes:
         return path.read_bytes()
     except OSError:
         return b""
+
+
+def _owner(folder: Path) -> int:
+    try:
+        return folder.stat().st_uid
+    except OSError:
+        return -1
 
 
 def _total_memory(proc: Path) -> int:

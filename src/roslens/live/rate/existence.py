@@ -34,6 +34,7 @@ class Existence:
 
     def take_graph(self, graph: Graph, time: float, now: float) -> None:
         """Take what a graph has, and note what it has no more."""
+        self.presences.fates.take_graph(graph)
         existing = self._world.existing(graph)
         for key, facts in existing.items():
             if self.vanished.get(key, time) <= time and not self._stale_host(key, now):
@@ -64,6 +65,11 @@ class Existence:
         """Note that something is there."""
         self.vanished.pop(key, None)
         self.presences.appear(key, facts)
+
+    def vanished_by(self, event: Event, entity: EntityId) -> None:
+        """Note that an event says that something is gone, and how it ended."""
+        self.presences.happened(event, entity)
+        self.vanish((entity.kind, entity.name), event.time)
 
     def vanish(self, key: Key, time: float) -> None:
         """Note that something is gone since ``time``."""

@@ -184,7 +184,7 @@ class Monitor:
             return
         key = (entity.kind, entity.name)
         if event.change is Change.VANISHED:
-            self._existence.vanish(key, event.time)
+            self._existence.vanished_by(event, entity)
         elif event.change in (Change.APPEARED, Change.RESTARTED):
             self._existence.appear(key, self._checks.presences.existing.get(key, NOTHING_KNOWN))
             for one in self._world.concerned(entity):

@@ -6,12 +6,14 @@ from collections.abc import Callable
 
 from roslens.judge.patterns.pattern import Pattern
 from roslens.judge.reference.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
+from roslens.live.standing.process_fates import ProcessFates
 from roslens.live.standing.rulebook import Facts, Rulebook, find_all
 from roslens.live.standing.silent_observer import blame
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Event
 from roslens.model.verdict import State
 
 Key = tuple[EntityKind, str]
@@ -92,7 +94,11 @@ def _written(selector: Selector) -> str:
 
 
 class Presences:
-    """Which entities exist, and how the constraints about their existence stand."""
+    """Which entities exist, and how the constraints about their existence stand.
+
+    Attributes:
+        fates: of the processes of nodes that are gone.
+    """
 
     def __init__(self, rules: Rulebook, now: float, old: Presences | None = None) -> None:
         """Begin with what is expected; what ``old`` has too keeps its state, and what exists stays."""
@@ -107,6 +113,7 @@ class Presences:
         self._hits: dict[Key, list[tuple[_Watched, bool]]] = {}
         self._waiting = set(self.standing)
         self.due = now
+        self.fates: ProcessFates = old.fates if old else ProcessFates()
         for one in self.standing:
             one.matching.clear()
             one.enabling.clear()
@@ -170,7 +177,7 @@ class Presences:
                 if one.state.step(now, State.UNKNOWN, None):
                     changed.append(one)
                 continue
-            one.evidence, one.silent_observer = one.explain() + self._instead_of(one), ""
+            one.evidence, one.silent_observer = one.explain() + self._why(one), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
             grace = appeared + one.details.timing.grace
             if one.state.step(now, one.raw(), float(one.count()), began=began, grace=grace):
@@ -178,11 +185,21 @@ class Presences:
         self.due = min((one.state.due for one in self.standing), default=NEVER)
         return changed
 
-    def _instead_of(self, watched: _Watched) -> str:
-        """Return which node is there under the same name in another namespace, where one that is expected is not."""
+    def happened(self, event: Event, entity: EntityId) -> None:
+        """Take an event about an entity: where it tells how a process ended, what is absent is explained anew."""
+        if self.fates.happened(event, entity):
+            self._waiting |= {one for one in self.standing if one.entity.kind is EntityKind.NODE and not one.matching}
+
+    def _why(self, watched: _Watched) -> str:
+        """Return why a node that is expected is not there, as far as that is known."""
         expected = watched.entity
         if watched.matching or expected.kind is not EntityKind.NODE or watched.presence.mode is PresenceMode.NEVER:
             return ""
+        fate = self.fates.of(expected.name)
+        return f"; {fate}" if fate else self._instead_of(expected)
+
+    def _instead_of(self, expected: EntityId) -> str:
+        """Return which node is there under the same name in another namespace."""
         own = expected.name.rpartition("/")[2]
         alike = sorted(
             name

@@ -7,10 +7,10 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 import msgspec
 
-from roslens.live.system.command_name import command_name
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State
+from roslens.model.words.command_name import command_name
 
 _WORSE = {state: place for place, state in enumerate(State)}
 UNKNOWN_NAME = ""

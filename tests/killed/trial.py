@@ -182,6 +182,5 @@ def _unreadable(where: Place, done: str = "") -> list[str]:
 
 def left(files: set[str], expected: set[str]) -> list[str]:
     """Return what nobody expects; databases may have the companions that SQLite gives them."""
-    # A pool whose server is killed leaves the folder of its socket in $TMPDIR, as SECURITY.md says.
-    more = {one for one in files - expected if not one.endswith(("-wal", "-shm")) and "/pymp-" not in one}
+    more = {one for one in files - expected if not one.endswith(("-wal", "-shm"))}
     return [f"left behind: {sorted(more)}"] if more else []

@@ -10,6 +10,7 @@ from typing import Literal
 
 from roslens.children.lifeline import leave_interrupts, watch_parent
 from roslens.children.safe_path import elsewhere
+from roslens.children.scratch_folder import ScratchFolder
 
 Method = Literal["fork", "forkserver", "spawn"]
 
@@ -25,6 +26,7 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
     import multiprocessing.resource_tracker
 
     with elsewhere():
+        _own_temporary_folder()
         if method != "spawn":
             multiprocessing.resource_tracker.ensure_running()
         if method == "forkserver":
@@ -43,6 +45,18 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
         pool.shutdown(wait=True, cancel_futures=True)
         raise
     pool.shutdown(wait=True)
+
+
+def _own_temporary_folder() -> None:
+    """Keep sockets of ``multiprocessing`` in a folder that the next run removes where this process is killed."""
+    from multiprocessing import process, util
+
+    # multiprocessing makes one of its own, which tells nothing of its owner, unless this is set.
+    config: dict[str, object] = getattr(process.current_process(), "_config", {})
+    if config.get("tempdir") is None:
+        folder = ScratchFolder("mp")
+        config["tempdir"] = folder.name
+        util.Finalize(None, folder.cleanup, exitpriority=-100)
 
 
 @contextmanager

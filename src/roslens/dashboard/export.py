@@ -20,6 +20,7 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.tables.table import Table, to_csv
 from roslens.dashboard.view import FOLDER, Limits, Request
 from roslens.model.errors import UsageError
+from roslens.report.writing.control_characters import shown_control_bytes, shown_controls
 from roslens.report.writing.left_behind import OLD, PARTIAL, beside, sweep
 
 MARKER = ".roslens-report"
@@ -121,7 +122,7 @@ def _write_pages(site: Site, folder: Path, progress: Progress, jobs: int) -> Non
         view = PAGES[ref.page](site, Request(ref.key, limits=FOLDER, medium="folder"))
         if view is not None:
             _write(folder / folder_path(ref, "html"), renderer.page(view, FolderLinks(ref)))
-            _write(folder / folder_path(ref, "json"), view.to_json(run))
+            _write(folder / folder_path(ref, "json"), shown_control_bytes(view.to_json(run)))
             for name, text in _csv_twins(site, ref, view.whole):
                 _write(folder / folder_path(ref, name), text)
 
@@ -154,7 +155,7 @@ def _write_web(site: Site, folder: Path) -> None:
 
 def _write(path: Path, content: str | bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+    path.write_bytes(shown_controls(content).encode("utf-8") if isinstance(content, str) else content)
 
 
 def _replace(target: Path, partial: Path) -> None:

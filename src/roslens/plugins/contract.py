@@ -17,8 +17,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.model.errors import PluginError
 from roslens.model.failure import Failure
 from roslens.plugins.contract_failures import BREACH
@@ -186,7 +186,7 @@ def _falls_over(bench: _Bench) -> Iterator[str]:
     """Run the plug-in on files that are empty, binary, of another encoding."""
     ends = {language.value: end for end, language in (*ENDINGS.items(), *SUFFIXES.items())}
     wanted = bench.member.manifest.languages or ("cpp", "python")
-    with TemporaryDirectory(prefix="roslens-contract-") as folder:
+    with ScratchFolder("contract") as folder:
         for language in wanted:
             for kind, content in STRANGE.items():
                 Path(folder, f"{kind}{ends.get(language, '.txt')}").write_bytes(content)

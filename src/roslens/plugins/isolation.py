@@ -6,13 +6,13 @@ failure beside the results.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
@@ -85,7 +85,7 @@ def run_plugins(
     """
     with ExitStack() as stack:
         if not workspace.scratch:
-            scratch = stack.enter_context(tempfile.TemporaryDirectory(prefix="roslens-scratch-"))
+            scratch = stack.enter_context(ScratchFolder("scratch"))
             workspace = msgspec.structs.replace(workspace, scratch=scratch)
         run = stack.enter_context(Session(members, options or {}, time_limit_s, jobs, log, progress, workers))
         packages = tuple(_sendable(package, run) for package in workspace.packages)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import selectors
-import tempfile
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Sequence
@@ -14,6 +13,7 @@ from typing import Protocol
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step, TooMuchError
 from roslens.plugins.job import Death, Job
 from roslens.plugins.log import write_log
@@ -68,7 +68,7 @@ class ProcessWorkers:
         self._hash_seed = hash_seed
         self._workers: list[WorkerProcess] = []
         self._hangs: Counter[str] = Counter()
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
+        self._folder: ScratchFolder | None = None
         self.started = 0
 
     def __enter__(self) -> ProcessWorkers:
@@ -130,7 +130,7 @@ class ProcessWorkers:
         if len(self._workers) >= self._wanted:
             return None
         if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="roslens-")
+            self._folder = ScratchFolder("plugins")
         self.started += 1
         worker = WorkerProcess(Path(self._folder.name, f"output-{self.started}"), self._hash_seed)
         self._workers.append(worker)

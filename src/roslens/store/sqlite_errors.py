@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from roslens.model.errors import StoreError
+from roslens.store.file_size_limit import file_size_limit
 from roslens.store.full_disk import full_file_system
 
 SERVER = "database server"
@@ -75,6 +76,13 @@ def store_error(path: Path | str | None, error: Exception) -> StoreError | None:
             advice="Check its permissions, or run with --no-store",
         )
     text = str(error)
+    if any(said in text for said in _PERHAPS_FULL) and path and (most := file_size_limit(Path(path))):
+        return StoreError(
+            f"a file may have at most {most:,} bytes here ({text!r})",
+            where=where,
+            expected="room for the results of the run",
+            advice="Raise the limit (`ulimit -f`), or run with --no-store; earlier runs are still there",
+        )
     if (
         SERVER not in text
         and any(said in text for said in _PERHAPS_FULL)

@@ -1,5 +1,9 @@
 """What a parse asks of its source, and what is asked of it later."""
 
+import gc
+import sys
+import tracemalloc
+
 import tree_sitter_python
 from tree_sitter import Language, Parser
 
@@ -31,3 +35,34 @@ def test_a_long_text_is_whole():
     tree = timed_parse(Parser(Language(tree_sitter_python.language())), source)
     assert tree.root_node.children[1].text == source[6:-1]
     assert tree.root_node.text == source
+
+
+def test_a_parse_keeps_nothing_of_its_source():
+    parser = Parser(Language(tree_sitter_python.language()))
+    tracemalloc.start()
+    try:
+        before = None
+        for number in range(12):
+            source = b"".join(b"def f%d(): return %d\n" % (one, number) for one in range(5_000))
+            tree = timed_parse(parser, source)
+            assert tree.root_node.children[1].text.startswith(b"def f1():")
+            del tree
+            if number == 1:
+                before = tracemalloc.get_traced_memory()[0]
+        # Without source and tree: 100 kB each would be 1 MB.
+        assert tracemalloc.get_traced_memory()[0] - before < 50_000
+    finally:
+        tracemalloc.stop()
+
+
+def test_what_was_given_back_can_be_used_on():
+    parser = Parser(Language(tree_sitter_python.language()))
+    source = bytes(bytearray(b"x = 1\n" * 2_000))
+    before = sys.getrefcount(source)
+    trees = [timed_parse(parser, source) for _ in range(50)]
+    gc.collect()
+    assert {tree.root_node.text == source for tree in trees} == {True}
+    del trees
+    gc.collect()
+    assert sys.getrefcount(source) == before
+    assert source == b"x = 1\n" * 2_000

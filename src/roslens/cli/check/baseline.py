@@ -256,9 +256,9 @@ def analysed_revision(
         RoslensError: git does not have the files.
     """
     import os
-    import tempfile
     import time
 
+    from roslens.children.scratch_folder import ScratchFolder
     from roslens.cli.check.analysed import analysed
     from roslens.cli.git.git_tree import write_tree
     from roslens.cli.git.revision import renamed_since
@@ -266,7 +266,7 @@ def analysed_revision(
     from roslens.cli.workplace.workplace import CACHE, FOLDER, own_folder
     from roslens.store.runs import Store
 
-    with tempfile.TemporaryDirectory(prefix="roslens-baseline-") as folder:
+    with ScratchFolder("baseline") as folder:
         place = Path(folder).resolve()
         lacking = write_tree(revision.repository, revision.commit, place)
         if lacking.submodules:

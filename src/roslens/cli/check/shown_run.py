@@ -37,9 +37,9 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
             yield store.view(options.number)
         return
     import os
-    import tempfile
     import time
 
+    from roslens.children.scratch_folder import ScratchFolder
     from roslens.cli.workplace.configuration import find_configuration
     from roslens.source.workspace.find import root_of
     from roslens.store.runs import Store
@@ -58,7 +58,7 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
     )
     with (
         # Not in memory: pages are written and served by several readers at once.
-        tempfile.TemporaryDirectory(prefix="roslens-run-") as folder,
+        ScratchFolder("run") as folder,
         Store.open(Path(folder, STORE)) as store,
     ):
         outcome = analysed(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.cli.graph.graph_opened import open_source
 from roslens.cli.terminal.boundary import CLEAN, FINDINGS
 from roslens.intake.bounded_file import MOST_DOCUMENT_BYTES, read_bounded
@@ -207,7 +207,7 @@ def _opened(
         for name in options.diff:
             folder = None
             if commits[name]:
-                folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="roslens-revision-"))
+                folder = stack.enter_context(ScratchFolder("revision"))
                 lacking = write_tree(repository, commits[name], Path(folder))
                 if not options.quiet:
                     _tell(name, lacking)

@@ -6,11 +6,11 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.cli.past.past_repositories import past_repositories
 from roslens.cli.past.past_store import open_past
 from roslens.cli.workplace.process_option import seconds_of
@@ -165,7 +165,7 @@ def past_runs(root: Path, settings: SourceSettings) -> Iterator[PastRuns]:
         assert isinstance(cache, PastCache)  # noqa: S101 - only for the type checker
         states = PastStates(past_repositories(root, settings.workspace, log_reader(cache)))
         with (
-            TemporaryDirectory(prefix="roslens-past-") as place,
+            ScratchFolder("past") as place,
             open_past(root) as store,
             PastTrees(states.repositories, Path(place).resolve()) as trees,
         ):

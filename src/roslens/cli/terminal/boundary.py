@@ -23,8 +23,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
+from roslens.children.scratch_folder import sweep_scratch
 from roslens.cli.terminal.standard_streams import CUT_OFF, output_failed, say
 from roslens.model.errors import RoslensError
+from roslens.store.file_size_limit import process_limit
 from roslens.store.full_disk import full_file_system
 
 CLEAN = 0
@@ -41,6 +43,7 @@ def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
     """Run ``command`` and return the exit code; messages go to standard error."""
     try:
         with _ended_by_signals():
+            sweep_scratch()
             code = command()
             sys.stdout.flush()
         return code
@@ -95,6 +98,8 @@ def _of_system(error: OSError) -> str:
         full = full_file_system(filter(None, (error.filename, Path.cwd())))
         what = f"the file system is full: {full}" if full else error.strerror
         return f"{where}{what}. Free some space there, or write elsewhere with -o, or use --no-store --no-cache."
+    if error.errno == errno.EFBIG and (most := process_limit()):
+        return f"{where}a file may have at most {most:,} bytes here. Raise the limit (`ulimit -f`), or write elsewhere."
     advice = {
         errno.EACCES: "Check the permissions, or write elsewhere with -o",
         errno.EROFS: "The file system is read-only: use --no-store --no-cache, or write elsewhere with -o",

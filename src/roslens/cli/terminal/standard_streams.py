@@ -7,6 +7,9 @@ import contextlib
 import io
 import os
 import sys
+from functools import cached_property
+
+from roslens.report.writing.control_characters import shown_controls
 
 CUT_OFF = 141
 """The reader of standard output closed it before its end; shells use this code for a program ended by SIGPIPE."""
@@ -45,14 +48,21 @@ def open_streams() -> None:
 
 
 class Output(io.TextIOWrapper):
-    """Standard output that remembers that it could not be written, also where whoever wrote did not look."""
+    """Standard output that writes control characters out, but for those that colour a terminal.
+
+    It remembers that it could not be written, also where whoever wrote did not look.
+    """
 
     failure: OSError | None = None
+
+    @cached_property
+    def _colours(self) -> bool:
+        return self.isatty()
 
     def write(self, text: str, /) -> int:
         """Write text."""
         try:
-            return super().write(text)
+            return super().write(shown_controls(text, colours=self._colours))
         except OSError as error:
             self.failure = error
             raise

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.cli.page.watch_page import PageSource
 from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.cli.watch.full_collection import FullCollection
@@ -132,7 +132,7 @@ class PageAfter:
 
     def keep(self, session: Session) -> None:
         """Keep what a session does from now on, for who looks back; a file is given up when the page ends."""
-        folder = self._folder.enter_context(tempfile.TemporaryDirectory(prefix="roslens-"))
+        folder = self._folder.enter_context(ScratchFolder("replay"))
         history = self._folder.enter_context(History.open(Path(folder) / "recording.sqlite"))
         self._keeper = Keeper(session, history, most_values=MOST_VALUES)
         self._source.remember(self._keeper.recall())

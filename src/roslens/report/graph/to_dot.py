@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from roslens.model.configuration import Configuration
 from roslens.report.graph.graph_edges import Drawn, Line, namespace_of, things_of
 from roslens.report.graph.unstarted_text import unstarted_packages
+from roslens.report.writing.control_characters import shown_controls
 
 _SHAPES = {"node": "ellipse", "topic": "box", "service": "hexagon", "action": "octagon"}
 
@@ -80,4 +81,4 @@ def _style(*, resolved: bool, conditional: bool) -> str:
 
 
 def _quoted(text: str) -> str:
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ") + '"'
+    return '"' + shown_controls(text.replace("\n", " ")).replace("\\", "\\\\").replace('"', '\\"') + '"'

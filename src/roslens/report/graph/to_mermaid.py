@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration
 from roslens.report.graph.graph_edges import Drawn, namespace_of, things_of
+from roslens.report.writing.control_characters import shown_controls
 
 _SHAPES = {"node": ("((", "))"), "topic": ("[", "]"), "service": ("{{", "}}"), "action": ("([", "])")}
 _ESCAPES = {'"': "#quot;", "<": "#lt;", ">": "#gt;", "&": "#amp;", "#": "#35;"}
@@ -53,4 +54,4 @@ def _drawn(one: Drawn, names: dict[tuple[str, str], str]) -> str:
 
 
 def _escaped(text: str) -> str:
-    return "".join(_ESCAPES.get(sign, sign) for sign in " ".join(text.split()))
+    return "".join(_ESCAPES.get(sign, sign) for sign in shown_controls(" ".join(text.split())))

@@ -11,6 +11,7 @@ from typing import TextIO
 from roslens.model.finding import Severity
 from roslens.model.words.plural import plural
 from roslens.report.run.reported import Reported, Wanted, reported
+from roslens.report.writing.control_characters import shown_controls
 from roslens.store.read import RunView
 
 _COMMANDS = {Severity.NOTE: "notice", Severity.WARNING: "warning", Severity.ERROR: "error"}
@@ -58,7 +59,7 @@ def _command(kind: str, where: dict[str, str], title: str, message: str) -> str:
 
 
 def _escaped(text: str) -> str:
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return shown_controls(text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A"))
 
 
 def _property(text: str) -> str:

@@ -24,6 +24,7 @@ from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import SetAside
 from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
 from roslens.model.tags import TagFilter
+from roslens.report.writing.control_characters import shown_control_bytes
 from roslens.report.writing.numbers import plain, written
 from roslens.store.read import RunView
 
@@ -69,7 +70,7 @@ def _write(stream: TextIO, content: bytes) -> None:
         stream.write(content.decode())
         return
     stream.flush()
-    buffer.write(content)
+    buffer.write(shown_control_bytes(content))
 
 
 def _document(view: RunView, tags: TagFilter, is_new: Callable[[Finding], bool] | None) -> Iterator[bytes]:

@@ -12,6 +12,7 @@ from roslens.model.source import number_of_packages
 from roslens.model.weight.consequence import weight_text
 from roslens.model.words.plural import plural
 from roslens.report.run.reported import Reported, Wanted, aside, reported, rules_by_id
+from roslens.report.writing.control_characters import shown_controls
 from roslens.store.read import RunView
 
 FINDINGS = 20
@@ -132,10 +133,10 @@ def _prose(text: str) -> str:
 
 def _cell(text: str) -> str:
     # Names and messages come from the source that is analysed: none of them is markup, a link or a mention.
-    flat = re.sub(r"\s+", " ", text)
+    flat = shown_controls(re.sub(r"\s+", " ", text))
     escaped = re.sub(r"([\\`*_\[\]<>|#~])", r"\\\1", flat)
     return escaped.replace("@", "@\N{ZERO WIDTH SPACE}").replace("&", "&amp;")
 
 
 def _code(text: str) -> str:
-    return "`" + " ".join(text.split()).replace("`", "'").replace("|", "\\|") + "`"
+    return "`" + shown_controls(" ".join(text.split())).replace("`", "'").replace("|", "\\|") + "`"

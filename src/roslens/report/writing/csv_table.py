@@ -11,6 +11,7 @@ import csv
 from collections.abc import Iterable
 from typing import TextIO
 
+from roslens.report.writing.control_characters import shown_controls
 from roslens.report.writing.numbers import written
 
 Cell = str | int | float | None
@@ -35,6 +36,6 @@ def written_cell(value: Cell) -> str:
     """Return a cell as a spreadsheet may read it: text that would be a formula gets an apostrophe in front."""
     if isinstance(value, str):
         # No spreadsheet takes a zero byte, and the csv module of Python 3.10 fails on it.
-        value = value.replace("\0", "\N{REPLACEMENT CHARACTER}")
+        value = shown_controls(value.replace("\0", "\N{REPLACEMENT CHARACTER}"))
         return "'" + value if value.startswith(_FORMULA) else value
     return written(value)

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TextIO
 
+from roslens.report.writing.control_characters import ShownControls
 from roslens.report.writing.left_behind import PART, beside, sweep
 
 
@@ -15,21 +16,21 @@ def whole_file(path: Path) -> Iterator[TextIO]:
     """Open a text file that takes the place of ``path`` once the block is over.
 
     What a link points to is replaced, not the link. What is no regular file, such as ``/dev/null`` or a pipe, is
-    written to as it is.
+    written to as it is. Control characters are written out: no report has one.
 
     Raises:
         OSError: the folder cannot be made, or the file not be written.
     """
     target = path.resolve()
     if target.exists() and not target.is_file():
-        with target.open("w", encoding="utf-8", newline="") as stream:
+        with ShownControls(target.open("wb"), encoding="utf-8", newline="") as stream:
             yield stream
         return
     target.parent.mkdir(parents=True, exist_ok=True)
     sweep(target)
     part = beside(target, PART)
     try:
-        with part.open("w", encoding="utf-8", newline="") as stream:
+        with ShownControls(part.open("wb"), encoding="utf-8", newline="") as stream:
             yield stream
         part.replace(target)
     finally:

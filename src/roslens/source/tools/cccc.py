@@ -41,13 +41,12 @@ class Cccc:
 
     def analyse_package(self, package: PackageInput, report: Report) -> None:
         """Measure the files of a package that the study would have looked at, its classes, functions and itself."""
-        from tempfile import TemporaryDirectory
-
+        from roslens.children.scratch_folder import ScratchFolder
         from roslens.source.tools.paper2016 import is_studied
 
         files = [file for file in package.files if is_studied(_below(file.path, package.package.path))]
         studied: list[StudiedFile] = []
-        with TemporaryDirectory(prefix="roslens-cccc-") as scratch:
+        with ScratchFolder("cccc") as scratch:
             for number, file in enumerate(sorted(files, key=lambda file: file.path)):
                 _study(file, f"{scratch}/{number}", package.options, report, studied)
         _measure(package, studied, complete=len(studied) == len(files), report=report)

@@ -9,11 +9,11 @@ Ports are those of the RTPS specification: 7400 + 250 x domain + 10 + 2 x partic
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Iterator, Mapping, MutableMapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
+
+from roslens.children.scratch_folder import ScratchFolder
 
 KNOWN = 32
 """To how many rmw_fastrtps announces itself."""
@@ -70,13 +70,11 @@ def far_peers(environment: MutableMapping[str, str], domain: int | None) -> Iter
         return
     number = environment.get("ROS_DOMAIN_ID", "") if domain is None else str(domain)
     variable = _OLD if environment.get("ROS_DISTRO", "") in _OLD_DISTRIBUTIONS else _NEW
-    descriptor, path = tempfile.mkstemp(suffix=".xml", prefix="roslens-peers-")
-    try:
-        with os.fdopen(descriptor, "w") as file:
-            file.write(profile(int(number) if number.isdigit() else 0))
-        environment[variable] = path
-        yield
-    finally:
-        environment.pop(variable, None)
-        with suppress(OSError):
-            Path(path).unlink()
+    with ScratchFolder("peers") as folder:
+        path = Path(folder) / "peers.xml"
+        path.write_text(profile(int(number) if number.isdigit() else 0))
+        environment[variable] = str(path)
+        try:
+            yield
+        finally:
+            environment.pop(variable, None)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.model.source import SourceFile
 from roslens.source.tools.running.run_tool import ToolError, ToolHangError, ToolRunner
 from roslens.source.tools.running.tool_sandbox import sandbox_of
@@ -124,7 +124,7 @@ class Batches:
 
     def _call(self, paths: tuple[str, ...], time_limit_s: float) -> Reading | ToolError:
         tool = self._tool
-        with tempfile.TemporaryDirectory(prefix=f"roslens-{tool.name}-") as scratch:
+        with ScratchFolder(tool.name) as scratch:
             request = msgspec.structs.replace(
                 self._request, files=tuple(f"./{path}" for path in paths), scratch=scratch
             )

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 import sys
-import tempfile
 from pathlib import Path
 
 import msgspec
 
 from roslens.children.sandbox import Sandbox, program_folders
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.source.tools.running.run_tool import ToolError, ToolRunner
 from roslens.source.tools.tool import Tool
 
@@ -48,7 +48,7 @@ def version_of(tool: Tool, program: Program, runner: ToolRunner) -> str:
     Raises:
         ToolError: it does not say, or is older than any that was tried.
     """
-    with tempfile.TemporaryDirectory(prefix="roslens-version-") as scratch:
+    with ScratchFolder("version") as scratch:
         sandbox = Sandbox(run=program_folders(program.path), write=(scratch,))
         words = [program.path, *tool.version_words]
         ended = runner.run(words, folder=scratch, time_limit_s=VERSION_LIMIT_S, sandbox=sandbox)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.edit import Edit
 from roslens.model.failure import Failure
@@ -82,7 +82,7 @@ def _reported(
     program = find_program(tool.program, root)
     if not contents or program is None:
         return
-    with tempfile.TemporaryDirectory(prefix="roslens-tool-") as scratch:
+    with ScratchFolder("tool") as scratch:
         options = resolve_options(tool.manifest, settings.options.get(tool.name, {}))
         paths = tuple(f"./{path}" for path in sorted(contents))
         request = Request(program.path, root, paths, options, scratch, own_settings=settings.tools.own_settings)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping
 from hashlib import blake2b
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.children.sandbox import Sandbox, program_folders
+from roslens.children.scratch_folder import ScratchFolder
 from roslens.intake.bounded_file import read_bounded
 from roslens.intake.is_there import is_file, is_folder
 from roslens.model.failure import Failure
@@ -107,7 +107,7 @@ class SarifSources:
         return self._with_trouble(imported, name)
 
     def _run(self, command: ToolCommand, program: Program) -> Imported:
-        with tempfile.TemporaryDirectory(prefix="roslens-sarif-") as scratch:
+        with ScratchFolder("sarif") as scratch:
             out = Path(scratch, "result.sarif")
             places = {"{output}": str(out), "{root}": self._root}
             words = [program.path, *(_filled(word, places) for word in command.command[1:])]

@@ -16,6 +16,8 @@ OWN = {
     "source/rules/field/precision.py": "comes with roslens",
     "source/rules/field/rates.py": "comes with roslens",
     "source/rules/signatures/read_markup.py": "comes with roslens",
+    "source/distributions/known_distributions.py": "comes with roslens",
+    "source/distributions/read_changes.py": "comes with roslens",
     "source/rules/signatures/read_signatures.py": "comes with roslens",
     "source/measure/role_includes.py": "comes with roslens",
     "source/study/role.py": "comes with roslens",

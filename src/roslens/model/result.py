@@ -116,8 +116,10 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     ``started`` is UTC in ISO 8601; ``key`` is a hash of all inputs (contents, options, versions of
     analysers): two runs of the same key have the same result. ``commit`` is the commit of the
     workspace's repository, with ``+`` where its tree differs. ``tools`` maps names to versions;
-    ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included. ``repositories``
-    are those that the packages are in, by path. ``graphs`` is which computation graphs it looked at; None for none.
+    ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included, and in
+    ``target``, in words, which distributions of ROS the packages are for, as far as known.
+    ``repositories`` are those that the packages are in, by path. ``graphs`` is which computation graphs it looked at;
+    None for none.
     """
 
     key: str

@@ -18,6 +18,7 @@ from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models
+from roslens.source.distributions.target import targets_of
 from roslens.source.engines.executor import executor_for
 from roslens.source.fetch.fetched_set import only_fetched
 from roslens.source.inventory import take_inventory
@@ -137,7 +138,16 @@ def analyse(
         left_out=frozenset().union(*left_out.values()),
     )
     silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
-    around = surroundings_of([found.package for found in everything], inventory.files)
+    around = surroundings_of(
+        [found.package for found in everything],
+        inventory.files,
+        targets_of(
+            Path(workspace.root),
+            [found.package for found in everything],
+            settings.distro,
+            settings.workspace.environment,
+        ),
+    )
     units = {
         found.package.id: key_of(
             shaping,

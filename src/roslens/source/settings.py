@@ -164,7 +164,7 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
     ``untrusted`` are plug-ins that a configuration names and that do not run, because the user did not say that they
-    may.
+    may. ``distro`` is the distribution of ROS that the workspace is for; empty where files that build it tell.
     """
 
     workspace: WorkspaceSettings = WorkspaceSettings()
@@ -182,3 +182,4 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     time_limit_s: float = 60.0
     untrusted: tuple[str, ...] = ()
     ignore: tuple[IgnoreRule, ...] = ()
+    distro: str = ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -85,7 +86,17 @@ def header_of(run: Run) -> RunHeader:
         started=run.clock.utc,
         commit=past.commit if past else commit_of(run.workspace.root, files),
         tools=tool_versions(run.plugins.members) | (run.tools.versions if run.tools else {}),
-        configuration=msgspec.to_builtins(run.settings),
+        configuration=_configuration(run),
         models=run.settings.models,
         repositories=repositories_of(run.workspace, run.inventory.files, run.fetched),
     )
+
+
+def _configuration(run: Run) -> dict[str, object]:
+    """Return the options, and for which distributions the packages are, in words."""
+    notes = Counter(one.target.note() for one in run.around.values() if one.target.distros)
+    options: dict[str, object] = msgspec.to_builtins(run.settings)
+    if notes:
+        (first, _), *others = notes.most_common()
+        options["target"] = f"{first}; others differ" if others else first
+    return options

@@ -1,5 +1,6 @@
 import pytest
 
+from roslens.source.distributions.target import targets_of
 from roslens.source.inventory import take_inventory
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.package_view import PackageView
@@ -12,11 +13,12 @@ from roslens.source.workspace.surroundings import surroundings_of
 def package_view():
     """The only package in a folder, or the one of a name, as rules see it."""
 
-    def view(folder, name=""):
+    def view(folder, name="", distro=""):
         workspace = find_workspace([folder], WorkspaceSettings())
         (found,) = [one for one in workspace.packages if one.package.manifest.path and name in ("", one.package.name)]
         inventory = take_inventory(workspace, WorkspaceSettings(), {})
-        around = surroundings_of([one.package for one in workspace.packages], inventory.files)
+        packages = [one.package for one in workspace.packages]
+        around = surroundings_of(packages, inventory.files, targets_of(folder, packages, distro))
         files = inventory.files[found.package.id]
         facts = {
             file.path: parse_file((folder / file.path).read_bytes(), file.language, MacroSettings()).facts()

@@ -132,7 +132,32 @@ def settings_of(
     # Conditions of manifests (REP-149) use the user's environment, unless the configuration overrides it.
     seen = {**environment_of(environment), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)
-    return msgspec.structs.replace(settings, workspace=workspace)
+    distro = _distro(options, configuration)
+    return msgspec.structs.replace(settings, workspace=workspace, distro=distro)
+
+
+def _distro(options: argparse.Namespace, configuration: Configuration) -> str:
+    """Return the distribution that the user says the workspace is for; empty where nobody says one.
+
+    Raises:
+        UsageError: there is none of that name.
+    """
+    from roslens.model.errors import UsageError
+    from roslens.plugins.nearest import did_you_mean
+    from roslens.source.distributions.known_distributions import distributions
+
+    given = getattr(options, "distro", None) or ""
+    if given and given not in distributions():
+        if getattr(options, "fetch", False):
+            return ""
+        raise UsageError(
+            f"--distro {given!r}",
+            expected=f"one of {', '.join(distributions())}",
+            advice=did_you_mean(given, distributions()),
+        )
+    source = configuration.source
+    named = source.workspace.environment.get("ROS_DISTRO", "")
+    return given or source.distro or (named if named in distributions() else "")
 
 
 def _from_base(name: str, base: Path) -> str:

@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from roslens.source.progress import Progress
 
 _OWN = (
-    "distro",
     "distribution",
     "filter",
     "package",
@@ -47,7 +46,12 @@ def add_fetch_arguments(parser: argparse.ArgumentParser, title: str) -> None:
     """
     group = parser.add_argument_group(title)
     where = group.add_mutually_exclusive_group()
-    where.add_argument("--distro", metavar="NAME", help="a distribution of the ROS index, such as jazzy")
+    where.add_argument(
+        "--distro",
+        metavar="NAME",
+        help="a distribution of the ROS index, such as jazzy"
+        + ("; without --fetch, that which the workspace is for" if title else ""),
+    )
     where.add_argument(
         "--distribution",
         metavar="FILE|URL",

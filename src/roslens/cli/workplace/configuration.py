@@ -70,6 +70,7 @@ _TOP: dict[str, Any] = {
     "engine": str,
     "store": str,
     "ignore": tuple[IgnoreRule, ...],
+    "distro": str,
 }
 _TABLES: dict[str, type[msgspec.Struct]] = {
     "workspace": WorkspaceSettings,
@@ -178,6 +179,7 @@ class _Reader:
         }
         tables = self._tables(document)
         self._check_ignored(top.get("ignore", ()))
+        self._check_distro(top.get("distro", ""))
         gate = self._gate(document["gate"]) if "gate" in document else None
         fail_on = str(top.pop("fail_on", "error" if gate is None else "never"))
         if fail_on not in FAIL_ON:
@@ -208,6 +210,19 @@ class _Reader:
         if "macros" in tables:
             self._check_macros(tables["macros"])
         return tables
+
+    def _check_distro(self, name: str) -> None:
+        """Tell of a distribution that there is not."""
+        from roslens.source.distributions.known_distributions import distributions
+
+        if name and name not in distributions():
+            near = difflib.get_close_matches(name, distributions(), 1)
+            raise DocumentError(
+                f"distro = {name!r}",
+                where=self._where(("distro",)),
+                expected=f"one of {', '.join(distributions())}",
+                advice=f"Did you mean {near[0]!r}?" if near else "",
+            )
 
     def _check_ignored(self, rules: Iterable[Any]) -> None:
         """Tell of an ``[[ignore]]`` that lacks what it is for."""

@@ -113,6 +113,8 @@ def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSumma
     parts = [", ".join(facts)]
     if header.models:
         parts.append(f"{'model' if len(header.models) == 1 else 'models'} {', '.join(header.models)}")
+    if target := header.configuration.get("target"):
+        parts.append(str(target))
     if header.commit:
         short = header.commit[:10] + ("+" if header.commit.endswith("+") else "")
         parts.append(f"commit {short}")

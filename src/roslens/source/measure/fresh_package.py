@@ -15,6 +15,7 @@ from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.plugins.outcome import Outcome
 from roslens.source.chosen_models import chosen_models
+from roslens.source.distributions.target import targets_of
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import content_hash
 from roslens.source.measure.analyse_package import measure_task
@@ -77,7 +78,10 @@ class FreshPackages:
         self._inventory: Inventory = take_inventory(self._workspace, self._settings.workspace, {})
         self._found = {found.package.id: found for found in self._workspace.packages}
         self._files = {package: list(files) for package, files in self._inventory.files.items()}
-        self._around = surroundings_of([one.package for one in self._workspace.packages], self._inventory.files)
+        packages = [one.package for one in self._workspace.packages]
+        environment = self._settings.workspace.environment
+        targets = targets_of(Path(self._workspace.root), packages, self._settings.distro, environment)
+        self._around = surroundings_of(packages, self._inventory.files, targets)
         self._owner = {file.path: package for package, files in self._files.items() for file in files}
         accepted, _ = read_acceptances(self._base / ACCEPTED)
         self._silence = Silence(self._settings.ignore, acceptances_of(accepted, self._inventory.files))

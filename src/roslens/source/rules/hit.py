@@ -34,6 +34,8 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         edits: what mends it; those without a path are of the file itself. :data:`GUARD_NAME` in their text stands for
             the name that a header guard of the file has.
         consequence: where it is milder than that of the rule.
+        change: key of the row of :mod:`~roslens.source.distributions.read_changes` that it is about; what that means
+            depends on what the package is built for.
     """
 
     rule: str
@@ -50,3 +52,4 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     entity: str = ""
     edits: tuple[Edit, ...] = ()
     consequence: Consequence | None = None
+    change: str = ""

@@ -10,6 +10,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.source.rules.by_package.caught_type import as_notes_of_caught_types
+from roslens.source.rules.by_package.for_target import as_the_target_has
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
 from roslens.source.rules.by_package.named_by_launch import as_notes_where_launch_names
 from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
@@ -63,6 +64,7 @@ def rule_findings(
                 failures.append(_broken(rule, view, error))
     style = guard_style(settings.profiles, view.ros)
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
+    placed = as_the_target_has(placed, view)
     placed = as_notes_with_older_standard(as_notes_without_python3(placed, view), view)
     placed = as_notes_in_nested_package(as_notes_of_caught_types(placed, view), view)
     names = {path.rpartition("/")[2] for path in view.listing}

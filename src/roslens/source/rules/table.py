@@ -10,7 +10,7 @@ from functools import cache
 import roslens.source.rules as home
 from roslens.source.rules.rule import FileRule, PackageRule, Rule
 
-FAMILIES = ("node", "cpp", "python", "package", "cmake", "launch")
+FAMILIES = ("node", "cpp", "python", "package", "cmake", "launch", "distribution")
 """Folders with rules, each the first part of its rules' ids."""
 
 

@@ -9,6 +9,7 @@ from posixpath import dirname
 import msgspec
 
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
+from roslens.source.distributions.target import Target
 
 _SOURCES = "src/"
 _STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
@@ -38,6 +39,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         users: sources and definitions of these, where it has definitions of messages and no code of its own.
         folders: of the packages of the workspace, by name, where it has launch files, which name others.
         started: launch files, and files of parameters, of all these packages.
+        target: what it is built for.
     """
 
     inside: str = ""
@@ -46,16 +48,18 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     users: tuple[SourceFile, ...] = ()
     folders: tuple[tuple[str, str], ...] = ()
     started: Started = Started()
+    target: Target = Target()
 
 
 def surroundings_of(
-    packages: Sequence[Package], files: Mapping[str, Sequence[SourceFile]]
+    packages: Sequence[Package], files: Mapping[str, Sequence[SourceFile]], targets: Mapping[str, Target]
 ) -> Mapping[str, Surroundings]:
     """Return what is around each package, by its id.
 
     Args:
         packages: of the workspace.
         files: of each, by its id.
+        targets: what each is built for, by its id.
     """
     own = [one for one in packages if one.id != OUTSIDE_PACKAGES]
     every = tuple(sorted((one.name, one.path) for one in own))
@@ -82,6 +86,7 @@ def surroundings_of(
             users if _is_of_definitions(files.get(one.id, ())) else (),
             every if starts else (),
             started if starts else Started(),
+            targets.get(one.id, Target()),
         )
     return found
 

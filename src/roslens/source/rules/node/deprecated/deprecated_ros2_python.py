@@ -26,7 +26,7 @@ _ROWS = PYTHON_ROS2
 RULE = FileRule(
     id="node.deprecated_ros2_python",
     title="Deprecated name of ROS 2 (Python)",
-    finds="A name or header that a distribution deprecated or removed. The finding says since when, and what to write.",
+    finds="A name that a distribution deprecated or removed. The finding says since when, and what to write.",
     why="What is deprecated warns in every build of everybody who uses it, and with the next distribution it does not "
     "build.",
     consequence=Consequence.HARD_TO_MAINTAIN,

@@ -1,0 +1,169 @@
+"""Which distribution of ROS a workspace is meant to run on: said, or guessed from files that build or ship it.
+
+The files that are looked at, in this order: those of continuous integration, those of containers, lists of repositories
+(``.repos``). Those nearest to a package count, up to the root of its repository. ``$ROS_DISTRO`` counts where no file
+says anything. A standard of C++ is no sign: C++17 is that of Humble to Kilted (REP-2000).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
+from pathlib import Path, PurePosixPath
+
+import msgspec
+
+from roslens.intake.bounded_file import read_bounded
+from roslens.model.source import Package
+from roslens.source.distributions.known_distributions import distributions
+
+MOST_BYTES = 300_000
+"""Of a file that is looked at."""
+MOST_FILES = 60
+"""In one folder."""
+
+_NAMES = "|".join(distributions())
+_IN_CI = re.compile(
+    rf"""(?ix) ros [\w./-]* ["']? \s* [:=-] \s* [^\n#]*? (?<![\w-]) (?:{_NAMES}) (?![\w]) [^\n#]*
+    | /opt/ros/ (?:{_NAMES}) \b
+    | ^ \s* - \s+ ["']? (?:{_NAMES}) ["']? \s* (?:\#.*)? $""",
+    re.MULTILINE,
+)
+_IN_CONTAINER = re.compile(
+    rf"(?i)\bros(?:-core|-base)?:(?:{_NAMES})\b|/ros:(?:{_NAMES})\b|/opt/ros/(?:{_NAMES})\b|\bros-(?:{_NAMES})-"
+    rf"|ROS_DISTRO[\"']?\s*[=:\s]\s*[\"']?(?:{_NAMES})\b"
+)
+_VERSION = re.compile(rf"^\s*version\s*:\s*[\"']?(?:{_NAMES})(?:-devel)?[\"']?\s*$", re.MULTILINE | re.IGNORECASE)
+_NAME = re.compile(rf"(?i)(?<![A-Za-z])(?:{_NAMES})(?![A-Za-z])")
+
+_KINDS: tuple[tuple[tuple[str, ...], re.Pattern[str]], ...] = (
+    (
+        (
+            ".github/workflows/*.yml",
+            ".github/workflows/*.yaml",
+            ".gitlab-ci.yml",
+            ".travis.yml",
+            "azure-pipelines.yml",
+            ".circleci/config.yml",
+            "Jenkinsfile",
+        ),
+        _IN_CI,
+    ),
+    (
+        (
+            "Dockerfile*",
+            "*.Dockerfile",
+            "docker/*Dockerfile*",
+            ".docker/*Dockerfile*",
+            ".devcontainer/*Dockerfile*",
+            ".devcontainer/devcontainer.json",
+            "docker-compose.y*ml",
+            "compose.y*ml",
+        ),
+        _IN_CONTAINER,
+    ),
+    (("*.repos", ".rosinstall", "*.rosinstall"), _VERSION),
+)
+
+
+class Target(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What a package is to be built for.
+
+    Attributes:
+        distros: names of distributions, in order of release; empty where nothing is known.
+        given: the user said so, where it is not guessed.
+        said_by: who says so: ``distro``, which the user set, the path of a file, or ``$ROS_DISTRO``.
+    """
+
+    distros: tuple[str, ...] = ()
+    given: bool = False
+    said_by: str = ""
+
+    def of(self, ros: int) -> tuple[str, ...]:
+        """Return those of a version of ROS."""
+        return tuple(one for one in self.distros if distributions()[one].ros == ros)
+
+    def note(self) -> str:
+        """Return it in words, for the head of a report; empty where nothing is known."""
+        if not self.distros:
+            return ""
+        names = ", ".join(distributions()[one].title for one in self.distros)
+        return f"for {names}, as {self.said_by} says"
+
+
+def targets_of(
+    root: Path, packages: Iterable[Package], given: str = "", environment: Mapping[str, str] | None = None
+) -> Mapping[str, Target]:
+    """Return what each package is built for, by its id.
+
+    Args:
+        root: of the workspace.
+        packages: of it.
+        given: a distribution that the user named; empty for none.
+        environment: variables, of which ``ROS_DISTRO`` counts where no file says anything.
+    """
+    if given:
+        said = Target((given,), given=True, said_by="`distro`")
+        return {one.id: said for one in packages}
+    name = (environment or {}).get("ROS_DISTRO", "")
+    fallback = Target((name,), said_by="$ROS_DISTRO") if name in distributions() else Target()
+    looked: dict[Path, Target | None] = {}
+    return {one.id: _guess(root, root / one.path, looked) or fallback for one in packages}
+
+
+def _guess(root: Path, folder: Path, looked: dict[Path, Target | None]) -> Target | None:
+    """Return what the nearest files say, from a folder up to the root of its repository."""
+    for above in (folder, *folder.parents):
+        if above not in looked:
+            looked[above] = _said_in(above, root)
+        if (said := looked[above]) is not None:
+            return said
+        if (above / ".git").exists() or above == above.parent:
+            return None
+        if above == root and not _is_in_repository(root):
+            return None
+    return None
+
+
+def _is_in_repository(root: Path) -> bool:
+    return any((above / ".git").exists() for above in root.parents)
+
+
+def _said_in(folder: Path, root: Path) -> Target | None:
+    for patterns, expression in _KINDS:
+        for path in _files(folder, patterns):
+            names = _named(path, expression)
+            if names:
+                return Target(names, said_by=_shown(path, root))
+    return None
+
+
+def _files(folder: Path, patterns: Iterable[str]) -> Iterator[Path]:
+    """Yield files of a folder that match patterns of one or more parts, in order of the patterns, then of names."""
+    for pattern in patterns:
+        part = PurePosixPath(pattern)
+        inside = folder / part.parent
+        try:
+            names = sorted(one.name for one in inside.iterdir())[: MOST_FILES * 20]
+        except OSError:
+            continue
+        matching = [name for name in names if fnmatchcase(name, part.name)]
+        yield from (inside / name for name in matching[:MOST_FILES])
+
+
+def _named(path: Path, expression: re.Pattern[str]) -> tuple[str, ...]:
+    try:
+        text = read_bounded(path, MOST_BYTES).decode("utf-8", "replace")
+    except (OSError, ValueError):
+        return ()
+    code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("#"))
+    found = {name.lower() for match in expression.finditer(code) for name in _NAME.findall(match[0])}
+    return tuple(name for name in distributions() if name in found)
+
+
+def _shown(path: Path, root: Path) -> str:
+    try:
+        return path.relative_to(root).as_posix()
+    except ValueError:
+        return path.name

@@ -1,0 +1,60 @@
+"""What a row of the tables of distributions means for a package depends on the distribution that it is built for.
+
+Rules on files find all rows; here what matters to no target is dropped, and what does is said with its certainty: only
+where the user named the target, and it does not have the thing any more, is it proven.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import msgspec
+
+from roslens.model.weight.consequence import Certainty
+from roslens.source.distributions.known_distributions import distributions, is_at_least
+from roslens.source.distributions.read_changes import Change, Effect, effect_of, read_changes
+from roslens.source.distributions.target import Target
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+
+
+def as_the_target_has(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
+    """Return hits by path; those about a row of the tables as it counts for the target of a package."""
+    target = view.around.target
+    return {path: list(_counted(hits, view, target)) for path, hits in placed.items()}
+
+
+def _counted(hits: Sequence[Hit], view: PackageView, target: Target) -> Iterator[Hit]:
+    for hit in hits:
+        if not hit.change:
+            yield hit
+            continue
+        change = read_changes()[hit.change]
+        effect = effect_of(change, target)
+        if effect is Effect.NONE or change.ros not in view.ros:
+            continue
+        certainty = _certainty(change, effect, target, view)
+        edits = () if _is_too_new(change, target) else hit.edits
+        yield msgspec.structs.replace(
+            hit, certainty=certainty, edits=edits, message=f"{hit.message}{_because(change, effect, target)}"
+        )
+
+
+def _certainty(change: Change, effect: Effect, target: Target, view: PackageView) -> Certainty:
+    if effect is not Effect.REMOVED or view.ros == {1, 2}:
+        return Certainty.HEURISTIC
+    return Certainty.PROVEN if target.given and target.of(change.ros) else Certainty.LIKELY
+
+
+def _because(change: Change, effect: Effect, target: Target) -> str:
+    """Return who says that the target matters, where that is not plain from the row."""
+    if effect is not Effect.REMOVED or not target.of(change.ros):
+        return ""
+    first = next(one for one in target.of(change.ros) if is_at_least(one, change.removed))
+    return f"; this package is built for {distributions()[first].title}, as {target.said_by} says"
+
+
+def _is_too_new(change: Change, target: Target) -> bool:
+    """Whether a distribution that is built for lacks what takes the place."""
+    names = target.of(change.ros)
+    return bool(change.since) and (not names or any(not is_at_least(one, change.since) for one in names))

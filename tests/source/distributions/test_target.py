@@ -1,0 +1,95 @@
+"""Which distribution a package is for: said by the user, or by the nearest file that builds it."""
+
+import pytest
+
+from roslens.source.distributions.target import Target, targets_of
+from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.find import find_workspace
+
+
+@pytest.fixture
+def target(tmp_path):
+    """What the package in a folder of a workspace of given files is for."""
+
+    def look(files, folder="arm", given="", environment=None):
+        (tmp_path / ".git").mkdir(exist_ok=True)
+        for path, text in {f"{folder}/package.xml": "<package/>", **files}.items():
+            (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / path).write_text(text)
+        packages = [one.package for one in find_workspace([tmp_path], WorkspaceSettings()).packages]
+        (one,) = [one for one in packages if one.path == folder]
+        return targets_of(tmp_path, packages, given, environment)[one.id]
+
+    return look
+
+
+def test_nothing_is_known_where_nothing_says_it(target):
+    assert target({}) == Target()
+    assert target({}).note() == ""
+
+
+def test_the_user_has_the_last_word(target):
+    said = target({".github/workflows/ci.yml": "container: ros:humble\n"}, given="jazzy")
+    assert said.distros == ("jazzy",)
+    assert said.given
+    assert said.note() == "for Jazzy, as `distro` says"
+
+
+@pytest.mark.parametrize(
+    ("text", "distros"),
+    [
+        ("        ros_distro: [humble, jazzy]\n", ("humble", "jazzy")),
+        ("        ros_distribution:\n          - jazzy\n          - rolling\n", ("jazzy", "rolling")),
+        ("env:\n  ROS_DISTRO: 'noetic'\n", ("noetic",)),
+        ("    container: osrf/ros:kilted-desktop\n", ("kilted",)),
+        ("          required-ros-distributions: iron\n", ("iron",)),
+        ("      - run: source /opt/ros/lyrical/setup.bash\n", ("lyrical",)),
+        ("          target-ros2-distro: ${{ matrix.ros }}\n", ()),
+        ("name: humble beginnings\non: push\n", ()),
+        ("    # ROS_DISTRO: humble\n", ()),
+    ],
+)
+def test_continuous_integration_says_it(target, text, distros):
+    said = target({".github/workflows/ci.yml": text})
+    assert said.distros == distros
+    if distros:
+        assert said.said_by == ".github/workflows/ci.yml"
+        assert not said.given
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "distros"),
+    [
+        ("Dockerfile", "FROM ros:humble-ros-base\n", ("humble",)),
+        ("docker/robot.Dockerfile", "FROM osrf/ros:jazzy-desktop AS build\n", ("jazzy",)),
+        ("Dockerfile", "ARG ROS_DISTRO=iron\nFROM ros:${ROS_DISTRO}\n", ("iron",)),
+        ("Dockerfile", "FROM ubuntu:22.04\nRUN apt install ros-humble-nav2-bringup\n", ("humble",)),
+        ("Dockerfile", "FROM ubuntu:22.04\nRUN echo rolling stones\n", ()),
+        ("robot.repos", "repositories:\n  a:\n    version: humble\n  b:\n    version: main\n", ("humble",)),
+        ("robot.repos", "repositories:\n  humble:\n    version: 1.0.0\n", ()),
+    ],
+)
+def test_containers_and_lists_of_repositories_say_it(target, path, text, distros):
+    assert target({path: text}).distros == distros
+
+
+def test_the_nearest_file_counts_and_continuous_integration_before_containers(target):
+    files = {
+        ".github/workflows/ci.yml": "ROS_DISTRO: humble\n",
+        "Dockerfile": "FROM ros:iron\n",
+        "arm/Dockerfile": "FROM ros:jazzy\n",
+    }
+    assert target(files).said_by == "arm/Dockerfile"
+    assert target({}, folder="other").said_by == ".github/workflows/ci.yml"
+
+
+def test_another_repository_above_is_not_asked(target):
+    files = {".github/workflows/ci.yml": "ROS_DISTRO: humble\n", "arm/.git": "gitdir: elsewhere\n"}
+    assert target(files) == Target()
+
+
+def test_the_environment_counts_where_no_file_says_anything(target):
+    assert target({}, environment={"ROS_DISTRO": "jazzy"}).said_by == "$ROS_DISTRO"
+    assert target({}, environment={"ROS_DISTRO": "unheard"}) == Target()
+    files = {"Dockerfile": "FROM ros:humble\n"}
+    assert target(files, environment={"ROS_DISTRO": "jazzy"}).distros == ("humble",)

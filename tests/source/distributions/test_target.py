@@ -93,3 +93,12 @@ def test_the_environment_counts_where_no_file_says_anything(target):
     assert target({}, environment={"ROS_DISTRO": "unheard"}) == Target()
     files = {"Dockerfile": "FROM ros:humble\n"}
     assert target(files, environment={"ROS_DISTRO": "jazzy"}).distros == ("humble",)
+
+
+def test_all_files_of_a_kind_count_but_those_for_documentation(target):
+    files = {
+        ".github/workflows/humble.yml": "ROS_DISTRO: humble\n",
+        ".github/workflows/main.yml": "ROS_DISTRO: jazzy\n",
+        ".github/workflows/deploy_docs.yml": "ROS_DISTRO: iron\n",
+    }
+    assert target(files).note() == "for Humble, Jazzy, as .github/workflows/humble.yml says"

@@ -2,7 +2,7 @@
 
 The files that are looked at, in this order: those of continuous integration, those of containers, lists of repositories
 (``.repos``). Those nearest to a package count, up to the root of its repository. ``$ROS_DISTRO`` counts where no file
-says anything. A standard of C++ is no sign: C++17 is that of Humble to Kilted (REP-2000).
+says anything. Files of one kind in one folder are taken together. A standard of C++ is no sign: C++17 is that of Humble to Kilted (REP-2000).
 """
 
 from __future__ import annotations
@@ -36,6 +36,9 @@ _IN_CONTAINER = re.compile(
 )
 _VERSION = re.compile(rf"^\s*version\s*:\s*[\"']?(?:{_NAMES})(?:-devel)?[\"']?\s*$", re.MULTILINE | re.IGNORECASE)
 _NAME = re.compile(rf"(?i)(?<![A-Za-z])(?:{_NAMES})(?![A-Za-z])")
+
+_DOCUMENTATION = re.compile(r"(?i)doc(?!ker)|doxygen|pages")
+"""Names of files that build documentation, whatever distribution they do that with."""
 
 _KINDS: tuple[tuple[tuple[str, ...], re.Pattern[str]], ...] = (
     (
@@ -132,10 +135,10 @@ def _is_in_repository(root: Path) -> bool:
 
 def _said_in(folder: Path, root: Path) -> Target | None:
     for patterns, expression in _KINDS:
-        for path in _files(folder, patterns):
-            names = _named(path, expression)
-            if names:
-                return Target(names, said_by=_shown(path, root))
+        said = [(path, names) for path in _files(folder, patterns) if (names := _named(path, expression))]
+        if said:
+            found = {name for _, names in said for name in names}
+            return Target(tuple(name for name in distributions() if name in found), said_by=_shown(said[0][0], root))
     return None
 
 
@@ -148,7 +151,7 @@ def _files(folder: Path, patterns: Iterable[str]) -> Iterator[Path]:
             names = sorted(one.name for one in inside.iterdir())[: MOST_FILES * 20]
         except OSError:
             continue
-        matching = [name for name in names if fnmatchcase(name, part.name)]
+        matching = [name for name in names if fnmatchcase(name, part.name) and not _DOCUMENTATION.search(name)]
         yield from (inside / name for name in matching[:MOST_FILES])
 
 

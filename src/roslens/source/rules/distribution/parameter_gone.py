@@ -10,7 +10,6 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.distributions.read_changes import Kind, changes_of
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.parameters.parameter_file import ros2_parameters
-from roslens.source.rules.distribution.row_hit import row_message
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -40,7 +39,7 @@ def _gone(settings: list[Setting], path: str) -> Iterator[Hit]:
     for one in settings:
         owner = types.get(one.node.rpartition("/")[2], "")
         for change in changes_of(Kind.PARAMETER).get(f"{owner}:{one.name}", ()) if owner else ():
-            message = f"parameter {row_message(change, str(one.name))} of `{owner}`"
+            message = f"parameter `{one.name}` of `{owner}` is {change.text()}"
             line = one.evidence.line
             yield Hit("distribution.parameter_gone", message, line, context=change.name, path=path, change=change.key)
 

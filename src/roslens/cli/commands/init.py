@@ -13,6 +13,10 @@ EXAMPLES = """\
 TEMPLATE = """\
 # Configuration of roslens. Every line is optional; the values shown are the defaults.
 
+# The distribution of ROS that the workspace is for, such as "jazzy"; default: what continuous integration, containers
+# and .repos files say.
+distro = ""
+
 # Quality models: extreme, ros, nasa-satc, his, kth, akureyri, verifysoft, microsoft, paper2016, or a path to your own
 # YAML; NAME:note makes all limits of a model notes.
 models = ["extreme:note", "ros:note"]

@@ -1,8 +1,9 @@
 """Which distribution of ROS a workspace is meant to run on: said, or guessed from files that build or ship it.
 
 The files that are looked at, in this order: those of continuous integration, those of containers, lists of repositories
-(``.repos``). Those nearest to a package count, up to the root of its repository. ``$ROS_DISTRO`` counts where no file
-says anything. Files of one kind in one folder are taken together. A standard of C++ is no sign: C++17 is that of Humble to Kilted (REP-2000).
+(``.repos``); files of one kind in one folder are taken together. Those nearest to a package count, up to the root of
+its repository. ``$ROS_DISTRO`` counts where no file says anything. A standard of C++ is no sign: C++17 is that of
+Humble to Kilted (REP-2000).
 """
 
 from __future__ import annotations

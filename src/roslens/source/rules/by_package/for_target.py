@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 
-from roslens.model.weight.consequence import Certainty
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.distributions.known_distributions import distributions, is_at_least
 from roslens.source.distributions.read_changes import Change, Effect, effect_of, read_changes
 from roslens.source.distributions.target import Target
@@ -33,10 +33,13 @@ def _counted(hits: Sequence[Hit], view: PackageView, target: Target) -> Iterator
         effect = effect_of(change, target)
         if effect is Effect.NONE or change.ros not in view.ros:
             continue
-        certainty = _certainty(change, effect, target, view)
-        edits = () if _is_too_new(change, target) else hit.edits
         yield msgspec.structs.replace(
-            hit, certainty=certainty, edits=edits, message=f"{hit.message}{_because(change, effect, target)}"
+            hit,
+            certainty=_certainty(change, effect, target, view),
+            # What the target still has builds and starts there.
+            consequence=None if effect is Effect.REMOVED else Consequence.HARD_TO_MAINTAIN,
+            edits=() if _is_too_new(change, target) else hit.edits,
+            message=f"{hit.message}{_because(change, effect, target)}",
         )
 
 

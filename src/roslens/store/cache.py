@@ -186,6 +186,25 @@ class Cache:
         self._change(write)
         self._grown = True
 
+    def replace(self, items: Mapping[str, bytes]) -> None:
+        """Keep content under keys whose content changes: what is kept says itself of what it holds."""
+        if not items:
+            return
+
+        def write(connection: sqlite3.Connection) -> None:
+            number = connection.execute("SELECT coalesce(max(number), 0) FROM blob").fetchone()[0]
+            for key, content in items.items():
+                number += 1
+                connection.execute("DELETE FROM blob WHERE number IN (SELECT number FROM facts WHERE key = ?)", (key,))
+                connection.execute(
+                    "INSERT OR REPLACE INTO facts (key, size, day, number) VALUES (?, ?, ?, ?)",
+                    (key, len(content), self._day, number),
+                )
+                connection.execute("INSERT INTO blob (number, content) VALUES (?, ?)", (number, content))
+
+        self._change(write)
+        self._grown = True
+
     def touch(self, keys: Iterable[str]) -> None:
         """Note that what is kept under the keys is still of use."""
         used = [(self._day, key, self._day) for key in keys]

@@ -78,7 +78,8 @@ class GraphSource:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Close the cache."""
+        """Keep what was learned, and close the cache."""
+        self.facts.keep()
         self._cache.close()
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:

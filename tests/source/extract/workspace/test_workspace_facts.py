@@ -35,13 +35,15 @@ def test_packages_builds_and_launch_files_are_known():
 def test_what_was_evaluated_is_there_the_next_time(tmp_path, monkeypatch):
     path = "src/rover/rover_sensors/rover_sensors/battery_monitor.py"
     with Cache.open(tmp_path / "cache.sqlite") as cache:
-        first = facts(cache).program(path, "main")
+        found = facts(cache).of("ros2")
+        first = found.program(path, "main")
+        found.keep()
     assert [one.name.known for one in first] == ["battery_monitor"]
     from roslens.source.extract.units import node_units
 
     monkeypatch.setattr(node_units, "facts_of_module", None)
     with Cache.open(tmp_path / "cache.sqlite") as cache:
-        again = facts(cache)
+        again = facts(cache).of("ros2")
         assert again.program(path, "main") == first
         assert again.broken == []
 
@@ -76,7 +78,7 @@ def test_units_are_evaluated_once_though_all_are_asked_for_what_they_miss(monkey
 
     path = "src/rover/rover_sensors/rover_sensors/battery_monitor.py"
     with Cache.open(None) as cache:
-        found = facts(cache)
+        found = facts(cache).of("ros2")
         first = found.program(path)
         runs = []
         made, ran = node_units._made, lambda engine: runs.append((engine.emitter.node.path, engine.emitter.node.unit))

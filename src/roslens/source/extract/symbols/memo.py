@@ -20,6 +20,21 @@ Found = tuple[Function, str] | None
 """A function and the path of its file."""
 
 
+class Whole:
+    """What is known of all programs of an index together.
+
+    Attributes:
+        set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
+            is asked for.
+        function_names: of all functions with a body; None before it is asked for.
+    """
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self.set_on_classes: set[tuple[str, str]] | None = None
+        self.function_names: set[str] | None = None
+
+
 class Memo:
     """What an index said.
 
@@ -34,16 +49,20 @@ class Memo:
         kinds: what objects are, by their type, class and whether they are nodes.
         members: of objects of a class, by its identity, with what they are at first.
         of_modules: statements that change variables of modules of Python, by path and name.
-        set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
-            is asked for.
+        whole: what is known of all programs together.
         called: last names of what an expression calls, by its identity, with it.
         set_in_turns: members that methods set which a loop calls, by its identity and that of a class, with it.
+        texts: expressions as text, by their identity, with them.
+        conditions: expressions as conditions, likewise.
         making: calls in a function that make an endpoint by their name, by its identity, with it.
-        function_names: of all functions with a body; None before it is asked for.
     """
 
-    def __init__(self) -> None:
-        """Begin with nothing."""
+    def __init__(self, beside: Memo | None = None) -> None:
+        """Begin with nothing, or with what a memo for the same programs knows that depends on no name.
+
+        Args:
+            beside: that other memo; both share what is learned of single expressions and of all programs together.
+        """
         self.method: dict[tuple[int, str], Found] = {}
         self.overloads: dict[tuple[int, str, int], Found] = {}
         self.alone: set[tuple[int, str, int]] = set()
@@ -53,13 +72,12 @@ class Memo:
         self.outside: dict[tuple[int, str, str, str, int], tuple[str, str]] = {}
         self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
         self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
-        self.set_on_classes: set[tuple[str, str]] | None = None
-        self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
-        self.making: dict[int, tuple[Function, tuple[Call, ...]]] = {}
-        self.function_names: set[str] | None = None
         self.set_in_turns: dict[tuple[int, int], tuple[Statement, tuple[str, ...]]] = {}
-        self._texts: dict[int, tuple[Expression, str]] = {}
-        self._conditions: dict[int, tuple[Expression, Condition]] = {}
+        self.whole: Whole = Whole() if beside is None else beside.whole
+        self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {} if beside is None else beside.called
+        self.making: dict[int, tuple[Function, tuple[Call, ...]]] = {} if beside is None else beside.making
+        self.texts: dict[int, tuple[Expression, str]] = {} if beside is None else beside.texts
+        self.conditions: dict[int, tuple[Expression, Condition]] = {} if beside is None else beside.conditions
 
     def calls_that_make(self, function: Function) -> tuple[Call, ...]:
         """Return the calls in a function that make an endpoint, by their name."""
@@ -71,16 +89,16 @@ class Memo:
 
     def text(self, expression: Expression) -> str:
         """Return an expression of a program as text."""
-        known = self._texts.get(id(expression))
+        known = self.texts.get(id(expression))
         if known is None or known[0] is not expression:
-            known = self._texts[id(expression)] = (expression, expression_text(expression))
+            known = self.texts[id(expression)] = (expression, expression_text(expression))
         return known[1]
 
     def condition(self, expression: Expression) -> Condition:
         """Return a condition of a program, looked into as far as ``and``, ``or`` and ``not`` go."""
-        known = self._conditions.get(id(expression))
+        known = self.conditions.get(id(expression))
         if known is None or known[0] is not expression:
-            known = self._conditions[id(expression)] = (expression, self._condition(expression))
+            known = self.conditions[id(expression)] = (expression, self._condition(expression))
         return known[1]
 
     def _condition(self, expression: Expression) -> Condition:

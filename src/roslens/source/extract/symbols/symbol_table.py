@@ -25,9 +25,9 @@ from roslens.source.extract.symbols.python_modules import PythonModules
 from roslens.source.extract.symbols.used_names import UsedNames
 
 if TYPE_CHECKING:
-    from roslens.source.extract.facts.node_facts import NodeFacts, Target
+    from roslens.source.extract.facts.node_facts import Target
     from roslens.source.extract.parameters.parameter_library import ParameterLibrary
-    from roslens.source.extract.symbols.reached_functions import Reached
+    from roslens.source.extract.symbols.evaluated_unit import KnownUnits
 
 __all__ = ["Defined", "DefinedFunction", "SymbolTable", "dotted", "type_arguments", "type_name"]
 
@@ -42,7 +42,7 @@ class SymbolTable:
         linkage: which definitions files of C++ can mean.
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
         version: of ROS for which its programs are; empty where all are looked at together.
-        units: what units came to, and the functions that they called; None where none is asked for again.
+        units: that were evaluated; None where none is asked for again.
     """
 
     def __init__(
@@ -65,10 +65,10 @@ class SymbolTable:
         """
         self.memo = Memo()
         outer = frozenset(known)
-        self.programs = dict(programs)
+        self.programs: Mapping[str, Program] = dict(programs)
         self.version = ""
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
-        self.units: dict[tuple[str, ...], tuple[list[NodeFacts], Reached]] | None = None
+        self.units: KnownUnits | None = None
         self.interfaces = InterfacesByPackage(packages or {})
         self.linkage = Linkage(self.programs, packages or {}, needs or {}, targets)
         self._own = own_names(self.programs, packages or {}, needs or {})
@@ -79,6 +79,11 @@ class SymbolTable:
             self.programs, outer, self._own, self._modules, OutsideValues(self.linkage), self.contents.package_of
         )
         self._used = UsedNames(self.programs, outer, packages or {}, needs or {})
+        self._macros = MacroValues(self.programs, self.linkage)
+        self._forget()
+
+    def _forget(self) -> None:
+        """Remember nothing of what was asked."""
         self._changed: dict[str, frozenset[str]] = {}
         self._chains: dict[str, list[Defined]] = {}
         self._chains_of: dict[int, list[Defined]] = {}
@@ -90,7 +95,10 @@ class SymbolTable:
         self._last_named: tuple[tuple[str, str, str], tuple[str, ...]] = (("", "", ""), ())
         self._found_constants: dict[tuple[str, str, str], tuple[str, Expression, str] | None] = {}
         self._found_globals: dict[tuple[str, str, str], str] = {}
-        self._macros = MacroValues(self.programs, self.linkage)
+
+    def every_program(self) -> Iterable[Program]:
+        """Return all programs, for what is asked of all together: what an outline has of each."""
+        return self.programs.values()
 
     def named(self, name: str, path: str, scope: str) -> tuple[str, ...]:
         """Return what a name may mean in a scope of a file, the likeliest first."""
@@ -263,13 +271,16 @@ class SymbolTable:
         """Return the members that methods of a class other than its constructors assign."""
         key = self.key(defined)
         if key not in self._changed:
-            found: set[str] = set()
-            for one in self.chain(defined):
-                for method in self.methods_of(one):
-                    if method.what.name not in (one.what.name, "__init__"):
-                        found |= assigned_names(method.what.body)
-            self._changed[key] = frozenset(found)
+            self._changed[key] = self._changed_in(defined)
         return self._changed[key]
+
+    def _changed_in(self, defined: Defined) -> frozenset[str]:
+        found: set[str] = set()
+        for one in self.chain(defined):
+            for method in self.methods_of(one):
+                if method.what.name not in (one.what.name, "__init__"):
+                    found |= assigned_names(method.what.body)
+        return frozenset(found)
 
     def member(self, defined: Defined, name: str) -> tuple[str, Expression] | None:
         """Return the file and value of a constant of a class."""
@@ -336,13 +347,16 @@ class SymbolTable:
         """Return the bases of a class and of its bases that are not in the workspace, aliases resolved."""
         key = self.key(defined)
         if key not in self._outer_bases:
-            self._outer_bases[key] = [
-                self.meaning(name, one.path, _around(one))
-                for one in self.chain(defined)
-                for name in one.what.bases
-                if self.class_of(name, one.path, _around(one)) is None
-            ]
+            self._outer_bases[key] = self._outer_bases_of(defined)
         return self._outer_bases[key]
+
+    def _outer_bases_of(self, defined: Defined) -> list[str]:
+        return [
+            self.meaning(name, one.path, _around(one))
+            for one in self.chain(defined)
+            for name in one.what.bases
+            if self.class_of(name, one.path, _around(one)) is None
+        ]
 
 
 def _around(defined: Defined | DefinedFunction) -> str:

@@ -81,16 +81,17 @@ def _place(ctx: Context, defined: Defined, name: str) -> Place | None:
 
 def _all_set(ctx: Context) -> set[Place]:
     """Return the attributes that some function sets on a class, by the last name of that and their own."""
-    memo = ctx.index.memo
-    if memo.set_on_classes is None:
-        memo.set_on_classes = set()
-        for program in ctx.index.programs.values():
+    whole = ctx.index.memo.whole
+    if whole.set_on_classes is None:
+        whole.set_on_classes = set()
+        for program in ctx.index.every_program():
             if program.dialect.modules_run:
-                memo.set_on_classes |= _set_in(program)
-    return memo.set_on_classes
+                whole.set_on_classes |= set_on_classes(program)
+    return whole.set_on_classes
 
 
-def _set_in(program: Program) -> set[Place]:
+def set_on_classes(program: Program) -> set[Place]:
+    """Return the attributes that the code of a file sets on classes, by the last name of that and their own."""
     found: set[Place] = set()
     _gather(program.body, "", found)
     for function in program.functions:

@@ -29,12 +29,13 @@ def does_something(ctx: Context, operand: Expression) -> bool:
         names = memo.called[id(operand)] = (operand, _called(operand))
     if not names[1]:
         return False
-    if memo.function_names is None:
-        programs = ctx.index.programs.values()
-        memo.function_names = {one.name for program in programs for one in program.functions if one.body}
+    known = memo.whole.function_names
+    if known is None:
+        programs = ctx.index.every_program()
+        known = memo.whole.function_names = {one.name for each in programs for one in each.functions if one.body}
     local = ctx.state.frame.names
     for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
-        if one in memo.function_names or (one in local and type(local[one]) is Callable):
+        if one in known or (one in local and type(local[one]) is Callable):
             return True
     return False
 

@@ -27,11 +27,14 @@ from roslens.source.extract.ir.program import (
     Operation,
 )
 from roslens.source.extract.symbolic.text import Text, Written
+from roslens.source.extract.symbols.evaluated_unit import EvaluatedUnit, UnitName
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
+from roslens.source.extract.symbols.noted_table import NotedTable
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.context import Given
+from roslens.source.keys import key_of
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 _FIRST = (
@@ -91,7 +94,7 @@ def facts_of_class(
     ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Given`.
     """
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
-    ctx = Interpreter(index, building, Given(chosen, plugin_names))
+    ctx = Interpreter(NotedTable(index, defined.path), building, Given(chosen, plugin_names))
 
     def run() -> None:
         ctx.state.frame = Frame(defined.path, defined.what.qualified_name)
@@ -104,7 +107,8 @@ def facts_of_class(
         _run_made(ctx, thing)
         _run_plugged(ctx)
 
-    return finished(ctx, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind))
+    given = given_names(chosen, plugin_names)
+    return finished(ctx, run, reached, (*_class_name("class", index, defined), generation, kind, *given))
 
 
 def facts_of_plugin(
@@ -113,7 +117,7 @@ def facts_of_plugin(
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
-    ctx = Interpreter(index, building)
+    ctx = Interpreter(NotedTable(index, defined.path), building)
 
     def run() -> None:
         ctx.state.frame = Frame(defined.path, defined.what.qualified_name)
@@ -121,7 +125,7 @@ def facts_of_plugin(
         ctx.objects.prepare(thing)
         ctx.objects.construct_as(thing, defined, [], {})
         run_methods(ctx, thing)
-        for found in index.methods(defined, defined.what.name):
+        for found in ctx.index.methods(defined, defined.what.name):
             # Constructors that are never called are an offer too.
             if (found.path, found.what.line) not in ctx.callbacks.reached:
                 other = Obj(defined.what.qualified_name, defined, {})
@@ -129,7 +133,7 @@ def facts_of_plugin(
                 ctx.call(Invocation(Callable(found.what, found.path, other)))
         ctx.run_later()
 
-    return finished(ctx, run, reached)
+    return finished(ctx, run, reached, (*_class_name("plugin", index, defined), generation))
 
 
 def facts_of_function(
@@ -139,12 +143,13 @@ def facts_of_function(
 
     Of the members of its object the types are known, and their values at first, unless it is not ``prepared``.
     """
-    building = building_of(function.qualified_name, path, function.line, generation_of(index, path), "function")
+    generation = generation_of(index, path)
+    building = building_of(function.qualified_name, path, function.line, generation, "function")
     building.named = True
-    ctx = Interpreter(index, building)
+    ctx = Interpreter(NotedTable(index, path), building)
 
     def run() -> None:
-        defined = index.class_of(function.class_name, path, "") if function.class_name else None
+        defined = ctx.index.class_of(function.class_name, path, "") if function.class_name else None
         thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
         ctx.state.frame = Frame(path, "")
         if thing is not None and prepared:
@@ -152,7 +157,8 @@ def facts_of_function(
         ctx.call(Invocation(Callable(function, path, thing)))
         ctx.run_later()
 
-    return finished(ctx, run, reached)
+    place = _function_place(index, path, function)
+    return finished(ctx, run, reached, ("function", path, function.qualified_name, place, generation, str(prepared)))
 
 
 def facts_of_main(
@@ -168,8 +174,9 @@ def facts_of_main(
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
         return []
-    building = building_of("main", path, main.line, generation_of(index, path), "node")
-    ctx = Interpreter(index, building, Given(chosen, plugin_names))
+    generation = generation_of(index, path)
+    building = building_of("main", path, main.line, generation, "node")
+    ctx = Interpreter(NotedTable(index, path), building, Given(chosen, plugin_names))
 
     def run() -> None:
         ctx.state.frame = Frame(path, "")
@@ -184,7 +191,8 @@ def facts_of_main(
             _run_made(ctx)
         _run_plugged(ctx)
 
-    found = finished(ctx, run, reached, () if words is not None or chosen is not None else ("main", path))
+    known_of = (*given_names(chosen, plugin_names), *given_words(words))
+    found = finished(ctx, run, reached, ("main", path, generation, *known_of))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
@@ -200,8 +208,9 @@ def facts_of_module(
     ``words`` are those of its command line, where they are known.
     """
     program = index.programs[path]
-    building = building_of(function or "<module>", path, 1, generation_of(index, path), "node")
-    ctx = Interpreter(index, building, Given(words=None if words is None else words_given(words)))
+    generation = generation_of(index, path)
+    building = building_of(function or "<module>", path, 1, generation, "node")
+    ctx = Interpreter(NotedTable(index, path), building, Given(words=None if words is None else words_given(words)))
 
     def run() -> None:
         ctx.state.frame = Frame(path, "")
@@ -221,7 +230,7 @@ def facts_of_module(
         _run_lifecycle(ctx)
         _run_callbacks(ctx)
 
-    found = finished(ctx, run, reached, () if words is not None else ("module", path, function))
+    found = finished(ctx, run, reached, ("module", path, function, generation, *given_words(words)))
     return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
@@ -328,17 +337,40 @@ def _made_by(function: Function, defined: Defined) -> bool:
     return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
 
 
-def finished(
-    ctx: Interpreter, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
-) -> list[NodeFacts]:
-    """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
-    units = ctx.index.units if unit else None
-    found, followed = (units or {}).get(unit) or (_made(ctx, run), ctx.callbacks.reached)
-    if units is not None:
-        units[unit] = (found, followed)
+def finished(ctx: Interpreter, run: Callable1[[], None], reached: Reached | None, name: UnitName) -> list[NodeFacts]:
+    """Return what ``run`` makes; of a unit that is known under its name, what it made the first time."""
+    units, table = ctx.index.units, ctx.index
+    unit = None if units is None else units.get(name)
+    if unit is None:
+        facts = tuple(_made(ctx, run))
+        unit = EvaluatedUnit(facts, ctx.callbacks.reached, table.files if isinstance(table, NotedTable) else ())
+        if units is not None:
+            units.add(name, unit)
     if reached is not None:
-        reached.add_all(followed)
-    return list(found)
+        reached.add_all(unit.reached)
+    return list(unit.facts)
+
+
+def _class_name(kind: str, index: SymbolTable, defined: Defined) -> UnitName:
+    return kind, index.key(defined), defined.path, str(defined.what.line)
+
+
+def _function_place(index: SymbolTable, path: str, function: Function) -> str:
+    """Return which function of a file is meant: several of one line are alike but for their place."""
+    places = (place for place, one in enumerate(index.programs[path].functions) if one is function)
+    return f"{function.line}:{next(places, '')}"
+
+
+def given_names(chosen: Chosen | None, plugin_names: Mapping[str, str]) -> UnitName:
+    """Return what of the name of a unit tells which plug-ins are loaded."""
+    if chosen is None:
+        return ()
+    return "plug-ins", key_of(chosen, dict(plugin_names))
+
+
+def given_words(words: Sequence[Text] | None) -> UnitName:
+    """Return what of the name of a unit tells with which words it is started."""
+    return () if words is None else ("words", key_of(tuple(words)))
 
 
 def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:

@@ -7,6 +7,7 @@ from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.facts.node_facts import NodeFacts
 from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.ir.program import Assign, Call, Evaluate, Function, Member
+from roslens.source.extract.symbols.noted_table import NotedTable
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable, type_name
 from roslens.source.extract.units.node_units import TREE_REGISTRATIONS, building_of, finished, run_methods
@@ -34,7 +35,7 @@ def _facts_of_tree_node(
     path, function, call = registered_by
     building = building_of(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
     building.named = True
-    ctx = Interpreter(index, building)
+    ctx = Interpreter(NotedTable(index, defined.path, path), building)
     unknown: list[Value] = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
 
     def run() -> None:
@@ -50,4 +51,5 @@ def _facts_of_tree_node(
             case Obj():
                 run_methods(ctx, thing)
 
-    return finished(ctx, run, reached)
+    name = ("tree", path, function.qualified_name, str(function.line), str(call.line), index.key(defined), defined.path)
+    return finished(ctx, run, reached, name)

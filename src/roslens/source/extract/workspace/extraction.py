@@ -106,6 +106,7 @@ def extract_found(
     parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
     builds, interfaces = parts.builds, parts.interfaces
     nodes = all_nodes(parts)
+    parts.keep()
     return Extraction(
         root=workspace.root,
         packages=parts.packages,

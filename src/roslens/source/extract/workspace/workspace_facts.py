@@ -18,7 +18,10 @@ from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbols.evaluated_unit import EvaluatedUnit
+from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import SymbolTable
+from roslens.source.extract.workspace.known_units import KnownUnits
 from roslens.source.extract.workspace.workspace_interfaces import KnownInterface, nearest
 from roslens.source.extract.workspace.workspace_nodes import (
     WorkspaceMissed,
@@ -28,16 +31,11 @@ from roslens.source.extract.workspace.workspace_nodes import (
 )
 from roslens.source.extract.workspace.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
-from roslens.source.keys import key_of
+from roslens.source.keys import analyser_version, key_of
 from roslens.source.progress import Progress
 from roslens.source.settings import SourceSettings
 from roslens.source.workspace.find import Workspace
 from roslens.store.cache import Cache
-
-
-class _Kept(msgspec.Struct, frozen=True, array_like=True):
-    nodes: tuple[NodeFacts, ...]
-    lasting: bool = True
 
 
 class _Reads(msgspec.Struct, frozen=True, array_like=True):
@@ -82,14 +80,17 @@ class WorkspaceFacts:
         if inventory.learned:
             cache.put_stats(inventory.learned, now_s=now_s)
         self._parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
-        self._parts.again = True
         self.files = self._parts.reading
         self.failures = inventory.failures
         self.broken: list[Failure] = []
         self._interfaces: dict[tuple[str, str], list[KnownInterface]] | None = None
-        self._facts: dict[tuple[str, ...], tuple[NodeFacts, ...]] = {}
+        self._facts: dict[tuple[str, ...], EvaluatedUnit] = {}
         self._version = ""
         self._of: dict[str, WorkspaceFacts] = {}
+
+    def keep(self) -> None:
+        """Keep what was learned of units for the next run."""
+        self._parts.keep()
 
     def of(self, version: str) -> WorkspaceFacts:
         """Return what the workspace is for one version of ROS, ``ros1`` or ``ros2``: no code or target of the other."""
@@ -101,7 +102,7 @@ class WorkspaceFacts:
     def limit(self, version: str) -> None:
         """Leave out code and targets that are not for a version of ROS."""
         self._version, self._facts = version, {}
-        for name in ("_missed", "_plugin_names", "_described"):
+        for name in ("_missed", "_plugin_names", "_plugins_key", "_described"):
             self.__dict__.pop(name, None)
 
     def versions(self, package: str) -> tuple[str, ...]:
@@ -202,12 +203,14 @@ class WorkspaceFacts:
         """Return the nodes that a file becomes when it is started, with these words on its command line."""
         if words is None or not self._reads_words(path):
             key = ("program " + path, function, *_words_of(chosen))
-            return self._once(key, lambda: self._of_program(path, function, None, chosen))
+            return self._once(key, path, lambda: self._of_program(path, function, None, chosen))
         key = ("program " + path, function, *map(str, words), *_words_of(chosen))
-        return self._once(key, lambda: self._of_program(path, function, words, chosen))
+        return self._once(key, path, lambda: self._of_program(path, function, words, chosen))
 
     def _reads_words(self, path: str) -> bool:
-        key = key_of(self._parts.programs_key, "reads its words", path, self._code)
+        key = key_of(
+            analyser_version(), self._parts.units(self._code).content(path), "reads its words", path, self._code
+        )
         return self._parts.kept("unit", key, _Reads, lambda: self._whether_read(path)).words
 
     def _whether_read(self, path: str) -> _Reads:
@@ -219,7 +222,7 @@ class WorkspaceFacts:
     def of_class(self, name: str, sources: Sequence[str] = (), chosen: Chosen | None = None) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes, of several of that name the one in these sources."""
         key = ("class", name, *sources, *_words_of(chosen))
-        return self._once(key, lambda: self._of_class(name, sources, chosen))
+        return self._once(key, "", lambda: self._of_class(name, sources, chosen))
 
     def outside_bases(self, name: str) -> Sequence[str]:
         """Return the packages that have bases of a class, are named by a manifest and are not in the workspace."""
@@ -282,17 +285,40 @@ class WorkspaceFacts:
     def _index_for(self, path: str) -> SymbolTable:
         return self._parts.index(self._version or self._parts.file_versions.get(path, ""))
 
-    def _once(self, what: tuple[str, ...], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
-        if what not in self._facts:
-            key = key_of(self._parts.programs_key, what, self._code)
-            self._facts[what] = self._parts.kept("unit", key, _Kept, lambda: self._kept(what[1], make)).nodes
-        return self._facts[what]
+    def _once(
+        self, what: tuple[str, ...], path: str, make: Callable[[], tuple[NodeFacts, ...]]
+    ) -> tuple[NodeFacts, ...]:
+        """Return the nodes of what is started; ``path`` is of its program, empty where a class is asked for."""
+        units = self._parts.units(self._code)
+        found = self._facts.get(what)
+        if found is None:
+            name = ("started", *what, *(self._plugins_key if "plug-ins" in what else ()))
+            known = units.get(name) if self._alone else None
+            found = self._facts[what] = self._made_now(path or what[1], name, make, units) if known is None else known
+        units.note(found.files)
+        return found.facts
 
-    def _kept(self, where: str, make: Callable[[], tuple[NodeFacts, ...]]) -> _Kept:
+    @property
+    def _alone(self) -> bool:
+        """Whether all code that is looked at is for one version of ROS: only then units are kept."""
+        return bool(self._version) or not self._parts.file_versions
+
+    def _made_now(
+        self, where: str, name: tuple[str, ...], make: Callable[[], tuple[NodeFacts, ...]], units: KnownUnits
+    ) -> EvaluatedUnit:
         from roslens.source.extract.units.isolated_units import attempt
 
-        nodes = tuple(attempt(lambda: list(make()), where, 0, self.broken))
-        return _Kept(nodes, self._parts.programs.lasting and not self.broken)
+        files = {where} if units.has(where) else set[str]()
+        with units.noting(files):
+            nodes = tuple(attempt(lambda: list(make()), where, 0, self.broken))
+        unit = EvaluatedUnit(nodes, Reached(), tuple(sorted(files)))
+        if self._alone and not self.broken:
+            units.add(name, unit)
+        return unit
+
+    @cached_property
+    def _plugins_key(self) -> tuple[str, ...]:
+        return (key_of(self._plugin_names),)
 
     def _of_program(
         self, path: str, function: str, words: Sequence[Text] | None, chosen: Chosen | None

@@ -5,7 +5,7 @@ Each part is kept under the hash of all that it depends on, and made when it is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Protocol, TypeVar, cast
@@ -19,13 +19,16 @@ from roslens.source.extract.builds.targets import Build, build_of
 from roslens.source.extract.facts.files import FolderFiles, joined
 from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.interpreter.vocabulary_index import indexed
-from roslens.source.extract.ir.program_codec import becomes_nodes, plain, squeezed
+from roslens.source.extract.ir.program import Program
+from roslens.source.extract.ir.program_codec import becomes_nodes, plain, program_keys, squeezed
 from roslens.source.extract.ir.ros_switch import VERSIONS
 from roslens.source.extract.parameters.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.symbols.symbol_table import SymbolTable
 from roslens.source.extract.workspace.build_versions import joined_builds
 from roslens.source.extract.workspace.file_versions import file_versions
+from roslens.source.extract.workspace.known_units import KnownUnits
 from roslens.source.extract.workspace.package_versions import build_type_for, versions_of
+from roslens.source.extract.workspace.program_outline import Readable, known_outlines
 from roslens.source.extract.workspace.workspace_interfaces import (
     INTERFACES,
     KnownInterface,
@@ -96,7 +99,6 @@ class WorkspaceParts:
         same: packages by name; of two of one name both where they are for different versions of ROS.
         files: those that have a language, of each package by its id.
         cached: what earlier runs learned.
-        again: whether units are asked for again once they were evaluated; set it before the index is asked for.
     """
 
     def __init__(
@@ -116,12 +118,12 @@ class WorkspaceParts:
         self.same: dict[str, list[FoundPackage]] = {}
         self.files = inventory.files
         self.cached = cache
-        self.again = False
         self.watch = progress or Silent()
         self._all = workspace.packages
         self._macros = settings.macros
         self._jobs = jobs
         self._indexes: dict[str, SymbolTable] = {}
+        self._known_units: dict[str, KnownUnits] = {}
         self._made: dict[str, Lasting] = {}
         for one in workspace.packages:
             if one.package.id != OUTSIDE_PACKAGES:
@@ -237,21 +239,64 @@ class WorkspaceParts:
         """Return what the programs of the workspace define; of one that has code for both, those for a version."""
         version = version if self.file_versions else ""
         if version not in self._indexes:
-            programs, targets = self.programs.programs, self.targets
-            if version:
-                known = self.file_versions
-                programs = {
-                    path: one.variants.get(version, one)
-                    for path, one in programs.items()
-                    if known.get(path, version) == version
-                }
-                targets = [one for one in targets if version in (one.versions or VERSIONS)]
-            index = indexed(programs, self.owners, self.needs, targets)
+            targets = [one for one in self.targets if not version or version in (one.versions or VERSIONS)]
+            index = indexed(self._programs_for(version), self.owners, self.needs, targets)
             index.parameter_libraries = self.libraries
-            index.units = {} if self.again else None
             index.version = version
+            index.units = self.units(version)
             self._indexes[version] = index
         return self._indexes[version]
+
+    def _programs_for(self, version: str) -> dict[str, Program]:
+        """Return the programs of a workspace; of one that has code for both versions of ROS, those for one of them."""
+        programs = self.programs.programs
+        if not version:
+            return programs
+        known = self.file_versions
+        return {
+            path: one.variants.get(version, one)
+            for path, one in programs.items()
+            if known.get(path, version) == version
+        }
+
+    def units(self, version: str = "") -> KnownUnits:
+        """Return the units that were evaluated before and are still the same."""
+        version = version if self.file_versions else ""
+        if version not in self._known_units:
+            outlines = known_outlines(
+                self._program_keys(version), version, self.cached, lambda: self._read_for(version)
+            )
+            # A file that could not be read has no program; that it is missing is a part of the key.
+            contents = {path: one.content for path, one in outlines.items()}
+            key = self._names_key({path: one.outline for path, one in outlines.items()})
+            self._known_units[version] = KnownUnits(self.cached, key, contents, version)
+        return self._known_units[version]
+
+    def _program_keys(self, version: str) -> dict[str, str]:
+        known = self.file_versions if version else {}
+        keys = program_keys(self.sources(), self._macros)
+        return {path: key for path, key in keys.items() if known.get(path, version) == version}
+
+    def _read_for(self, version: str) -> Readable:
+        contents = self.programs.contents
+        found = {path: (contents[path], one) for path, one in self._programs_for(version).items()}
+        return Readable(found, self.programs.lasting)
+
+    def _names_key(self, outlines: Mapping[str, str]) -> str:
+        """Return a key of what a symbol table knows of all files together, besides the content of what it hands out."""
+        owners = [
+            (path, owner)
+            for path, owner in sorted(self.owners.items())
+            if path in outlines or path.endswith((".msg", ".srv", ".action"))
+        ]
+        targets = sorted({(one.package, one.name, one.kind.value, one.sources, one.versions) for one in self.targets})
+        needs, versions = sorted(self.needs.items()), sorted(self.versions.items())
+        return key_of(sorted(outlines.items()), owners, needs, targets, self.libraries, versions)
+
+    def keep(self) -> None:
+        """Keep what was learned of units."""
+        for one in self._known_units.values():
+            one.keep()
 
     @cached_property
     def libraries(self) -> tuple[ParameterLibrary, ...]:

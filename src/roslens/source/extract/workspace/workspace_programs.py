@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from hashlib import blake2b
 
 import msgspec
 
@@ -47,10 +48,15 @@ class LoweredFiles(msgspec.Struct, frozen=True):
 class WorkspacePrograms(msgspec.Struct, frozen=True):
     """The programs of files by path, sorted, and the files of which there is none.
 
-    ``lasting`` is whether the next run would find the same: no file could not be read, and none changed meanwhile.
+    Attributes:
+        programs: by path.
+        contents: a key of each program, by path: one of a file whose comments changed is the same.
+        failures: what could not be read.
+        lasting: whether the next run would find the same: no file could not be read, and none changed meanwhile.
     """
 
     programs: dict[str, Program]
+    contents: dict[str, str]
     failures: tuple[Failure, ...]
     lasting: bool
 
@@ -70,7 +76,7 @@ def workspace_programs(
     """
     parsed = sorted(filter(becomes_nodes, files), key=lambda file: file.path)
     keys = program_keys(parsed, macros)
-    found = _known(keys, cache)
+    found, contents = _known(keys, cache)
     cache.touch(keys[path] for path in found)
     failures: list[Failure] = []
     lasting = True
@@ -84,24 +90,29 @@ def workspace_programs(
             case _:
                 cache.put({keys[path]: packed for path, packed in result.programs.items()})
                 for path, packed in (*result.programs.items(), *result.changed.items()):
-                    found[path] = unpack(packed)
+                    found[path], contents[path] = unpack(packed), _content(packed)
                 failures += result.failures
                 lasting = lasting and not result.changed and all(one.tool != "read" for one in result.failures)
         watch.advance(item=task.files[-1].path)
     failures.sort(key=lambda failure: failure.location or Location(""))
-    return WorkspacePrograms({path: found[path] for path in sorted(found)}, tuple(failures), lasting)
+    return WorkspacePrograms({path: found[path] for path in sorted(found)}, contents, tuple(failures), lasting)
 
 
-def _known(keys: Mapping[str, str], cache: Cache) -> dict[str, Program]:
+def _content(packed: bytes) -> str:
+    return blake2b(packed, digest_size=16).hexdigest()
+
+
+def _known(keys: Mapping[str, str], cache: Cache) -> tuple[dict[str, Program], dict[str, str]]:
     kept = cache.get(set(keys.values()))
     found: dict[str, Program] = {}
+    contents: dict[str, str] = {}
     collecting = gc.isenabled()
     gc.disable()
     try:
         for path, key in keys.items():
             if (packed := kept.get(key)) is not None:
                 try:
-                    found[path] = unpack(packed)
+                    found[path], contents[path] = unpack(packed), _content(packed)
                 except msgspec.DecodeError:
                     # What a damaged cache holds is read from the file again.
                     continue
@@ -110,7 +121,7 @@ def _known(keys: Mapping[str, str], cache: Cache) -> dict[str, Program]:
     finally:
         if collecting:
             gc.enable()
-    return found
+    return found, contents
 
 
 def _tasks(root: str, files: Sequence[SourceFile], macros: MacroSettings) -> list[LowerTask]:

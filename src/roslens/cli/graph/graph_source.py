@@ -50,6 +50,7 @@ class GraphSource:
         """
         import time
 
+        from roslens.source.extract.workspace.known_launches import KnownLaunches
         from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
         from roslens.source.known_manifests import KnownManifests
         from roslens.source.workspace.find import find_workspace
@@ -72,6 +73,7 @@ class GraphSource:
         self.facts: WorkspaceFacts = WorkspaceFacts(
             workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress
         )
+        self._launches = KnownLaunches(self._cache, self.facts.files)
 
     def __enter__(self) -> GraphSource:
         """Return the source itself."""
@@ -80,6 +82,7 @@ class GraphSource:
     def __exit__(self, *_: object) -> None:
         """Keep what was learned, and close the cache."""
         self.facts.keep()
+        self._launches.keep()
         self._cache.close()
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
@@ -124,7 +127,11 @@ class GraphSource:
             content = self.facts.files.content(path) or b""
             version = launch_version(path, content, self.facts.versions(self.facts.package_names.get(path, "")))
             evaluate = evaluate_ros1 if version == "ros1" else evaluate_ros2
-            self._evaluated[key] = evaluate(path, self.facts.files, arguments, self.settings.workspace.environment)
+            environment = self.settings.workspace.environment
+            self._evaluated[key] = self._launches.launch(
+                (version, *key, sorted(environment.items())),
+                lambda files: evaluate(path, files, arguments, environment),
+            )
         return path, self._evaluated[key]
 
     def packages(self, names: Sequence[str]) -> tuple[Configuration, ...]:

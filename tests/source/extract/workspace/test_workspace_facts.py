@@ -67,8 +67,10 @@ def test_a_unit_that_breaks_is_told_and_not_kept(tmp_path, monkeypatch):
 def test_whether_a_program_reads_its_words_is_kept(tmp_path):
     path, words = "src/rover/rover_sensors/rover_sensors/battery_monitor.py", (Text.of("a"), Text.of("b"))
     with Cache.open(tmp_path / "cache.sqlite") as cache:
-        first = facts(cache).program(path, "main", words)
-        again = facts(cache)
+        found = facts(cache).of("ros2")
+        first = found.program(path, "main", words)
+        found.keep()
+        again = facts(cache).of("ros2")
         assert again.program(path, "main", words) == first
         assert not again._parts._indexes
 

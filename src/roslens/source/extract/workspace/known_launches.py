@@ -1,0 +1,100 @@
+"""What launch files came to before, as long as all files that were read for it are the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import msgspec
+
+from roslens.source.extract.facts.files import Files
+from roslens.source.extract.facts.launched import Launch, Setting
+from roslens.source.extract.facts.noted_files import Asked, FileAnswers, NotedFiles
+from roslens.source.extract.ir.program_codec import plain, squeezed
+from roslens.source.keys import analyser_version, key_of
+from roslens.store.cache import Cache
+
+
+class _KeptLaunch(msgspec.Struct, frozen=True, array_like=True):
+    """A launch file that was evaluated.
+
+    Attributes:
+        asked: what was asked about files.
+        launch: what it comes to, without the parameters of its nodes.
+        settings: of all nodes, each once: nodes of one file of parameters have hundreds in common.
+        of_nodes: places of those of each node in ``settings``.
+    """
+
+    asked: tuple[Asked, ...]
+    launch: Launch
+    settings: tuple[Setting, ...]
+    of_nodes: tuple[tuple[int, ...], ...]
+
+
+_encode = msgspec.msgpack.Encoder().encode
+_decode = msgspec.msgpack.Decoder(_KeptLaunch).decode
+
+
+class KnownLaunches:
+    """The launch files of a workspace with arguments."""
+
+    def __init__(self, cache: Cache, files: Files) -> None:
+        """Know nothing yet.
+
+        Args:
+            cache: what earlier runs learned.
+            files: that may be read.
+        """
+        self._cache = cache
+        self._files = files
+        self._answers = FileAnswers(files)
+        self._start = f"graph:launch:{analyser_version()}"
+        self._new: dict[str, bytes] = {}
+
+    def launch(self, given: tuple[object, ...], evaluate: Callable[[Files], Launch]) -> Launch:
+        """Return what a launch file comes to; it is evaluated where that is not known.
+
+        Args:
+            given: all that the result depends on besides files: the path, the arguments, the environment.
+            evaluate: evaluates it with files.
+        """
+        slot = f"{self._start}:{key_of(*given)}"
+        kept = self._cache.get((slot,)).get(slot)
+        if kept is not None:
+            try:
+                known = _decode(plain(kept))
+                if self._answers.same(known.asked):
+                    return _whole(known)
+            except (msgspec.DecodeError, IndexError, ValueError):
+                pass  # What a damaged cache holds is made again.
+        noted = NotedFiles(self._files)
+        found = evaluate(noted)
+        self._new[slot] = squeezed(_encode(_apart(noted.asked, found)))
+        return found
+
+    def keep(self) -> None:
+        """Write what is new."""
+        self._cache.replace(self._new)
+        self._new = {}
+
+
+def _apart(asked: tuple[Asked, ...], launch: Launch) -> _KeptLaunch:
+    places: dict[Setting, int] = {}
+    # Most are one object that many nodes have, by which it is found faster than by its value.
+    known: dict[int, int] = {}
+    of_nodes: list[tuple[int, ...]] = []
+    for node in launch.nodes:
+        for one in node.settings:
+            if id(one) not in known:
+                known[id(one)] = places.setdefault(one, len(places))
+        of_nodes.append(tuple(known[id(one)] for one in node.settings))
+    nodes = tuple(msgspec.structs.replace(node, settings=()) for node in launch.nodes)
+    return _KeptLaunch(asked, msgspec.structs.replace(launch, nodes=nodes), tuple(places), tuple(of_nodes))
+
+
+def _whole(kept: _KeptLaunch) -> Launch:
+    settings = kept.settings
+    nodes = tuple(
+        msgspec.structs.replace(node, settings=tuple(settings[place] for place in places))
+        for node, places in zip(kept.launch.nodes, kept.of_nodes, strict=True)
+    )
+    return msgspec.structs.replace(kept.launch, nodes=nodes)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roslens.source.extract.units import node_units
+from roslens.source.extract.units import finished_unit
 from roslens.source.extract.workspace.extraction import extract
 from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
 from roslens.source.settings import SourceSettings
@@ -186,14 +186,14 @@ def workspace(tmp_path):
 def evaluated(root: Path, kept: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Return the files whose units are evaluated in a look at a workspace."""
     found: list[str] = []
-    real = node_units._made
+    real = finished_unit._made
 
     def noted(ctx, run):
         found.append(ctx.emitter.node.path)
         return real(ctx, run)
 
     with monkeypatch.context() as patched, Cache.open(kept) as cache:
-        patched.setattr(node_units, "_made", noted)
+        patched.setattr(finished_unit, "_made", noted)
         known(root, cache)
     return sorted(set(found))
 

@@ -76,15 +76,18 @@ def test_whether_a_program_reads_its_words_is_kept(tmp_path):
 
 
 def test_units_are_evaluated_once_though_all_are_asked_for_what_they_miss(monkeypatch):
-    from roslens.source.extract.units import node_units
+    from roslens.source.extract.units import finished_unit
 
     path = "src/rover/rover_sensors/rover_sensors/battery_monitor.py"
     with Cache.open(None) as cache:
         found = facts(cache).of("ros2")
         first = found.program(path)
         runs = []
-        made, ran = node_units._made, lambda engine: runs.append((engine.emitter.node.path, engine.emitter.node.unit))
-        monkeypatch.setattr(node_units, "_made", lambda engine, run: ran(engine) or made(engine, run))
+        made, ran = (
+            finished_unit._made,
+            lambda engine: runs.append((engine.emitter.node.path, engine.emitter.node.unit)),
+        )
+        monkeypatch.setattr(finished_unit, "_made", lambda engine, run: ran(engine) or made(engine, run))
         assert found.missed_in_code("rover_sensors") == ()
         assert found.missed_in_code("nowhere") == ()
         assert found.program(path) == first

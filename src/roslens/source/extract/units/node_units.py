@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable as Callable1
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
 
-import msgspec
-
-from roslens.source.extract.domain.abstract_value import Callable, Invocation, Named, NodeBuilder, Obj, Unknown, Value
+from roslens.source.extract.domain.abstract_value import Callable, Invocation, Named, Obj, Unknown, Value
 from roslens.source.extract.domain.frame import Frame
 from roslens.source.extract.domain.word_list import words_given
 from roslens.source.extract.facts.chosen import Chosen
-from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Sure
+from roslens.source.extract.facts.node_facts import Evidence, NodeFacts
 from roslens.source.extract.interpreter.interpreter import Interpreter
 from roslens.source.extract.ir.program import (
     Assign,
@@ -27,14 +23,19 @@ from roslens.source.extract.ir.program import (
     Operation,
 )
 from roslens.source.extract.symbolic.text import Text, Written
-from roslens.source.extract.symbols.evaluated_unit import EvaluatedUnit, UnitName
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.noted_table import NotedTable
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
-from roslens.source.extract.transfer.budget import BudgetExceededError
 from roslens.source.extract.transfer.context import Given
-from roslens.source.keys import key_of
+from roslens.source.extract.units.finished_unit import (
+    building_of,
+    class_name,
+    finished,
+    function_place,
+    given_names,
+    given_words,
+)
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 _FIRST = (
@@ -48,8 +49,6 @@ _FIRST = (
     "init",
     "activate",
 )
-_ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
-"""What values that fit nowhere may raise: source that does not compile must not hide what is found elsewhere."""
 TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
 """Functions that register a class as a node of behaviour trees."""
 _REGISTRATIONS = {
@@ -108,7 +107,7 @@ def facts_of_class(
         _run_plugged(ctx)
 
     given = given_names(chosen, plugin_names)
-    return finished(ctx, run, reached, (*_class_name("class", index, defined), generation, kind, *given))
+    return finished(ctx, run, reached, (*class_name("class", index, defined), generation, kind, *given))
 
 
 def facts_of_plugin(
@@ -133,7 +132,7 @@ def facts_of_plugin(
                 ctx.call(Invocation(Callable(found.what, found.path, other)))
         ctx.run_later()
 
-    return finished(ctx, run, reached, (*_class_name("plugin", index, defined), generation))
+    return finished(ctx, run, reached, (*class_name("plugin", index, defined), generation))
 
 
 def facts_of_function(
@@ -157,7 +156,7 @@ def facts_of_function(
         ctx.call(Invocation(Callable(function, path, thing)))
         ctx.run_later()
 
-    place = _function_place(index, path, function)
+    place = function_place(index, path, function)
     return finished(ctx, run, reached, ("function", path, function.qualified_name, place, generation, str(prepared)))
 
 
@@ -335,78 +334,6 @@ def _made_by(function: Function, defined: Defined) -> bool:
     """Whether a function is a constructor or destructor, or makes no sense without its template arguments."""
     name, of_class = defined.what.name, len(defined.what.templates)
     return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
-
-
-def finished(ctx: Interpreter, run: Callable1[[], None], reached: Reached | None, name: UnitName) -> list[NodeFacts]:
-    """Return what ``run`` makes; of a unit that is known under its name, what it made the first time."""
-    units, table = ctx.index.units, ctx.index
-    unit = None if units is None else units.get(name)
-    if unit is None:
-        facts = tuple(_made(ctx, run))
-        unit = EvaluatedUnit(facts, ctx.callbacks.reached, table.files if isinstance(table, NotedTable) else ())
-        if units is not None:
-            units.add(name, unit)
-    if reached is not None:
-        reached.add_all(unit.reached)
-    return list(unit.facts)
-
-
-def _class_name(kind: str, index: SymbolTable, defined: Defined) -> UnitName:
-    return kind, index.key(defined), defined.path, str(defined.what.line)
-
-
-def _function_place(index: SymbolTable, path: str, function: Function) -> str:
-    """Return which function of a file is meant: several of one line are alike but for their place."""
-    places = (place for place, one in enumerate(index.programs[path].functions) if one is function)
-    return f"{function.line}:{next(places, '')}"
-
-
-def given_names(chosen: Chosen | None, plugin_names: Mapping[str, str]) -> UnitName:
-    """Return what of the name of a unit tells which plug-ins are loaded."""
-    if chosen is None:
-        return ()
-    return "plug-ins", key_of(chosen, dict(plugin_names))
-
-
-def given_words(words: Sequence[Text] | None) -> UnitName:
-    """Return what of the name of a unit tells with which words it is started."""
-    return () if words is None else ("words", key_of(tuple(words)))
-
-
-def _made(ctx: Interpreter, run: Callable1[[], None]) -> list[NodeFacts]:
-    try:
-        run()
-    except (BudgetExceededError, RecursionError):
-        node = ctx.emitter.node
-        place = Evidence(node.path, node.line)
-        node.unresolved.append((place, "evaluation exceeded its limit of steps; partial results are kept"))
-        for one in (node, *ctx.emitter.others):
-            _doubt_conditions(one)
-    except _ODD as error:
-        site = ctx.state.site
-        reason = f"internal error while evaluating {site.path}:{site.line} ({error})"
-        ctx.emitter.node.unresolved.append((site, f"{reason}; partial results are kept"))
-    return [one.facts() for one in (ctx.emitter.node, *ctx.emitter.others)]
-
-
-def _doubt_conditions(node: NodeBuilder) -> None:
-    """Doubt what is made under conditions: what was not followed may make it under others."""
-    facts: Any
-    for facts in (node.endpoints, node.parameters):
-        for place, fact in enumerate(facts):
-            if fact.conditions and fact.evidence.sure is Sure.CERTAIN:
-                evidence = msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how="one of several paths to it")
-                facts[place] = msgspec.structs.replace(fact, evidence=evidence)
-
-
-def building_of(unit: str, path: str, line: int, generation: str, kind: str) -> NodeBuilder:
-    """Return a node of which nothing was collected yet."""
-    building = NodeBuilder(unit, path, line, generation, kind)
-    building.endpoints, building.parameters, building.timers = [], [], []
-    building.arguments, building.settings = [], []
-    building.uses, building.unresolved = [], []
-    building.plugins, building.asks = [], []
-    return building
 
 
 __all__ = [

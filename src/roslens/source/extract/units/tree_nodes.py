@@ -10,7 +10,8 @@ from roslens.source.extract.ir.program import Assign, Call, Evaluate, Function, 
 from roslens.source.extract.symbols.noted_table import NotedTable
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable, type_name
-from roslens.source.extract.units.node_units import TREE_REGISTRATIONS, building_of, finished, run_methods
+from roslens.source.extract.units.finished_unit import building_of, finished
+from roslens.source.extract.units.node_units import TREE_REGISTRATIONS, run_methods
 
 
 def facts_of_registration(

@@ -40,6 +40,15 @@ def test_a_subscriber_has_a_row_and_what_goes_to_nobody_in_particular_has_none()
     assert names(robot(nobody)) == ["base", "/lidar", "/scan"]
 
 
+def test_names_are_whole_before_there_is_room_for_more_values():
+    name = "/estimator/transition_event_of_the_filter"
+    values = dict.fromkeys(("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth"), 1.0)
+    host = SystemView("host:base", "base", "host", children=(SystemView(f"node:{name}", name, "node", values=values),))
+    view = SystemView("system", "system", "system", children=(host,))
+    assert name in rows(view, width=120)[-1]
+    assert name not in rows(view, width=60)[-1]
+
+
 def test_what_is_judged_has_a_row_whoever_gets_it():
     judged = connection("/lidar", "?", State.LOW, counts=BAD)
     assert rows(robot(judged))[-1] == ["▼", "low", "→", "?"]

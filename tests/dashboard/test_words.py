@@ -20,6 +20,7 @@ from roslens.judge.ranges.range import Range
 from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Role
+from roslens.model.verdict import State
 from roslens.source.rules.graph.ends import WORDS
 
 TEXTS = [
@@ -70,6 +71,18 @@ def test_a_service_of_which_nobody_knows_the_server_has_no_publisher() -> None:
 
     assert nameless(part("node", part("service"))) == "(server unknown)"
     assert nameless(part("node", part("topic"))) == "(publisher unknown)"
+
+
+def test_nodes_that_do_not_run_are_on_no_host() -> None:
+    def node(name: str, state: State | None) -> SystemView:
+        return SystemView(f"node:{name}", name, "node", state)
+
+    def host(*nodes: SystemView) -> SystemView:
+        return SystemView("host:", "", "host", children=nodes)
+
+    assert nameless(host(node("/a", State.ABSENT), node("", None))) == "(not running)"
+    assert nameless(host(node("/a", State.ABSENT), node("/b", None))) == "(host unknown)"
+    assert nameless(host(node("", None))) == "(host unknown)"
 
 
 def test_a_topic_that_says_nothing_is_silent() -> None:

@@ -58,6 +58,9 @@ def test_the_hardware_is_the_host_where_the_entity_is():
 
 def test_sentences():
     assert verdict_message(verdict(State.ABSENT, quantity="presence", value=None)) == "is expected but not there"
+    why = "node /a is not there; its process 7 on robot crashed (SIGKILL)"
+    gone = msgspec.structs.replace(verdict(State.ABSENT, quantity="presence", value=None), evidence=why)
+    assert verdict_message(gone) == "is expected but not there: its process 7 on robot crashed (SIGKILL)"
     never = msgspec.structs.replace(verdict(State.HIGH, quantity="presence"), range="<= 0")
     assert verdict_message(never) == "is there, expected never"
     assert verdict_message(verdict(State.ABSENT, value=None)) == "is silent, expected 25..35 Hz"

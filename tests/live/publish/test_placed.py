@@ -21,7 +21,7 @@ def test_where_it_is_published_is_where_it_is():
         EntityId(EntityKind.NODE, "/a"): "one",
         EntityId(EntityKind.NODE, "/nobody"): "",
         EntityId(EntityKind.TOPIC, "/scan"): "one",
-        EntityId(EntityKind.TOPIC, "/tf"): "",  # on two hosts
+        EntityId(EntityKind.TOPIC, "/tf"): "one, two",
         EntityId(EntityKind.TOPIC, "/none"): "",
         connection_id("/scan", "/a", "/b"): "one",
         connection_id("/scan", "", "/b"): "",

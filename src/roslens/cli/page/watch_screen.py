@@ -91,7 +91,9 @@ def _first_line(terminal: Terminal, view: SystemView, title: str) -> str:
 def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
     rows = list(_rows(view.children, 0))
     shown = [place for place, key in enumerate(COLUMNS) if any(key in row.values for _, row in rows)]
-    while shown and terminal.width - _STATE - 1 - _CELL * len(shown) < _LEAST_NAME:
+    longest = max((columns(_name(row, terminal)) + 2 * depth + 1 for depth, row in rows), default=0)
+    least = max(_LEAST_NAME, min(longest, terminal.width // 2 - _STATE))
+    while shown and terminal.width - _STATE - 1 - _CELL * len(shown) < least:
         shown.pop()
     width = terminal.width - _STATE - 1 - _CELL * len(shown)
     lines = [
@@ -137,7 +139,9 @@ def _name(row: SystemView, terminal: Terminal) -> str:
 def nameless(part: SystemView) -> str:
     """Return what stands for a part of which nobody knows the name, by what is below it."""
     if part.kind == "host":
-        return "(host unknown)"
+        # What does not run is on no host.
+        gone = all(child.state is State.ABSENT for child in part.children if child.name)
+        return "(not running)" if gone and any(child.name for child in part.children) else "(host unknown)"
     kinds = {child.kind for child in part.children}
     if "service" not in kinds:
         return "(publisher unknown)"

@@ -24,7 +24,7 @@ from roslens.report.writing.terminal import Terminal
 
 PACE_S = 1.0
 _STATE_WIDTH, _SPARK_WIDTH, _CELL_WIDTH, _LEAST_NAME = 12, 8, 9, 26
-_PADDING, _SCROLLBAR = 2, 2
+_PADDING, _SCROLLBAR, _MARKS = 2, 2, 2
 _HELP = """\
 j k up down  next and previous row     enter  all that is known of the row
 space        close or open a row       n      next alert, and its row
@@ -139,7 +139,9 @@ class Board(App[None]):
             return
         terminal = self._shown_on()
         self._show_alerts(snapshot, terminal)
-        headings = columns(snapshot, (self._room - _LEAST_NAME) // (_CELL_WIDTH + _PADDING))
+        longest = max((2 * row.depth + len(row.name) + _MARKS for row in snapshot.rows), default=0)
+        least = max(_LEAST_NAME, min(longest, self._room // 2))
+        headings = columns(snapshot, (self._room - least) // (_CELL_WIDTH + _PADDING))
         found = lines(snapshot, self._view, self._past, headings, terminal=terminal)
         table = self.query_one("#tree", DataTable)
         if headings != self._headings or [one.key for one in found] != [one.key for one in self._lines]:

@@ -79,10 +79,12 @@ def verdict_message(verdict: Verdict) -> str:
 def _judged(verdict: Verdict) -> str:
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
+    if verdict.quantity == _PRESENCE and verdict.state is State.ABSENT:
+        # What is behind the first part of the evidence says why, as far as that is known.
+        why = verdict.evidence.partition("; ")[2]
+        return f"is expected but not there{f': {why}' if why else ''}"
     if verdict.quantity == _PRESENCE:
-        return (
-            "is expected but not there" if verdict.state is State.ABSENT else _TOO_MANY.get(verdict.range, "is there")
-        )
+        return _TOO_MANY.get(verdict.range, "is there")
     if verdict.state is not State.ABSENT:
         return f"{subject} is {verdict.state.value}: {_shown(verdict)}"
     if verdict.quantity in _SILENT:

@@ -20,12 +20,11 @@ class Placed:
                 self._topics.setdefault(end.name, set()).add(self._nodes.get(end.node, ""))
 
     def host_of(self, entity: EntityId) -> str:
-        """Return the name of the host; empty where it is not known or not one."""
+        """Return the name of the host, those of a topic with publishers on several; empty where none is known."""
         if entity.kind is EntityKind.NODE:
             return self._nodes.get(entity.name, "")
         if entity.kind is EntityKind.TOPIC:
-            hosts = self._topics.get(entity.name, set())
-            return next(iter(hosts)) if len(hosts) == 1 else ""
+            return ", ".join(sorted(filter(None, self._topics.get(entity.name, ()))))
         if entity.kind is EntityKind.CONNECTION:
             return self._nodes.get(connection_ends(entity)[1], "")
         return own_host(entity)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import msgspec
+
 from roslens.live.standing.ready_constraint import ReadyConstraint
 from roslens.live.standing.standing import Standing
 from roslens.live.standing.verdict_state import NEVER
@@ -41,7 +43,9 @@ class Judged(Standing):
         group = self.group
         if group is not None and group.calm:
             self.state.value, self.state.time, self.window = group.value, group.entity.looked, group.window
-        return super().verdict()
+        verdict = super().verdict()
+        remark = group.entity.remark(self.quantity, self.at) if group is not None else ""
+        return msgspec.structs.replace(verdict, evidence=verdict.evidence + remark) if remark else verdict
 
 
 class Group:
@@ -126,6 +130,10 @@ class Measured:
         self.planless = True
         self.waiting = False
         self.calm = False
+
+    def remark(self, key: str, at: int) -> str:  # noqa: ARG002 - most entities have nothing to say
+        """Return what is to be said beside the value of a signal over a window; empty where nothing is."""
+        return ""
 
     def resume(self, time: float) -> None:
         """Be judged again from ``time``: earlier data is no evidence about later data."""

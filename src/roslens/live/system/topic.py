@@ -17,6 +17,9 @@ _WIDEST = frozenset({"jitter", "largest_gap"})
 _OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
 _MEANS = frozenset({"latency", "age"})
 
+_AS_SENT = 0.9
+"""What arrives at so large a share of what is sent arrives as it is sent, but for the edges of windows."""
+
 
 class Topic(Measured):
     """The connections of a topic by publisher.
@@ -125,6 +128,21 @@ class Topic(Measured):
             reported = publishers if key in _OF_PUBLISHERS else every
             found = [(measured(seen[one], key), seen[one]) if plain else one.value(key, at) for one in reported]
             yield key, found[0] if len(found) == 1 else _joined(key, found)
+
+    def remark(self, key: str, at: int) -> str:
+        """Return who receives much less than what is sent, which is the rate of a topic."""
+        if key != "rate":
+            return ""
+        received: dict[str, float] = {}
+        for one in self.all_connections():
+            value = one.value(key, at)[0] if one.subscriber else None
+            if value is not None:
+                received[one.subscriber] = received.get(one.subscriber, 0.0) + value
+        sent = self.value(key, at)[0]
+        least = min(sorted(received), key=received.__getitem__, default="")
+        if not least or not sent or received[least] >= _AS_SENT * sent:
+            return ""
+        return f"; sent at this rate, received at {received[least]:.3g} Hz by {least}"
 
     def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
         if key == "misfits":

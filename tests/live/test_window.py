@@ -113,3 +113,12 @@ def test_what_a_tap_loses_is_its_own():
     assert set(receipts(window, 60, every=2, observer=Observer.TAP)) == {None}
     assert rate(window) == pytest.approx(10.0, rel=0.1)
     assert largest_gap(window) is None
+
+
+@pytest.mark.parametrize(("span", "shown"), [(34e-6, None), (0.3, 10.0)])
+def test_a_burst_of_which_nothing_before_and_behind_is_seen_shows_no_rate(span, shown):
+    window = Window(Observer.INSIDE, "", 5.0)
+    end = 100.0 + span
+    window.add(Tally("/a", "/p", "/s", 100.0, end, 4, 40, 100.0, end, of([span / 3] * 3)), end)
+    window.settle(end)
+    assert rate(window) == (pytest.approx(shown) if shown else None)

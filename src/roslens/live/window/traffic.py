@@ -10,8 +10,8 @@ from roslens.live.window.bucket import Bucket
 from roslens.live.window.window import Window
 from roslens.model.traffic.tally import Moments, Observer
 
-_INSTANT_S = 1e-9
-"""No two messages are closer together."""
+_BURST_S = 1e-3
+"""Messages within less than this, of which nothing before and behind is seen, are one burst and show no rate."""
 Measure = Callable[[Window], "float | None"]
 
 
@@ -29,7 +29,7 @@ def rate(window: Window) -> float | None:
         span = window.span
         if quiet * intervals > span:
             span += max(quiet - longest_interval(window), 0.0)
-        return intervals / span if span > _INSTANT_S else None
+        return intervals / span if span > _BURST_S else None
     if quiet >= window.length:
         return 0.0
     if window.count and not any(bucket.first for bucket in window.buckets):

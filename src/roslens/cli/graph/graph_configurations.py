@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.model.configuration import Configuration
+from roslens.model.configuration import Configuration, Standing
 from roslens.model.errors import RoslensError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 
 LOOKING = "Looking at configurations"
 """The step in which they are assembled, one by one."""
-
-OUTSIDE = "not in the workspace"
-"""Words in the reason why something is not known that a package would tell which is elsewhere."""
 
 MOST = 8
 """Maximum number of launch files that are shown without a declaration: those that together start most nodes."""
@@ -229,7 +226,7 @@ def _failure(one: Named, error: Exception) -> Failure:
 
 def _is_elsewhere(launch: Launch) -> bool:
     """Whether a launch file starts programs that are no nodes, as a recorder, or includes what is not here."""
-    return bool(launch.nodes) or any(OUTSIDE in one.reason for one in launch.unresolved)
+    return bool(launch.nodes) or any(one.standing is Standing.OUTSIDE for one in launch.unresolved)
 
 
 def _empty(one: Named, made: Configuration) -> Failure:

@@ -18,6 +18,7 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import absolute, tidy
 from roslens.source.extract.launch.gazebo_plugins import with_plugins
 from roslens.source.extract.launch.launch_failures import Failures
+from roslens.source.extract.launch.launch_reasons import standing_of
 from roslens.source.extract.launch.ros1_doubt import Doubt, only_if, setting_if
 from roslens.source.extract.launch.ros1_names import private, remap_also, without_end
 from roslens.source.extract.launch.ros1_nodelet import as_nodelet
@@ -126,10 +127,17 @@ class _Whole:
             yield msgspec.structs.replace(node, settings=(*node.settings, *later)) if later else node
 
     def miss(
-        self, text: str, evidence: Evidence, reason: str, *, opens: bool = False, fault: Fault | None = None
+        self,
+        text: str,
+        evidence: Evidence,
+        reason: str,
+        *,
+        opens: bool = False,
+        fault: Fault | None = None,
+        standing: Standing = Standing.UNDECIDABLE,
     ) -> None:
         """Note what could not be evaluated, whether it may start further nodes, and why it is certain to fail."""
-        standing = Standing.UNDECIDABLE if fault is None else self.failures.report(fault, text, reason, evidence)
+        standing = standing if fault is None else self.failures.report(fault, text, reason, evidence)
         self.unresolved.append(Unresolved(text, evidence, reason, opens, standing=standing))
 
 
@@ -235,7 +243,7 @@ class _File:
                 given[name] = only_if(inside.own, found, given.get(name))
         file = substitute(needed(element, "file"), self._scope)
         if file.known is None or file.known.startswith("/"):
-            self._miss(element, str(file), _why(file), opens=True)
+            self._whole.miss(str(file), self._place(element), _why(file), opens=True, standing=standing_of(file))
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []

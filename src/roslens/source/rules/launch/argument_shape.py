@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.signatures.read_signatures import SUBSTITUTION
 from roslens.source.rules.views.launch_code import (
@@ -26,7 +25,6 @@ from roslens.source.rules.views.launch_code import (
     LaunchCall,
     LaunchCode,
     in_words,
-    launch_code,
     shown,
 )
 
@@ -34,15 +32,12 @@ _Found = Iterator[tuple[Node, str]]
 _PAIRS = "pairs: `[('from', 'to')]`"
 
 
-def found(_root: Node, view: FileView) -> Iterator[Hit]:
+def _judged(call: LaunchCall, code: LaunchCode) -> _Found:
     """Yield each argument whose shape launch refuses, or takes for something else."""
-    code = launch_code(view)
-    for call in code.calls if code is not None else ():
-        for name in _JUDGES.keys() & call.signature.keywords.keys():
-            node = call.argument(name)
-            if node is not None and code is not None:
-                for at, message in _JUDGES[name](call, node, code):
-                    yield view.hit("launch.argument_shape", at, message)
+    for name in sorted(_JUDGES.keys() & call.signature.keywords.keys()):
+        node = call.argument(name)
+        if node is not None:
+            yield from _JUDGES[name](call, node, code)
 
 
 def _parameters(call: LaunchCall, node: Node, code: LaunchCode) -> _Found:
@@ -177,5 +172,5 @@ RULE = FileRule(
     "node = Node(package='base', executable='drive', remappings=['odom', 'wheels'])",
     good="from launch_ros.actions import Node\n\n"
     "node = Node(package='base', executable='drive', remappings=[('odom', 'wheels')])",
-    found=found,
+    found=each_call("launch.argument_shape", _judged),
 )

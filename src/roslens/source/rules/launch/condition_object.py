@@ -7,22 +7,18 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
-from roslens.source.rules.views.launch_code import CLASS, MENTIONS, NOTHING, LaunchCall, LaunchCode, launch_code
+from roslens.source.rules.views.launch_code import CLASS, MENTIONS, NOTHING, LaunchCall, LaunchCode
 
 _TAKES_TEXT = frozenset({"IfCondition", "UnlessCondition"})
 _HAS_NO_EVALUATE = "has no method `evaluate`, and the launch ends when it comes to this action"
 
 
-def found(_root: Node, view: FileView) -> Iterator[Hit]:
+def _judged(call: LaunchCall, code: LaunchCode) -> Iterator[tuple[Node, str]]:
     """Yield each ``condition=`` that is no condition, and each condition made of something else than a text."""
-    code = launch_code(view)
-    for call in code.calls if code is not None else ():
-        if code is not None:
-            for node, message in (*_given(call, code), *_made(call, code)):
-                yield view.hit("launch.condition_object", node, message)
+    yield from _given(call, code)
+    yield from _made(call, code)
 
 
 def _given(call: LaunchCall, code: LaunchCode) -> Iterator[tuple[Node, str]]:
@@ -78,5 +74,5 @@ RULE = FileRule(
     good="from launch.conditions import IfCondition\nfrom launch.substitutions import LaunchConfiguration\n"
     "from launch_ros.actions import Node\n\n"
     "rviz = Node(package='rviz2', executable='rviz2', condition=IfCondition(LaunchConfiguration('use_rviz')))",
-    found=found,
+    found=each_call("launch.condition_object", _judged),
 )

@@ -7,20 +7,17 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.signatures.read_signatures import Signature
-from roslens.source.rules.views.launch_code import MENTIONS, LaunchCall, launch_code
+from roslens.source.rules.views.launch_code import MENTIONS, LaunchCall, LaunchCode
 
 
-def found(_root: Node, view: FileView) -> Iterator[Hit]:
+def _judged(call: LaunchCall, _code: LaunchCode) -> Iterator[tuple[Node, str]]:
     """Yield each call that lacks a required argument, or has more arguments by position than there are places."""
-    code = launch_code(view)
-    for call in code.calls if code is not None else ():
-        message = _too_many(call) or (_missing(call) if call.is_whole else "")
-        if message and not call.signature.is_open:
-            yield view.hit("launch.missing_keyword", call.node, message)
+    message = _too_many(call) or (_missing(call) if call.is_whole else "")
+    if message and not call.signature.is_open:
+        yield call.node, message
 
 
 def _too_many(call: LaunchCall) -> str:
@@ -68,5 +65,5 @@ RULE = FileRule(
     mentions=MENTIONS,
     bad="from launch.actions import LogInfo\n\nsaid = LogInfo('the arm is ready')",
     good="from launch.actions import LogInfo\n\nsaid = LogInfo(msg='the arm is ready')",
-    found=found,
+    found=each_call("launch.missing_keyword", _judged),
 )

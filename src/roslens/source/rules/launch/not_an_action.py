@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.signatures.read_signatures import ACTION, CONDITION, ENTITY, HANDLER, SOURCE, SUBSTITUTION
 from roslens.source.rules.views.launch_code import (
@@ -22,7 +21,6 @@ from roslens.source.rules.views.launch_code import (
     LaunchCall,
     LaunchCode,
     in_words,
-    launch_code,
     shown,
 )
 
@@ -40,14 +38,11 @@ _PROCESSES = frozenset({
 })  # fmt: skip
 
 
-def found(_root: Node, view: FileView) -> Iterator[Hit]:
+def _judged(call: LaunchCall, code: LaunchCode) -> _Found:
     """Yield what is no action in a list of actions, no handler, and no function."""
-    code = launch_code(view)
-    for call in code.calls if code is not None else ():
-        if code is None:
-            return
-        for node, message in (*_in_lists(call, code), *_single(call, code), *_targets(call, code)):
-            yield view.hit("launch.not_an_action", node, message)
+    yield from _in_lists(call, code)
+    yield from _single(call, code)
+    yield from _targets(call, code)
 
 
 def _in_lists(call: LaunchCall, code: LaunchCode) -> _Found:
@@ -113,5 +108,5 @@ RULE = FileRule(
     "drive = GroupAction(Node(package='base', executable='drive'))",
     good="from launch.actions import GroupAction\nfrom launch_ros.actions import Node\n\n"
     "drive = GroupAction([Node(package='base', executable='drive')])",
-    found=found,
+    found=each_call("launch.not_an_action", _judged),
 )

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.views.launch_code import (
     ITEMS,
@@ -21,7 +20,6 @@ from roslens.source.rules.views.launch_code import (
     LaunchCall,
     LaunchCode,
     in_words,
-    launch_code,
     shown,
 )
 
@@ -42,19 +40,15 @@ _FREE = {
 _TABLES = frozenset({"env", "additional_env", "launch_arguments"})
 
 
-def found(_root: Node, view: FileView) -> Iterator[Hit]:
+def _judged(call: LaunchCall, code: LaunchCode) -> _Found:
     """Yield each number, bool or None for which launch raises a TypeError."""
-    code = launch_code(view)
-    for call in code.calls if code is not None else ():
-        for name in call.signature.keywords:
-            node = call.argument(name)
-            if node is None or code is None or name in _FREE.get(call.name, ()):
-                continue
-            for at, message in _judged(call, name, node, code):
-                yield view.hit("launch.number_for_text", at, message)
+    for name in call.signature.keywords:
+        node = call.argument(name)
+        if node is not None and name not in _FREE.get(call.name, ()):
+            yield from _of_argument(call, name, node, code)
 
 
-def _judged(call: LaunchCall, name: str, node: Node, code: LaunchCode) -> _Found:
+def _of_argument(call: LaunchCall, name: str, node: Node, code: LaunchCode) -> _Found:
     sort = code.sort(node)
     if name in _SINGLE and sort in (NUMBER, TRUTH):
         yield node, _message(f"`{name}` of {call.name}", node, sort, code)
@@ -110,5 +104,5 @@ RULE = FileRule(
     "use_rviz = DeclareLaunchArgument('use_rviz', default_value=True)",
     good="from launch.actions import DeclareLaunchArgument\n\n"
     "use_rviz = DeclareLaunchArgument('use_rviz', default_value='true')",
-    found=found,
+    found=each_call("launch.number_for_text", _judged),
 )

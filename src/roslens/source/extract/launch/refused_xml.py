@@ -11,6 +11,8 @@ from xml.parsers import expat
 from roslens.source.extract.facts.refusal import Refusal
 
 _MISMATCH = 7
+MOST_LEVELS = 1_000
+"""Of elements: launch and roslaunch visit them by calls of Python, which ends with a RecursionError before that."""
 _UNCLOSED = frozenset({3, 5, 20})
 
 
@@ -38,6 +40,7 @@ class _Reading:
     def __init__(self, content: bytes, encoding: str | None) -> None:
         self._content = content
         self._open: list[tuple[str, int]] = []
+        self._too_deep: Refusal | None = None
         self._parser = parser = expat.ParserCreate(encoding)
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
@@ -52,9 +55,12 @@ class _Reading:
             return self._refusal(error)
         except (LookupError, ValueError) as error:
             return Refusal(1, 1, str(error), "an encoding that Python knows, such as UTF-8")
-        return None
+        return self._too_deep
 
     def _start(self, tag: str, _attributes: dict[str, str]) -> None:
+        if len(self._open) == MOST_LEVELS and self._too_deep is None:
+            line, column = self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1
+            self._too_deep = Refusal(line, column, f"more than {MOST_LEVELS:,} levels of elements", "fewer levels")
         self._open.append((tag, self._parser.CurrentLineNumber))
 
     def _end(self, _tag: str) -> None:

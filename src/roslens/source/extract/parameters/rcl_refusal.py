@@ -39,22 +39,32 @@ class _RefusedError(Exception):
 
 
 def refusal(content: bytes) -> Refusal | None:
-    """Return why rcl refuses a file of parameters; None where it takes it, or where that is not followed.
+    """Return why rcl refuses a file of parameters; None where it takes it, or where that is not followed."""
+    return judged(content)[0]
+
+
+def judged(content: bytes) -> tuple[Refusal | None, str]:
+    """Return why rcl refuses a file of parameters, and why nobody here can say so; of both at most one.
 
     Not followed is what is larger than :data:`MOST_BYTES`, or nested too deeply.
     """
+    if len(content) > MOST_BYTES:
+        return None, f"{len(content):,} bytes"
+    try:
+        return _refusal(content), ""
+    except TooDeepError:
+        return None, "nested too deeply"
+
+
+def _refusal(content: bytes) -> Refusal | None:
     import yaml
 
-    if len(content) > MOST_BYTES:
-        return None
     reading = _Reading()
     try:
         if not content.startswith(_OTHERS):
             content.decode("utf-8")
         for event in events(content):
             reading.take(event)
-    except TooDeepError:
-        return None
     except _RefusedError as error:
         return error.refusal
     except yaml.MarkedYAMLError as error:

@@ -8,12 +8,14 @@ from collections.abc import Iterator
 from roslens.model.source import Language, Role
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.extract.facts.refusal import Refusal
+from roslens.source.extract.parameters.rcl_refusal import judged
 from roslens.source.extract.parameters.rcl_refusal import refusal as refused
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.launch_sources import is_template, refusal_hit
 
+_ID = "launch.refused_parameters"
 _KEY = re.compile(rb"""^[^#\n]*\bros__parameters['"]?[ \t]*:""", re.MULTILINE)
 _YAML = (".yaml", ".yml")
 _LOADED = re.compile(rb"\bRewrittenYaml\b|\bReplaceString\b|\byaml\.(?:safe_)?load\b|\bload_yaml\b|YAML::LoadFile")
@@ -24,10 +26,13 @@ def found(view: PackageView) -> Iterator[Hit]:
     for file in view.of_language(Language.YAML, roles=(Role.OWN,)):
         content = view.read(file.path)
         if _KEY.search(content):
-            refusal = refused(content)
+            refusal, reason = judged(content)
+            if reason:
+                message = f"{reason}: whether rcl takes the file is not judged; expected fewer in one file"
+                yield Hit(_ID, message, 1, 1, path=file.path, certainty=Certainty.HEURISTIC)
             if refusal is not None and not is_template(content):
                 certainty = Certainty.HEURISTIC if refusal.taken_elsewhere and _is_loaded(view) else None
-                yield refusal_hit("launch.refused_parameters", file.path, refusal, _message(refusal), certainty)
+                yield refusal_hit(_ID, file.path, refusal, _message(refusal), certainty)
     yield from _of_given(view)
 
 
@@ -42,7 +47,7 @@ def _of_given(view: PackageView) -> Iterator[Hit]:
         refusal = None if _KEY.search(content) or not use.path.endswith(_YAML) else refused(content)
         if refusal is not None and not is_template(content):
             message = f"{_message(refusal)} ({use.evidence.path}:{use.evidence.line} gives the file to a node)"
-            yield refusal_hit("launch.refused_parameters", use.path, refusal, message)
+            yield refusal_hit(_ID, use.path, refusal, message)
 
 
 def _is_loaded(view: PackageView) -> bool:
@@ -61,7 +66,9 @@ RULE = PackageRule(
     finds="A YAML file with `ros__parameters`, or that a launch file gives to a node as it is, that "
     "`rcl_yaml_param_parser` does not take: no YAML, a value outside of `ros__parameters`, a key without a value, a "
     "list of values of different types or of lists, an alias, a wrong name of a node. It is a note where PyYAML takes "
-    "it and the package reads YAML itself, as `RewrittenYaml` does. Templates and tests are left out.",
+    "it and the package reads YAML itself, as `RewrittenYaml` does. Templates and tests are left out, and what is "
+    "nested too deeply or too large to be "
+    "followed is a note.",
     why="The node that is given the file ends with an exception before it does anything.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.PROVEN,

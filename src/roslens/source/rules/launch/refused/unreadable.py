@@ -16,6 +16,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.launch_sources import LaunchSource, is_template, launch_sources, refusal_hit
+from roslens.source.rules.views.package_files import MOST_BYTES
 
 _COMMENT = re.compile(rb"<!--.*?-->|<\?.*?\?>|<![A-Z].*?>", re.DOTALL)
 _TAG = re.compile(rb"<\s*([\w:.-]+)")
@@ -24,6 +25,10 @@ _TAG = re.compile(rb"<\s*([\w:.-]+)")
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield the first fault of each launch file that cannot be read."""
     for file in launch_sources(view, Language.LAUNCH_XML, Language.LAUNCH_YAML, Language.LAUNCH_PYTHON):
+        if (size := view.by_path[file.path].size) > MOST_BYTES:
+            message = f"{size:,} bytes: what this file starts is not judged; expected at most {MOST_BYTES:,}"
+            yield Hit("launch.unreadable", message, 1, 1, path=file.path, certainty=Certainty.HEURISTIC)
+            continue
         refusal = _refused(file)
         if refusal is not None and not is_template(file.content):
             yield refusal_hit("launch.unreadable", file.path, refusal, _message(refusal, file), _certainty(file))
@@ -69,7 +74,8 @@ RULE = PackageRule(
     title="Launch file that cannot be read",
     finds="A launch file that is not well-formed XML, no YAML or no list of actions, no Python, or in ROS 2 not in "
     "UTF-8. Reported is the place at which the reader of launch or roslaunch gives up. Templates, "
-    "tests, and files of other programs that are called `.launch` are left out; an empty file is a note.",
+    "tests, and files of other programs that are called `.launch` are left out; an empty file is a note, and "
+    "so is one that is too large to be read here.",
     why="Whatever starts the file, and whatever includes it, ends at once.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.PROVEN,

@@ -143,7 +143,9 @@ def _unstarted(
 def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
     from roslens.cli.graph.graph_without_nodes import reasons
 
-    for line in () if options.quiet else reasons(source, options.launch):
+    # Text says at least that there are no nodes; a document that others read does not.
+    is_said = options.quiet and options.format == "text"
+    for line in () if is_said else reasons(source, options.launch):
         print(f"roslens: {line}", file=sys.stderr)
 
 

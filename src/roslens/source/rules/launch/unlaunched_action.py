@@ -16,6 +16,9 @@ from roslens.source.rules.signatures.read_signatures import ACTION, HANDLER
 from roslens.source.rules.views.launch_code import MENTIONS, launch_code
 from roslens.source.rules.views.python_names import above_of, text_of
 
+_TARGETS = frozenset({"target_action", "target_lifecycle_node"})
+"""Parameters of event handlers that name whose events they are of."""
+
 
 def found(_root: Node, view: FileView) -> Iterator[Hit]:
     """Yield each action that is assigned to a name that is never read, and each that is not kept at all."""
@@ -23,6 +26,7 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
     if code is None or code.names.is_open:
         return
     read = {text_of(node) for node, _ in code.names.reads}
+    waited_for = read - {text_of(node) for node, _ in code.names.reads if not _is_waited_for(node)}
     for call in code.calls:
         if call.signature.kind not in (ACTION, HANDLER):
             continue
@@ -31,9 +35,28 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
             # A comment or text has the name: somebody took it out of the description on purpose.
             certainty = Certainty.HEURISTIC if _words(view)[name.encode()] > 1 or name.startswith("_") else None
             yield view.hit("launch.unlaunched_action", call.node, _message(name, call.name), certainty=certainty)
+        elif name and name in waited_for:
+            what = (
+                f"`{name}`, a {call.name}, is waited for by an event handler and never launched: the handler never runs"
+            )
+            yield view.hit(
+                "launch.unlaunched_action", call.node, f"{what}; expected it in the LaunchDescription as well"
+            )
         elif name is None:
             what = f"`{call.name}(…)` is made and kept nowhere: it is never launched"
             yield view.hit("launch.unlaunched_action", call.node, f"{what}; expected it in the LaunchDescription")
+
+
+def _is_waited_for(node: Node) -> bool:
+    """Return whether a name is read to wait for its events only."""
+    around = node.parent
+    if around is None:
+        return False
+    if around.type == "keyword_argument" and around.child_by_field_name("value") == node:
+        return text_of(around.child_by_field_name("name")) in _TARGETS
+    call = around.parent
+    function = call.child_by_field_name("function") if call is not None and around.type == "argument_list" else None
+    return text_of(function).rpartition(".")[2] == "matches_action"
 
 
 def _kept_as(call: Node) -> str | None:
@@ -65,7 +88,8 @@ RULE = FileRule(
     id="launch.unlaunched_action",
     title="Action that is never launched",
     finds="An action or event handler that a launch file in Python assigns to a name that is never read, or makes and "
-    "keeps nowhere. It is a note where a comment of the file has the name: it was taken out of the description.",
+    "keeps nowhere, and one that only event handlers wait for, which then never run. "
+    "It is a note where a comment of the file has the name: it was taken out of the description.",
     why="The node does not start, the argument does not exist, the variable is not set; nothing says so.",
     consequence=Consequence.MAY_BE_WRONG,
     certainty=Certainty.LIKELY,

@@ -26,6 +26,7 @@ _FOLDERS = (
     "models",
     "behavior_trees",
 )
+_COMMENT = re.compile(r"(?m)#[^\n]*")
 _READERS = (
     Language.LAUNCH_XML,
     Language.LAUNCH_YAML,
@@ -46,9 +47,14 @@ def found(view: PackageView) -> Iterator[Hit]:
     for folder in _FOLDERS:
         inside = [path for path in files if view.inside(path).startswith(f"{folder}/")]
         inside = [path for path in inside if not path.endswith(("CMakeLists.txt", "__init__.py"))]
-        if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text) and _is_asked_for(folder, inside, view):
+        named = re.search(rf"(?<![\w-]){folder}(?![\w-])", text)
+        if not inside or (named and not _matches_nothing(folder, view)):
+            continue
+        if _is_asked_for(folder, inside, view):
             amount = plural(len(inside), "file")
             message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
+            if named:
+                message = f"no file of folder {folder!r} ({amount}) is installed: what setup.py looks for matches none"
             # Configuration that is only named may be left over; whoever starts a launch file needs it.
             sure = folder == "launch" and 2 in view.ros
             yield Hit(
@@ -59,6 +65,16 @@ def found(view: PackageView) -> Iterator[Hit]:
                 path=place[0],
                 certainty=None if sure else Certainty.HEURISTIC,
             )
+
+
+def _matches_nothing(folder: str, view: PackageView) -> bool:
+    """Return whether setup.py, all of which is known, installs to a folder of that name, and nothing that is there."""
+    setup = view.setup
+    if view.package.build_type != "ament_python" or setup.unresolved:
+        return False
+    places = [files for place, files in setup.data if place.rstrip("/").endswith(f"/{folder}")]
+    installed = {view.inside(path) for _, files in setup.data for path in files}
+    return bool(places) and not any(places) and not any(path.startswith(f"{folder}/") for path in installed)
 
 
 def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:
@@ -74,14 +90,14 @@ def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:
 def _build(view: PackageView) -> tuple[str, tuple[str, int]] | None:
     """Return what installs, and where a hit is placed; nothing where that is open."""
     if view.package.build_type == "ament_python":
-        text = view.read(view.path("setup.py")).decode("utf-8", "replace")
+        text = _COMMENT.sub("", view.read(view.path("setup.py")).decode("utf-8", "replace"))
         if view.setup_call is None or "os.walk" in text or "rglob" in text or "**" in text or "listdir" in text:
             return None
         return text, (view.path("setup.py"), view.setup_call.lineno)
     ends = view.cmake.first("ament_package", "ament_auto_package", "catkin_package", "autoware_package")
     if ends is None:
         return None
-    text = view.cmake.text
+    text = _COMMENT.sub("", view.cmake.text)
     if re.search(r"DIRECTORY\s+(?:\.|\$\{\w+_SOURCE_DIR\})/?\s", text) or "GLOB" in text:
         return None
     return text, (ends.path, ends.command.line)
@@ -91,7 +107,8 @@ RULE = PackageRule(
     id="cmake.folder_not_installed",
     title="Folder for running that nothing installs",
     finds="A folder `launch`, `config`, `params`, `urdf`, `meshes`, `rviz`, `worlds`, `maps` or the like whose "
-    "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package), and which a launch "
+    "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package) but in comments, or from "
+    "which the patterns of setup.py match no file, and which a launch "
     "file or source of the package names; `launch` itself needs no one to name it. Install it to `share/PACKAGE`. "
     "In ROS 1, where the devel space finds it, it is a note, and so are other folders than `launch`, which may be left "
     "over.",

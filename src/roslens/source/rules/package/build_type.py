@@ -18,6 +18,8 @@ _CATKIN = ("catkin_package", "catkin_metapackage")
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield the build type that is active and that the files of the package do not have."""
     stated = [one for one in view.package.exports if one.tag == "build_type"]
+    if not stated:
+        yield from _unstated(view)
     # More than one is for the other ROS, and so may be any part of the package.
     if len(stated) != 1 or not stated[0].active:
         return
@@ -29,6 +31,21 @@ def found(view: PackageView) -> Iterator[Hit]:
         yield _hit(one, "but there is no CMakeLists.txt" + (", and a setup.py" if has_setup else ""))
     elif command := _of_the_other(view, one.text):
         yield _hit(one, f"but CMakeLists.txt calls {command.name}()")
+
+
+def _unstated(view: PackageView) -> Iterator[Hit]:
+    """Yield the manifest without a build type of a package for ament, which colcon takes for one of catkin."""
+    command = view.cmake.first(*_AMENT)
+    path = view.package.manifest.path
+    if command is None or view.cmake.first(*_CATKIN) is not None or command.conditions or not path:
+        return
+    if any(one.name == "catkin" for one in view.package.dependencies):
+        return
+    message = (
+        "there is no build type, so that colcon takes the package for one of catkin, but CMakeLists.txt calls "
+        f"{command.name}(); expected <export><build_type>ament_cmake</build_type></export>"
+    )
+    yield Hit("package.build_type", message, 1, context="build_type", path=path, certainty=Certainty.LIKELY)
 
 
 def _of_the_other(view: PackageView, kind: str) -> Written | None:
@@ -48,7 +65,8 @@ RULE = PackageRule(
     id="package.build_type",
     title="Build type that the package does not have",
     finds="A `<build_type>` whose build system has no file in the package (`ament_python` without setup.py, "
-    "`ament_cmake` without CMakeLists.txt), or whose CMakeLists.txt is for the other ROS. Packages with a build "
+    "`ament_cmake` without CMakeLists.txt), or whose CMakeLists.txt is for the other ROS, and, as a "
+    "warning, none at all beside a CMakeLists.txt for ament. Packages with a build "
     "type for each ROS are left out.",
     why="colcon chooses by it how to build: the build fails, or installs nothing.",
     consequence=Consequence.STOPS_BUILD,

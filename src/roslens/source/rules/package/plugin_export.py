@@ -10,6 +10,9 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_EXPORTS = frozenset({"plugin", "plugins", "pluginlib", "resource", "auto"})
+"""Words in the names of commands that export descriptions: ``ament_index_register_resource`` and those of projects."""
+
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each description of plug-ins whose name stands neither in package.xml nor in CMake."""
@@ -20,16 +23,26 @@ def found(view: PackageView) -> Iterator[Hit]:
     said = manifest + view.cmake.text + view.read(view.path("setup.py")).decode("utf-8", "replace")
     if "GLOB" in said:
         return
+    installs_only = _installs_only(view, manifest)
     for one in candidates:
         name = one.path.rpartition("/")[2]
-        if name not in said and name.rpartition(".")[0] not in said:
+        if installs_only or (name not in said and name.rpartition(".")[0] not in said):
             how = (
                 "pluginlib_export_plugin_description_file()"
                 if 2 in view.ros
                 else f'plugin="${{prefix}}/{name}" below <export>'
             )
             message = f"{name!r} describes plug-ins and is exported by nothing; expected {how}"
-            yield Hit("package.plugin_export", message, 1, context=name, path=one.path)
+            certainty = None if installs_only else Certainty.HEURISTIC
+            yield Hit("package.plugin_export", message, 1, context=name, path=one.path, certainty=certainty)
+
+
+def _installs_only(view: PackageView, manifest: str) -> bool:
+    """Return whether a build by ament_cmake could export a description, and exports none by any command."""
+    if view.package.build_type != "ament_cmake" or view.ros != {2} or "plugin=" in manifest:
+        return False
+    exporting = [one for one in view.cmake.commands if _EXPORTS & set(one.name.split("_"))]
+    return view.cmake.first("ament_package") is not None and not exporting
 
 
 def _is_description(view: PackageView, file: SourceFile) -> bool:
@@ -44,11 +57,12 @@ RULE = PackageRule(
     id="package.plugin_export",
     title="Description of plug-ins that nothing exports",
     finds="An XML file that describes plug-ins (`<library>` with `base_class_type`) and whose name stands neither "
-    "in package.xml, CMakeLists.txt nor setup.py.",
+    "in package.xml, CMakeLists.txt nor setup.py: a note. Where the build of a package for ROS 2 exports no "
+    "description at all and installs the file only, it is a warning.",
     why="pluginlib finds descriptions by what packages export: the classes are built, installed and unknown to the "
     "robot.",
     consequence=Consequence.STOPS_START,
-    certainty=Certainty.HEURISTIC,
+    certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
     tags=("plugin",),
     bad='<library path="driver"><class type="arm::Driver" base_class_type="arm::Base"/></library>',

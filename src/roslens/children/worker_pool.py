@@ -73,5 +73,9 @@ def _without_interrupts() -> Iterator[None]:
 
 
 def _begin() -> None:
+    for name in ("SIGTERM", "SIGHUP", "SIGUSR2"):
+        # What this process does about them is not for its copies, which the pool ends by them.
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_DFL)
     leave_interrupts()
     watch_parent()

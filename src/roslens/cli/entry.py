@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 
 
 def main() -> int:
@@ -12,9 +13,10 @@ def main() -> int:
 
     open_streams()
     from roslens.cli.main import main as run
+    from roslens.cli.terminal.watched_command import watched
 
     try:
-        code = run()
+        code = watched(run, sys.argv[1:])
     except SystemExit as end:
         # The parser of the command line ends so, also after help that may not have been read.
         code = end.code if isinstance(end.code, int) else 0 if end.code is None else 1

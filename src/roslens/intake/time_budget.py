@@ -21,7 +21,16 @@ _AGAIN_S = 0.5
 
 
 class OverBudgetError(Exception):
-    """An input exceeds its budget: the message states of what, and how much is allowed."""
+    """An input exceeds its budget: the message states of what, and how much is allowed.
+
+    Attributes:
+        subject: path of the file, where it is known.
+    """
+
+    def __init__(self, message: str, subject: str = "") -> None:
+        """Take both."""
+        super().__init__(message)
+        self.subject = subject
 
 
 class _Budget(threading.local):
@@ -37,11 +46,13 @@ _budget = _Budget()
 def time_budget(seconds: float) -> Iterator[None]:
     """Let what is done inside take ``seconds`` of this thread's processor time.
 
+    The budget of what it is done for stands still meanwhile.
+
     Raises:
         OverBudgetError: it takes more.
     """
-    _budget.seconds, _budget.deadline = seconds, time.thread_time() + seconds
-    _budget.earliest = time.monotonic() + seconds
+    outer, left = _budget.seconds, _budget.deadline - time.thread_time()
+    _begin(seconds, seconds)
     timed = _timer(seconds)
     try:
         try:
@@ -51,8 +62,16 @@ def time_budget(seconds: float) -> Iterator[None]:
     finally:
         # The timer may interrupt the line above; it rings again only later.
         _budget.deadline = inf
+        if left != inf:
+            _begin(outer, left)
         if timed:
-            signal.setitimer(signal.ITIMER_PROF, 0)
+            signal.setitimer(signal.ITIMER_PROF, *((max(left, 0.001), _AGAIN_S) if left != inf else (0,)))
+
+
+def _begin(seconds: float, left: float) -> None:
+    """Begin a budget of which some is left."""
+    _budget.seconds, _budget.deadline = seconds, time.thread_time() + left
+    _budget.earliest = time.monotonic() + left
 
 
 def is_spent() -> bool:

@@ -11,11 +11,12 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from roslens.intake.file_budget import LEAST_MEMORY, MOST_MEMORY, memory_of_file
 from roslens.intake.time_budget import OverBudgetError
 from roslens.model.source import Language
 from roslens.source.measure import read_apart as module
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_file
-from roslens.source.measure.read_apart import LARGE_BYTES, LEAST_MEMORY, MOST_MEMORY, Asked, memory_of_file, read_apart
+from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
 from roslens.source.settings import MacroSettings
 
 MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>

@@ -19,7 +19,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NoReturn
 
@@ -64,6 +64,30 @@ def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
         return _report_bug(error, arguments)
 
 
+_ASKED = getattr(signal, "SIGUSR2", signal.SIGTERM)
+_is_watched: list[bool] = []
+
+
+def be_asked() -> None:
+    """Have this process be ended by the one that watches it alone: a terminal sends its interrupts to both.
+
+    Programs that it starts are ended by signals as ever: handlers are not handed on to them.
+    """
+    _is_watched[:] = [True]
+    for number in _ENDING:
+        signal.signal(number, _leave)
+
+
+def ask_to_end(pid: int) -> None:
+    """Ask a process to end that is watched."""
+    with suppress(ProcessLookupError):
+        os.kill(pid, _ASKED)
+
+
+def _leave(_number: int, _frame: object) -> None:
+    """Leave a signal to the process that watches this one."""
+
+
 @contextmanager
 def _ended_by_signals() -> Iterator[None]:
     """Be interrupted by a request to end and by a terminal that closes as by Ctrl-C, so that what is begun is undone.
@@ -72,6 +96,13 @@ def _ended_by_signals() -> Iterator[None]:
     """
     if threading.current_thread() is not threading.main_thread():
         yield
+        return
+    if _is_watched:
+        signal.signal(_ASKED, _interrupt_again)
+        try:
+            yield
+        finally:
+            signal.signal(_ASKED, signal.SIG_DFL)
         return
     before = {number: signal.getsignal(number) for number in _ENDING}
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -87,6 +118,10 @@ def _ended_by_signals() -> Iterator[None]:
 
 def _interrupt(number: int, _frame: object) -> NoReturn:
     signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
+
+
+def _interrupt_again(_number: int, _frame: object) -> NoReturn:
     raise KeyboardInterrupt
 
 

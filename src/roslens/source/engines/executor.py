@@ -14,9 +14,12 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+import msgspec
+
+from roslens.intake.file_budget import most_jobs, refuse, refused
 from roslens.model.errors import UsageError
 from roslens.source.engines.task_engine import Executor, Result, Task
-from roslens.source.engines.task_limits import TaskLimits, run_limited
+from roslens.source.engines.task_limits import TaskLimits
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -49,7 +52,7 @@ class ProcessPool:
     """Worker processes, started when the first task is there."""
 
     def __init__(self, jobs: int, limits: TaskLimits | None = None) -> None:
-        """Use ``jobs`` worker processes (at least one), each within the limits."""
+        """Use ``jobs`` worker processes (at least one), each within the limits and its share of the memory."""
         self.jobs = max(1, jobs)
         self.limits = limits or TaskLimits()
 
@@ -58,8 +61,9 @@ class ProcessPool:
     ) -> Iterator[tuple[Task, Result | BaseException]]:
         """Yield each task with its result, or with the exception that ended it.
 
-        When a worker dies, the tasks that were under way run again one by one in pools of their
-        own, so that only the task that kills its worker is lost; those that had not begun go on in a new pool.
+        When a worker dies on a file that exceeds its budget, that file is left out from then on. The tasks that were
+        under way run again one by one in pools of their own, so that only a task that kills its worker twice without
+        such a file is lost; those that had not begun go on in a new pool.
         """
         waiting = list(tasks)
         while waiting:
@@ -67,10 +71,21 @@ class ProcessPool:
             done, waiting = waiting, []
             yield from self._run_pool(function, done, lost, waiting)
             for task in lost:
-                again: list[Task] = []
-                yield from ProcessPool(1, self.limits)._run_pool(function, [task], again, again)  # noqa: SLF001 - the same class
-                if again:
-                    yield task, RuntimeError(f"the worker process died twice on this task{_bounds(self.limits)}")
+                yield from self._run_alone(function, task)
+
+    def _run_alone(
+        self, function: Callable[[Task], Result], task: Task
+    ) -> Iterator[tuple[Task, Result | BaseException]]:
+        single = ProcessPool(1, msgspec.structs.replace(self.limits, jobs=self.jobs))
+        while True:
+            left_out = len(refused())
+            again: list[Task] = []
+            yield from single._run_pool(function, [task], again, again)
+            if not again:
+                return
+            if len(refused()) == left_out:
+                yield task, RuntimeError(f"the worker process died twice on this task{_bounds(self.limits)}")
+                return
 
     def _run_pool(
         self, function: Callable[[Task], Result], tasks: Sequence[Task], lost: list[Task], left: list[Task]
@@ -81,16 +96,19 @@ class ProcessPool:
 
         from roslens.children.worker_pool import worker_pool
         from roslens.intake.held_signals import held_signals
+        from roslens.source.engines.pool_slots import PoolSlots
 
-        limited = partial(run_limited, function, self.limits)
+        limits = msgspec.structs.replace(self.limits, jobs=self.limits.jobs or self.jobs)
         coming = iter(tasks)
+        slots = PoolSlots(self.jobs * (1 + _AHEAD))
         with worker_pool(min(self.jobs, len(tasks)) or 1, _method()) as pool:
             futures: dict[Future[Result], Task] = {}
             broken = False
             while True:
                 # A worker that an interrupt catches while it is begun is not known yet, and would not be ended.
                 with held_signals():
-                    broken = broken or self._submit(partial(pool.submit, limited), coming, futures, left)
+                    submit = partial(slots.submit, pool, function, limits)
+                    broken = broken or self._submit(submit, coming, futures, left)
                 if not futures:
                     break
                 for future in wait(futures, return_when=FIRST_COMPLETED).done:
@@ -103,6 +121,8 @@ class ProcessPool:
                     except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
                         yield task, error
             left.extend(coming)
+        if broken:
+            refuse(slots.exceeded())
 
     def _submit(
         self,
@@ -158,7 +178,8 @@ def executor_for(jobs: int, engine: str | ClusterAhead = "", *, folder: str = ""
     Raises:
         UsageError: there is no such engine.
     """
-    wanted = jobs or os.cpu_count() or 1
+    # Each has its share of the memory, and none less than what a file may take.
+    wanted = min(jobs or os.cpu_count() or 1, most_jobs())
     address = engine if isinstance(engine, str) else engine.address
     if is_cluster(address):
         from roslens.source.engines.dask_engine import DaskEngine

@@ -27,10 +27,12 @@ class TaskLimits(msgspec.Struct, frozen=True):
     Attributes:
         seconds: by the clock; 0 for none. Each file has a bound of its own besides.
         memory_bytes: that its process may write to; beyond it Python raises MemoryError. 0 for none.
+        jobs: how many processes share the memory that files may take; 0 for one for each processor.
     """
 
     seconds: float = 1800.0
     memory_bytes: int = 4_000_000_000
+    jobs: int = 0
 
 
 def run_limited(function: Callable[[Task], Result], limits: TaskLimits, task: Task) -> Result:

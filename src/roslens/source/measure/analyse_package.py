@@ -10,7 +10,8 @@ from pathlib import Path
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
+from roslens.intake.file_budget import begin_reading, file_budget
+from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
@@ -22,7 +23,7 @@ from roslens.source.measure.package_task import PackageTask
 from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.measure.role_includes import role_includes
-from roslens.source.over_budget import over_budget
+from roslens.source.over_budget import as_program, over_budget, over_budget_beside
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.hit import Hit
 from roslens.source.workspace.suppress import Suppression
@@ -62,6 +63,7 @@ def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -
     The collector of cyclic garbage is off meanwhile: facts form no cycles, and walking half a
     million of them again and again would take a fifth of the time.
     """
+    begin_reading()
     collecting = gc.isenabled()
     gc.disable()
     try:
@@ -134,6 +136,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
     view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others, task.around)
     findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
+    failures.extend(over_budget_beside(task.files, task.package.id, failures))
     return MeasuredPackage(
         task.package.id,
         entities,
@@ -161,10 +164,12 @@ def _of_other_files(task: PackageTask, findings: Iterable[Finding]) -> Iterator[
             continue
         if file.language in _COMMENTED or file.path in found:
             # A file that is gone meanwhile has none; its own reader reports that.
-            with suppress(OSError):
+            with suppress(OSError, OverBudgetError):
                 text = task.texts.get(file.path)
                 content = read_bounded(Path(task.root, file.path), _LARGEST_BYTES) if text is None else text
-                if known := suppressions(content):
+                with file_budget(file.path, size=len(content)):
+                    known = suppressions(content)
+                if known:
                     yield file.path, known
 
 
@@ -221,7 +226,7 @@ def _looked_at(
     try:
         text = task.texts.get(file.path)
         content = read_bounded(f"{task.root}/{file.path}") if text is None else text
-        with time_budget(SOURCE_FILE_S):
+        with file_budget(file.path, size=len(content), seconds=SOURCE_FILE_S):
             parsed = parse_file(content, file.language, task.macros)
             analysis = analyse_parsed(content, parsed, task.wanted) if blob is None else decoder.decode(blob)
             return parsed, analysis
@@ -250,7 +255,7 @@ def _small(
     if blob is None:
         new[task.facts_keys[file.path]] = _encode(analysis)
     if program is not None:
-        _lower(parsed, program, new)
+        _lower(file, parsed, program, new)
     return analysis
 
 
@@ -280,11 +285,11 @@ def _large(
     return analysis
 
 
-def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
+def _lower(file: SourceFile, parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
     from roslens.source.extract.ir.program_codec import pack
 
     # What cannot be lowered is tried again, and reported, by who asks for the graph.
-    with suppress(Exception), time_budget(SOURCE_FILE_S):
+    with suppress(Exception), file_budget(as_program(file.path), size=file.size, seconds=SOURCE_FILE_S):
         new[key] = pack(parsed.program())
 
 

@@ -8,7 +8,8 @@ from contextlib import suppress
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.entity import Entity, EntityKind
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.metrics.size import duplicated_lines
@@ -47,7 +48,7 @@ def _registered(task: PackageTask, words: set[bytes]) -> Iterator[tuple[str, ...
             content = read_bounded(f"{task.root}/{file.path}")
             names = registering.get(file.language.parsed_as, frozenset())
             if any(word in content for word in words) and any(name.encode() in content for name in names):
-                with time_budget(SOURCE_FILE_S):
+                with file_budget(file.path, size=len(content)):
                     yield callbacks_of(parse_file(content, file.language, task.macros).view())
 
 

@@ -20,16 +20,13 @@ import msgspec
 
 from roslens.children.limits import limit_processor
 from roslens.children.safe_path import NEUTRAL, python_words, safe_environment
+from roslens.intake.file_budget import MORE_S, memory_of_file
 from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError
 from roslens.model.source import Language
 from roslens.source.settings import MacroSettings
 
 LARGE_BYTES = 1 << 18
 """Files with more are read apart; of others the most costly shape takes a few seconds and 300 MB."""
-
-LEAST_MEMORY, MOST_MEMORY = 512_000_000, 2_000_000_000
-_MORE_S = 2.0
-"""Of processor time, for the process to report by itself that a file takes too long."""
 
 _PATIENCE = 60
 """How many times as long a file may take by the clock, on a machine that gives it no processor."""
@@ -63,19 +60,6 @@ class Given(msgspec.Struct, frozen=True):
 
 class BrokenError(Exception):
     """The process that read a file failed on it; the text is that of its error."""
-
-
-def memory_of_file() -> int:
-    """Return how many bytes of memory the reading of a large file may take.
-
-    As many processes as there are processors take half of the machine's memory together, as far as that leaves each
-    :data:`LEAST_MEMORY`.
-    """
-    try:
-        whole = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    except (AttributeError, OSError, ValueError):
-        return MOST_MEMORY
-    return max(LEAST_MEMORY, min(MOST_MEMORY, whole // 2 // (os.cpu_count() or 1)))
 
 
 def read_apart(asked: Asked) -> Given:
@@ -114,7 +98,7 @@ class _Apart:
         """Return its answer, or why there is none: then it has ended."""
         try:
             # The kernel counts all that the process took so far.
-            limit_processor(self._process.pid, self._taken_s() + SOURCE_FILE_S + _MORE_S)
+            limit_processor(self._process.pid, self._taken_s() + SOURCE_FILE_S + MORE_S)
             _write(self._stdin, msgspec.msgpack.encode(asked))
             body = _read(self._stdout, time.monotonic() + _PATIENCE * SOURCE_FILE_S)
         except OSError:

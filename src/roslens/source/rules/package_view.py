@@ -8,6 +8,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.intake.file_budget import file_budget
+from roslens.source.over_budget import in_rules
 from roslens.source.rules.views.package_files import PackageFiles
 
 if TYPE_CHECKING:
@@ -35,7 +37,8 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         if not {"setup.py", "setup.cfg", "pyproject.toml"} & self.listing:
             return Setup()
         listing = frozenset(self.path(one) for one in self.listing)
-        return read_setup(self.folder, FolderFiles(Path(self.root), {}), listing)
+        with file_budget(self.path("setup.py")):
+            return read_setup(self.folder, FolderFiles(Path(self.root), {}), listing)
 
     @cached_property
     def setup_call(self) -> ast.Call | None:
@@ -45,7 +48,8 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                tree = ast.parse(self.read(self.path("setup.py")))
+                with file_budget(self.path("setup.py")):
+                    tree = ast.parse(self.read(self.path("setup.py")))
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             return None
         calls = (one for one in ast.walk(tree) if isinstance(one, ast.Call))
@@ -92,7 +96,9 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         from roslens.source.workspace.mistakes import mistakes_of
 
         path = self.package.manifest.path
-        found = mistakes_of(self.read(path), path) if path else ()
+        content = self.read(path) if path else b""
+        with file_budget(in_rules(path), size=len(content)):
+            found = mistakes_of(content, path) if path else ()
         return tuple(one for one in found if not one.left_open)
 
     @cached_property

@@ -15,6 +15,8 @@ from posixpath import basename, dirname
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Package
@@ -145,7 +147,20 @@ def _package(
     package: Package | None = None
     try:
         content = read_bounded(f"{folder.folder}/{MANIFEST_NAME}", MAXIMUM_SIZE)
-        package, wrong = read(content, path, settings.environment)
+        with file_budget(path, size=len(content)):
+            package, wrong = read(content, path, settings.environment)
+    except OverBudgetError as error:
+        wrong = (
+            Failure(
+                "workspace",
+                f"the manifest is left out: {error}",
+                "a package.xml of some kilobytes",
+                "Check its content; the folder names the package until then.",
+                Location(path),
+                entity=f"file:{path}",
+                partial=True,
+            ),
+        )
     except OSError as error:
         what = f"the manifest cannot be read, {error.strerror}"
         wrong = (

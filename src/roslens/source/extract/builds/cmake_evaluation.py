@@ -11,6 +11,7 @@ from posixpath import dirname
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
 from roslens.source.extract.builds.cmake_condition import Word
 from roslens.source.extract.builds.cmake_limits import Limits
 from roslens.source.extract.builds.cmake_scope import Scope
@@ -205,7 +206,10 @@ class Evaluation:
     def script(self, path: str) -> Script | None:
         """Return a file; None where there is none."""
         content = self.files.content(path)
-        return None if content is None else parse_cmake(content)
+        if content is None:
+            return None
+        with file_budget(path, size=len(content)):
+            return parse_cmake(content)
 
     def run(self, body: Body) -> None:
         """Run commands and blocks in order."""

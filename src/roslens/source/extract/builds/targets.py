@@ -10,6 +10,8 @@ from collections.abc import Iterable
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.source.extract.builds.cmake_blocks import BLOCKS
 from roslens.source.extract.builds.cmake_commands import COMMANDS, IGNORED, run_folder
 from roslens.source.extract.builds.cmake_evaluation import Evaluation
@@ -65,7 +67,13 @@ def build_of(package: str, folder: str, build_type: str, files: Files, listing: 
         listing: the files of the package, relative to the root.
     """
     reading = _Reading(package, joined("", folder), build_type, files, frozenset(listing))
-    return reading.read()
+    path = joined(folder, "CMakeLists.txt")
+    try:
+        with file_budget(path):
+            return reading.read()
+    except OverBudgetError as error:
+        reason = str(error) if error.subject in ("", path) else f"{error.subject}: {error}"
+        return Build(unresolved=(Unresolved("CMakeLists.txt", Evidence(error.subject or path, 1), reason, opens=True),))
 
 
 class _Reading:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.launched import Setting
@@ -76,7 +77,8 @@ class ParameterFiles:
         known = self._read.get((path, content))
         if known is None:
             try:
-                known = ros2_parameters(content, path)
+                with file_budget(path, size=len(content)):
+                    known = ros2_parameters(content, path)
             except DocumentError as error:
                 known = error
             self._read[path, content] = known

@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.configuration import Standing
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.facts.launched import Argument, Fault, Launch, Launched, Remap, Setting, Unresolved
@@ -59,7 +61,11 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
+    try:
+        with file_budget(path):
+            whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
+    except OverBudgetError as error:
+        whole.miss(error.subject or path, Evidence(path, 0), str(error), opens=True)
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved), whole.failures.failed,
@@ -99,7 +105,12 @@ class _Whole:
             self.miss(path, evidence, "there is no such file in the workspace", opens=True, fault=Fault.MISSING_FILE)
             return space.private
         self._read += 1
-        document = read_elements(content)
+        try:
+            with file_budget(path, size=len(content)):
+                document = read_elements(content)
+        except OverBudgetError as error:
+            self.miss(path, evidence, str(error), opens=True)
+            return space.private
         for fault in document.faults:
             place = Evidence(path, *document.place(fault.offset))
             self.miss(fault.what, place, f"expected {fault.expected or 'readable XML'}", opens=True)

@@ -11,6 +11,8 @@ from collections.abc import Mapping
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.configuration import Standing
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.files import Files
@@ -54,7 +56,11 @@ def evaluate_ros2(
     """
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
     whole = _Whole(files, environment or {}, any_arguments=any_arguments)
-    whole.file(path, given, Space(), Evidence(path, 0), outer=True)
+    try:
+        with file_budget(path):
+            whole.file(path, given, Space(), Evidence(path, 0), outer=True)
+    except OverBudgetError as error:
+        whole.miss(error.subject or path, Evidence(path, 0), str(error), opens=True)
     return Launch(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
         whole.failures.failed, whole.failures.raw_files, whole.shared.found,
@@ -111,7 +117,11 @@ class _Whole:
             return
         self._read += 1
         try:
-            actions = actions_of(path, content, self.files)
+            with file_budget(path, size=len(content)):
+                actions = actions_of(path, content, self.files)
+        except OverBudgetError as error:
+            self.miss(path, evidence, str(error), opens=True)
+            return
         except DocumentError as error:
             place, reason = place_and_reason(error, path, evidence)
             self.end(Fault.UNREADABLE, path, reason, place)

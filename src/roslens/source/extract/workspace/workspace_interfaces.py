@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Location, Package, SourceFile
@@ -15,6 +17,7 @@ from roslens.source.extract.interfaces.interface import Checksum, Interface, Loo
 from roslens.source.extract.interfaces.interface_file import read_interface
 from roslens.source.extract.interfaces.message_md5 import md5_of
 from roslens.source.extract.interfaces.type_hash import type_hash
+from roslens.source.over_budget import over_budget
 
 INTERFACES = frozenset({Language.MSG, Language.SRV, Language.ACTION})
 _Key = tuple[int, str, str]
@@ -61,7 +64,11 @@ def interfaces_of(
                 continue
             try:
                 content = read_bounded(f"{root}/{file.path}")
-                interface, wrong = read_interface(content, file.path, package.name, generation)
+                with file_budget(file.path, size=len(content)):
+                    interface, wrong = read_interface(content, file.path, package.name, generation)
+            except OverBudgetError as error:
+                failures.append(over_budget(file, error, package=package.id))
+                continue
             except Exception as error:  # noqa: BLE001 - one file must not lose the others
                 failures.append(_broken(file, package, error))
                 continue

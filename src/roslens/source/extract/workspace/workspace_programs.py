@@ -9,7 +9,8 @@ from hashlib import blake2b
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
+from roslens.intake.file_budget import begin_reading, file_budget
+from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, SourceFile
@@ -18,7 +19,7 @@ from roslens.source.extract.ir.program import Program
 from roslens.source.extract.ir.program_codec import becomes_nodes, pack, program_keys, unpack
 from roslens.source.keys import content_hash
 from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
-from roslens.source.over_budget import over_budget
+from roslens.source.over_budget import as_program, over_budget
 from roslens.source.parsed_file import parse_file
 from roslens.source.progress import Progress
 from roslens.source.settings import MacroSettings
@@ -142,6 +143,7 @@ def lower_files(task: LowerTask) -> LoweredFiles:
 
     The collector of cyclic garbage is off meanwhile, as programs form no cycles.
     """
+    begin_reading()
     collecting = gc.isenabled()
     gc.disable()
     try:
@@ -161,7 +163,7 @@ def _lowered(task: LowerTask) -> LoweredFiles:
             if len(content) > LARGE_BYTES:
                 packed = read_apart(Asked(content, file.language, task.macros, program=True)).program
             else:
-                with time_budget(SOURCE_FILE_S):
+                with file_budget(as_program(file.path), size=len(content), seconds=SOURCE_FILE_S):
                     packed = pack(parse_file(content, file.language, task.macros).program())
         except OverBudgetError as error:
             failures.append(over_budget(file, error))

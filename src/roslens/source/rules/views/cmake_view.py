@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.intake.file_budget import file_budget
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.views.package_files import PackageFiles
 
@@ -147,7 +148,9 @@ class CmakeView:
         if path in self._read or depth > _MOST_DEPTH:
             return
         self._read.add(path)
-        body = parse_cmake(self._package.read(path)).body
+        content = self._package.read(path)
+        with file_budget(path, size=len(content)):
+            body = parse_cmake(content).body
         yield from self._body(body, (path, folder), conditions, inside, depth)
 
     def _body(

@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.intake.file_budget import file_budget
 from roslens.model.errors import DocumentError
 from roslens.model.source import Language, Role
 from roslens.source.rules.views.package_files import PackageFiles
@@ -42,7 +43,8 @@ class LaunchRun:
         from roslens.source.extract.launch.launch_ros2 import actions_of
 
         try:
-            return tuple(_all(actions_of(self.path, self.content, self._files)))
+            with file_budget(self.path, size=len(self.content)):
+                return tuple(_all(actions_of(self.path, self.content, self._files)))
         except (DocumentError, RecursionError):
             return ()
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from roslens.intake.file_budget import file_budget
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.views.package_files import PackageFiles
@@ -35,7 +36,8 @@ class LaunchXml:
         self.path = path
         self.is_test = is_test
         self.text = content.decode("utf-8", "replace")
-        self._document = read_elements(content)
+        with file_budget(path, size=len(content)):
+            self._document = read_elements(content)
 
     @property
     def broken(self) -> bool:

@@ -9,6 +9,8 @@ from pathlib import Path
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.file_budget import refused
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.rules.profiles import profiles_of
 from roslens.source.syntax.facts import FileFacts
@@ -79,7 +81,13 @@ class PackageFiles(msgspec.Struct, frozen=True, dict=True):
         )
 
     def read(self, path: str) -> bytes:
-        """Return a file's content; nothing where it cannot be read or is too large."""
+        """Return a file's content; nothing where it cannot be read or is too large.
+
+        Raises:
+            OverBudgetError: it takes more than a file may, so that it is left out.
+        """
+        if why := refused().get(path):
+            raise OverBudgetError(why, path)
         if path in self.texts:
             return self.texts[path]
         try:

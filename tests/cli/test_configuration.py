@@ -96,3 +96,10 @@ def test_brackets_without_end_are_told(tmp_path: Path):
     path.write_text("models = " + "[" * 5000)
     with pytest.raises(DocumentError, match="brackets are nested too deep"):
         read_configuration(path)
+
+
+def test_a_number_that_python_does_not_convert_is_an_error_of_the_file(tmp_path):
+    path = tmp_path / "roslens.toml"
+    path.write_text("jobs = " + "9" * 5000 + "\n")
+    with pytest.raises(DocumentError, match="4300 digits"):
+        read_configuration(path)

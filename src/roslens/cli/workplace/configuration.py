@@ -15,6 +15,8 @@ from typing import Any
 import msgspec
 
 from roslens.intake.bounded_file import TooLargeError, read_bounded
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.judge.quality.gate import GateConditions
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
@@ -151,7 +153,12 @@ def _toml(path: Path, text: str) -> dict[str, Any]:
     import tomli
 
     try:
-        return tomli.loads(text)
+        with file_budget(str(path), size=len(text)):
+            return tomli.loads(text)
+    except OverBudgetError as error:
+        raise DocumentError(
+            str(error), where=str(path), expected="TOML of some kilobytes", advice="Remove what it does not need"
+        ) from error
     except RecursionError:
         raise DocumentError(
             "brackets are nested too deep", where=str(path), expected="TOML", advice="Remove some of them"
@@ -161,6 +168,9 @@ def _toml(path: Path, text: str) -> dict[str, Any]:
         where = Location(str(path), int(match[1]), int(match[2])) if match else str(path)
         what = str(error).split(" (at ")[0]
         raise DocumentError(what, where=where, expected="TOML", advice="Fix that line") from error
+    except ValueError as error:
+        # Python converts no number of more than some thousand digits.
+        raise DocumentError(str(error), where=str(path), expected="TOML", advice="Shorten the number") from error
 
 
 class _Reader:

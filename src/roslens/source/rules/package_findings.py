@@ -35,6 +35,8 @@ from roslens.source.rules.selection import selected
 from roslens.source.rules.table import native_rules, package_rules
 from roslens.source.settings import RuleSettings
 
+Placed = dict[str, list[Hit]]
+
 MOST_SPENT = 3
 """Rules on a package that may take too long; no further one is tried then."""
 
@@ -61,22 +63,7 @@ def rule_findings(
     selection = selected(settings, view.package, rules)
     placed: dict[str, list[Hit]] = {path: list(found) for path, found in hits.items() if found}
     if view.package.id != OUTSIDE_PACKAGES:
-        spent = 0
-        for rule in package_rules():
-            if rule.id not in selection:
-                continue
-            if spent >= MOST_SPENT:
-                failures.extend(_unheld(rule, view, OverBudgetError(f"{spent} others took too long")))
-                break
-            try:
-                with file_budget(_subject(rule.id, view.package.id)):
-                    for hit in islice(rule.found(view), MOST_HITS):
-                        placed.setdefault(hit.path, []).append(hit)
-            except OverBudgetError as error:
-                spent += error.subject == _subject(rule.id, view.package.id)
-                failures.extend(_unheld(rule, view, error))
-            except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
-                failures.append(_broken(rule, view, error))
+        _hold(view, [rule for rule in package_rules() if rule.id in selection], placed, failures)
     style = guard_style(settings.profiles, view.ros)
     placed = _with_edits(placed, view, style)
     for weighed in _WEIGHED:
@@ -86,7 +73,22 @@ def rule_findings(
     return place_hits(placed, callbacks, selection, rules, entities)
 
 
-Placed = dict[str, list[Hit]]
+def _hold(view: PackageView, rules: Sequence[PackageRule], placed: Placed, failures: list[Failure]) -> None:
+    """Hold rules against a package, and add what they find to ``placed``."""
+    spent = 0
+    for rule in rules:
+        if spent >= MOST_SPENT:
+            failures.extend(_unheld(rule, view, OverBudgetError(f"{spent} others took too long")))
+            return
+        try:
+            with file_budget(_subject(rule.id, view.package.id)):
+                for hit in islice(rule.found(view), MOST_HITS):
+                    placed.setdefault(hit.path, []).append(hit)
+        except OverBudgetError as error:
+            spent += error.subject == _subject(rule.id, view.package.id)
+            failures.extend(_unheld(rule, view, error))
+        except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
+            failures.append(_broken(rule, view, error))
 
 
 def _left_behind(placed: Placed, view: PackageView) -> Placed:

@@ -16,6 +16,8 @@ import msgspec
 import tomli
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.file_budget import file_budget
+from roslens.intake.time_budget import OverBudgetError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.same_finding import said, within_file
@@ -53,10 +55,11 @@ def read_acceptances(path: Path) -> tuple[tuple[Acceptance, ...], tuple[Failure,
     """
     try:
         text = read_bounded(path, MOST_BYTES).decode("utf-8-sig")
-        document = tomli.loads(text)
+        with file_budget(str(path), size=len(text)):
+            document = tomli.loads(text)
     except FileNotFoundError:
         return (), ()
-    except (OSError, ValueError, RecursionError) as error:
+    except (OSError, ValueError, RecursionError, OverBudgetError) as error:
         return (), (_failure(path, f"cannot be read: {error}", "TOML with [[accepted]] tables"),)
     entries = document.get("accepted", [])
     failures = [

@@ -206,7 +206,7 @@ def read_pyproject(content: bytes, path: str) -> Setup:
     text = content.decode("utf-8", "replace")
     try:
         project = tomli.loads(text).get("project", {})
-    except (tomli.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         return Setup(unresolved=(Unresolved("pyproject.toml", Evidence(path, 1), f"it is not valid TOML: {error}"),))
     programs: list[EntryPoint] = []
     for name, entry in _scripts(project):

@@ -11,14 +11,13 @@ from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
-from roslens.intake.file_budget import file_budget
-from roslens.intake.time_budget import OverBudgetError
 from roslens.model.configuration import Standing
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.facts.launched import Argument, Fault, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.facts.resolve_name import absolute, tidy
 from roslens.source.extract.launch.gazebo_plugins import with_plugins
+from roslens.source.extract.launch.launch_budget import within_budget
 from roslens.source.extract.launch.launch_failures import Failures
 from roslens.source.extract.launch.launch_reasons import standing_of
 from roslens.source.extract.launch.ros1_doubt import Doubt, only_if, setting_if
@@ -61,11 +60,8 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    try:
-        with file_budget(path):
-            whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
-    except OverBudgetError as error:
-        whole.miss(error.subject or path, Evidence(path, 0), str(error), opens=True)
+    with within_budget(whole.miss, path, Evidence(path, 0)):
+        whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved), whole.failures.failed,
@@ -105,12 +101,9 @@ class _Whole:
             self.miss(path, evidence, "there is no such file in the workspace", opens=True, fault=Fault.MISSING_FILE)
             return space.private
         self._read += 1
-        try:
-            with file_budget(path, size=len(content)):
-                document = read_elements(content)
-        except OverBudgetError as error:
-            self.miss(path, evidence, str(error), opens=True)
-            return space.private
+        document = Document(None, (), (0,))
+        with within_budget(self.miss, path, evidence, len(content)):
+            document = read_elements(content)
         for fault in document.faults:
             place = Evidence(path, *document.place(fault.offset))
             self.miss(fault.what, place, f"expected {fault.expected or 'readable XML'}", opens=True)

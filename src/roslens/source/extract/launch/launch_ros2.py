@@ -11,14 +11,13 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.intake.file_budget import file_budget
-from roslens.intake.time_budget import OverBudgetError
 from roslens.model.configuration import Standing
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.launched import Argument, Fault, Launch, Launched, Setting, Unresolved
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.bridge_files import with_bridges
+from roslens.source.extract.launch.launch_budget import within_budget
 from roslens.source.extract.launch.launch_failures import Failures
 from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch.launch_reasons import place_and_reason, place_of, standing_of, written_condition
@@ -56,11 +55,8 @@ def evaluate_ros2(
     """
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
     whole = _Whole(files, environment or {}, any_arguments=any_arguments)
-    try:
-        with file_budget(path):
-            whole.file(path, given, Space(), Evidence(path, 0), outer=True)
-    except OverBudgetError as error:
-        whole.miss(error.subject or path, Evidence(path, 0), str(error), opens=True)
+    with within_budget(whole.miss, path, Evidence(path, 0)):
+        whole.file(path, given, Space(), Evidence(path, 0), outer=True)
     return Launch(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
         whole.failures.failed, whole.failures.raw_files, whole.shared.found,
@@ -116,12 +112,10 @@ class _Whole:
             self.end(Fault.MISSING_FILE, path, "there is no such file in the workspace", evidence)
             return
         self._read += 1
+        actions: tuple[Action, ...] = ()
         try:
-            with file_budget(path, size=len(content)):
+            with within_budget(self.miss, path, evidence, len(content)):
                 actions = actions_of(path, content, self.files)
-        except OverBudgetError as error:
-            self.miss(path, evidence, str(error), opens=True)
-            return
         except DocumentError as error:
             place, reason = place_and_reason(error, path, evidence)
             self.end(Fault.UNREADABLE, path, reason, place)

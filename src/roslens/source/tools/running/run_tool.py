@@ -19,6 +19,7 @@ from roslens.children.lifeline import words_with_lifeline
 from roslens.children.safe_path import python_words, safe_environment
 from roslens.children.sandbox import (
     BUBBLEWRAP,
+    LANDLOCK,
     Sandbox,
     bubblewrap_words,
     environment_of,
@@ -44,8 +45,8 @@ end_with_parent({parent})
 _CONFINED = """\
 from roslens.children.sandbox import confine, sandbox_of_text
 confine(sandbox_of_text({sandbox!r}))
-os.environ.update({environment!r})
 """
+_VARIABLES = "os.environ.update({environment!r})\n"
 
 
 class ToolError(Exception):
@@ -188,9 +189,10 @@ def _confined(words: Sequence[str], sandbox: Sandbox | None) -> list[str]:
         return alive
     confined = ""
     if sandbox is not None:
-        changed = environment_of(sandbox)
-        confined = _CONFINED.format(sandbox=_kept(text_of_sandbox(sandbox), sandbox), environment=changed)
-        if sandbox_kind() == BUBBLEWRAP:
+        confined = _VARIABLES.format(environment=environment_of(sandbox))
+        if sandbox_kind() == LANDLOCK:
+            confined = _CONFINED.format(sandbox=_kept(text_of_sandbox(sandbox), sandbox)) + confined
+        elif sandbox_kind() == BUBBLEWRAP:
             words = [*bubblewrap_words(sandbox), *words]
     return python_words(sys.executable, _START.format(parent=os.getpid(), confined=confined), words, sys.path)
 

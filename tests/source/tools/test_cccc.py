@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from roslens.children.sandbox import sandbox_kind
 from roslens.model.failure import Failure
 from roslens.model.quantity import Measurement
 from roslens.plugins.contract import check_plugin, look_at
@@ -108,7 +109,8 @@ def test_a_program_that_fails_is_a_failure_and_gives_no_values(
 def test_one_file_that_fails_leaves_the_others_and_withholds_the_package(
     member: Member, misbehaving: Path, tmp_path: Path
 ):
-    recorded = FIXTURES / "reports" / "arm.hpp"
+    # In its sandbox the program reads the one file, and what it is made of.
+    recorded = shutil.copytree(FIXTURES / "reports" / "arm.hpp", misbehaving / "recorded")
     fake_cccc(misbehaving, f'case "$2" in *.c) exit 9;; esac; mkdir -p "$out"; cp "{recorded}"/*.xml "$out"')
     package = tmp_path / "package"
     package.mkdir()
@@ -129,6 +131,19 @@ def test_a_program_that_cannot_be_started(tmp_path: Path, monkeypatch: pytest.Mo
     (tmp_path / "a.c").write_text("int a;\n")
     with pytest.raises(CcccError, match="it cannot be started: No such file or directory"):
         run_cccc(tmp_path / "a.c", tmp_path / "run")
+
+
+@pytest.mark.skipif(not sandbox_kind(), reason="no sandbox here")
+def test_it_reads_one_file_and_writes_its_scratch(misbehaving: Path, tmp_path: Path):
+    (tmp_path / "other.c").write_text("secret\n")
+    (tmp_path / "a.c").write_text("int a;\n")
+    fake_cccc(misbehaving, f'cat "$2" || exit 4; touch made || exit 5; cat {tmp_path}/other.c && exit 6; exit 7')
+    with pytest.raises(CcccError, match="exit code 7"):
+        run_cccc(tmp_path / "a.c", tmp_path / "run")
+    fake_cccc(misbehaving, f"touch {tmp_path}/made && exit 6; exit 7")
+    with pytest.raises(CcccError, match="exit code 7"):
+        run_cccc(tmp_path / "a.c", tmp_path / "again")
+    assert not (tmp_path / "made").exists()
 
 
 def test_the_limit_is_of_a_processor_whatever_else_the_machine_does(

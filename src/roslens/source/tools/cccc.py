@@ -69,39 +69,38 @@ def run_cccc(source: Path, scratch: Path, *, time_limit_s: float = TIME_LIMIT_S)
     Raises:
         CcccError: it could not be started, did not end, or ended with an error.
     """
+    import shutil
     import signal
-    import subprocess
 
-    from roslens.children.limits import limit_processor
+    from roslens.children.sandbox import Sandbox, program_folders
     from roslens.source.tools.cccc_report import CcccError
+    from roslens.source.tools.running.run_tool import ToolError, ToolHangError, ToolRunner
 
+    program = shutil.which("cccc")
+    if program is None:
+        raise CcccError("it cannot be started: No such file or directory")
     scratch.mkdir()
     plain = scratch / f"source{source.suffix}"
     plain.symlink_to(source.absolute())
     out = scratch / "out"
     patience_s = PATIENCE * time_limit_s
     try:
-        with subprocess.Popen(
-            ["cccc", f"--outdir={out}", str(plain)],
-            cwd=scratch,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-        ) as process:
-            limit_processor(process.pid, time_limit_s)
-            try:
-                _, complaints = process.communicate(timeout=patience_s)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                raise CcccError(f"it did not end within {patience_s:g} s") from None
-    except OSError as error:
-        raise CcccError(f"it cannot be started: {error.strerror}") from None
-    if process.returncode == -signal.SIGXCPU:
+        ended = ToolRunner().run(
+            [program, f"--outdir={out}", str(plain)],
+            folder=str(scratch),
+            time_limit_s=patience_s,
+            processor_s=time_limit_s,
+            sandbox=Sandbox(read=(str(source.resolve()),), run=program_folders(program), write=(str(scratch),)),
+        )
+    except ToolHangError:
+        raise CcccError(f"it did not end within {patience_s:g} s") from None
+    except ToolError as error:
+        raise CcccError(f"it {error}") from None
+    if ended.code == -signal.SIGXCPU:
         raise CcccError(f"it did not end within {time_limit_s:g} s of a processor")
-    if process.returncode:
-        code = process.returncode
-        how = f"signal {-code}" if code < 0 else f"exit code {code}"
-        raise CcccError(f"it ended with {how}: {_last_line(complaints)}")
+    if ended.code:
+        how = f"signal {-ended.code}" if ended.code < 0 else f"exit code {ended.code}"
+        raise CcccError(f"it ended with {how}: {_last_line(ended.stderr)}")
     return out
 
 

@@ -16,6 +16,7 @@ from threading import Lock
 import msgspec
 
 from roslens.children.lifeline import words_with_lifeline
+from roslens.children.limits import limit_processor
 from roslens.children.safe_path import python_words, safe_environment
 from roslens.children.sandbox import (
     BUBBLEWRAP,
@@ -33,6 +34,9 @@ MOST_BYTES = 64 * 1024 * 1024
 
 _KEPT_IN_MESSAGE = 300
 _LOOK_S = 0.2
+_STARTING_S = 0.3
+"""Of a processor, until the process confined itself and is the program."""
+
 _LONGEST_WORD = 60_000
 """Characters of one word of a command; the kernel takes 128 KiB."""
 
@@ -98,6 +102,7 @@ class ToolRunner:
         environment: Mapping[str, str] | None = None,
         most_processes: int = 0,
         sandbox: Sandbox | None = None,
+        processor_s: float = 0.0,
     ) -> Ended:
         """Run a program to its end and return what it left.
 
@@ -112,6 +117,7 @@ class ToolRunner:
             environment: its variables, where they are not those of this process.
             most_processes: with how many more at once it is ended; 0 for any number, as where the kernel tells none.
             sandbox: what it may touch; None for all that this process may. Its first folder to write is its home.
+            processor_s: seconds of a processor after which the kernel ends it; 0 for none.
 
         Raises:
             ToolError: it could not be started, did not end in time, or printed too much.
@@ -128,6 +134,8 @@ class ToolRunner:
             )
         except OSError as error:
             raise ToolError(f"cannot be started: {error.strerror}") from error
+        if processor_s:
+            limit_processor(process.pid, processor_s + _STARTING_S)
         with self._lock:
             self._running.add(process)
             self.started += 1

@@ -1,0 +1,1 @@
+"""What README and SECURITY promise, sentence by sentence, and the test that shows each."""

@@ -52,7 +52,7 @@ def make_ready() -> None:
     from roslens.source.extract.builds.python_setup import read_setup_script
     from roslens.source.extract.builds.python_setup_targets import read_setup
     from roslens.source.extract.facts.files import FolderFiles
-    from roslens.source.extract.launch.launch_ros2 import actions_of
+    from roslens.source.extract.launch.launch_markup import actions_of
 
     read_setup("", FolderFiles(Path(), {}), frozenset())
     actions_of("a.launch.py", _LAUNCH, FolderFiles(Path(), {}))

@@ -12,6 +12,7 @@ import msgspec
 from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
+from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.substitution_text import parse, words
 from roslens.source.extract.launch_python.deferred import Value
@@ -35,6 +36,19 @@ class Entity(msgspec.Struct, frozen=True):
     def value(self, *names: str) -> Value:
         """Return an attribute by the first of its names that is there, as a text with substitutions."""
         return parse(next((self.attributes[name] for name in names if name in self.attributes), ""))
+
+
+def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[Action, ...]:
+    """Return the actions of a launch file by its name: Python, YAML, else XML.
+
+    Raises:
+        DocumentError: it cannot be read at all.
+    """
+    if path.endswith(".py"):
+        from roslens.source.extract.launch_python.launch_python import python_actions
+
+        return python_actions(path, content, files)
+    return (yaml_actions if path.endswith((".yaml", ".yml")) else xml_actions)(path, content)
 
 
 def xml_actions(path: str, content: bytes) -> tuple[Action, ...]:

@@ -19,6 +19,7 @@ from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.bridge_files import with_bridges
 from roslens.source.extract.launch.launch_budget import within_budget
 from roslens.source.extract.launch.launch_failures import Failures
+from roslens.source.extract.launch.launch_markup import actions_of
 from roslens.source.extract.launch.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launch.launch_reasons import place_and_reason, place_of, standing_of, written_condition
 from roslens.source.extract.launch.ros2_names import full_name, within
@@ -61,21 +62,6 @@ def evaluate_ros2(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
         whole.failures.failed, whole.failures.raw_files, whole.shared.found,
     )  # fmt: skip
-
-
-def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[Action, ...]:
-    """Return the actions of a launch file by its name: Python, YAML, else XML.
-
-    Raises:
-        DocumentError: it cannot be read at all.
-    """
-    if path.endswith(".py"):
-        from roslens.source.extract.launch_python.launch_python import python_actions
-
-        return python_actions(path, content, files)
-    from roslens.source.extract.launch.launch_markup import xml_actions, yaml_actions
-
-    return (yaml_actions if path.endswith((".yaml", ".yml")) else xml_actions)(path, content)
 
 
 class _Whole:

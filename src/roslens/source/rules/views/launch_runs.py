@@ -40,7 +40,7 @@ class LaunchRun:
     @cached_property
     def actions(self) -> tuple[Action, ...]:
         """Its actions, those inside of others too; none where it cannot be read, which is told elsewhere."""
-        from roslens.source.extract.launch.launch_ros2 import actions_of
+        from roslens.source.extract.launch.launch_markup import actions_of
 
         try:
             with file_budget(self.path, size=len(self.content)):

@@ -31,8 +31,7 @@ def makes_endpoints(function: Function) -> bool:
 
 def calls_that_make(*parts: object) -> Iterator[Call]:
     """Yield the calls in parts of a program that make an endpoint, by their name."""
-    written = _encode(parts)
-    if not any(stem in written for stem in STEMS):
+    if not _may_make(parts):
         return
     waiting: list[object] = [*parts]
     while waiting:
@@ -44,6 +43,15 @@ def calls_that_make(*parts: object) -> Iterator[Call]:
                 if isinstance(one, Call) and _is_named(one.function):
                     yield one
                 waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
+
+
+def _may_make(parts: tuple[object, ...]) -> bool:
+    try:
+        written = _encode(parts)
+    except OverflowError:
+        # A number of more than 64 bits cannot be encoded.
+        return True
+    return any(stem in written for stem in STEMS)
 
 
 def _is_named(called: Expression) -> bool:

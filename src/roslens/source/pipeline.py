@@ -30,7 +30,7 @@ from roslens.source.owned_findings import owned_findings
 from roslens.source.packaging_files import packaging
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
-from roslens.source.run_inputs import Beyond, Clock, Run, Sight
+from roslens.source.run_inputs import Beyond, Clock, Run, Sight, among_changes
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.shaping import known_quantities, manifests_of, shaping_key
 from roslens.source.tools.running.stage_of_run import tool_stage
@@ -122,6 +122,7 @@ def analyse(
         workspace = with_changes(workspace, inventory.files, unchanged)
         names = [found.package.id for found in workspace.packages]
         left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
+        beyond = among_changes(beyond, names, key_of([one.package for one in everything], inventory.files))
     plugins = discover_plugins(settings, base, log)
     _check_settings(settings, plugins)
     shaping = shaping_key(settings, base, plugins)

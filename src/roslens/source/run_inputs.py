@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -59,6 +59,16 @@ class Beyond(msgspec.Struct, frozen=True):
     key: str
     rules: tuple[RuleInfo, ...]
     look: Callable[[], Sight]
+
+
+def among_changes(beyond: Beyond | None, changed: Sequence[str], everything: str) -> Beyond | None:
+    """Return a further look where only changed packages count; None where no package changed.
+
+    What it finds in them depends on all others too, so ``everything``, a key of those, shapes it.
+    """
+    if beyond is None or not changed:
+        return None
+    return msgspec.structs.replace(beyond, key=f"{beyond.key} {everything}")
 
 
 class Run(msgspec.Struct, frozen=True):

@@ -56,7 +56,7 @@ def analysed(
         store: receives the run.
         progress: who watches; it is finished.
         begun: when the command began, a ``time.monotonic()``.
-        unchanged: hashes of files by path; packages of which all files have these are left out, and so are graphs.
+        unchanged: hashes of files by path; packages of which all files have these are left out.
 
     Raises:
         RoslensError: see :mod:`roslens.cli.terminal.boundary`.
@@ -72,7 +72,8 @@ def analysed(
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
     kept = None if options.no_cache else own_folder(root) / CACHE
     answers = kept.with_name(ANSWERS) if kept is not None else None
-    beyond = None if unchanged is not None else graph_look(options, configuration, settings, root, kept, progress)
+    changed = unchanged is not None
+    beyond = graph_look(options, configuration, settings, root, kept, progress, changed=changed)
     with Cache.open(kept) as cache, _engine(options, configuration, root, store) as engine:
         try:
             outcome = analyse(
@@ -89,7 +90,7 @@ def analysed(
                 beyond=beyond,
                 engine=engine,
                 unchanged=unchanged,
-                look_back=None if unchanged is not None else process_look(options, settings, answers),
+                look_back=None if changed else process_look(options, settings, answers),
             )
         finally:
             progress.finish()

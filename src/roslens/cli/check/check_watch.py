@@ -126,12 +126,14 @@ def look(fresh: FreshPackages, path: str) -> Fresh | str | None:
 
 
 def _reported(path: str, found: Fresh, took_s: float) -> Iterator[str]:
-    counted = [one for one in found.findings if one.gated]
-    count = f"{len(counted)} finding{'s' * (len(counted) != 1)}"
+    from roslens.report.run.fix_first import by_urgency
+
+    counting = [one for one in found.findings if one.gated]
+    count = f"{len(counting)} finding{'s' * (len(counting) != 1)}"
     aside = f", {len(found.set_aside)} set aside" if found.set_aside else ""
     yield f"{path}: {count}{aside} ({took_s * 1000:.0f} ms)"
     yield from (f"  not analysed: {failure}" for failure in found.failures)
-    yield from (f"  {_line(one)}" for one in sorted(counted, key=lambda one: (-one.severity.rank, one.line)))
+    yield from (f"  {_line(one)}" for one in by_urgency(counting))
 
 
 def _line(finding: Finding) -> str:

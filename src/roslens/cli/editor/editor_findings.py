@@ -10,7 +10,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.words.silence_comment import measured_text, silence_comment
 from roslens.report.run.finding_text import weight_of
-from roslens.report.run.fix_first import counted, urgency
+from roslens.report.run.fix_first import by_urgency, counted, urgency
 
 SEVERITIES = {Severity.ERROR: 1, Severity.WARNING: 2, Severity.NOTE: 3}
 """Numbers of the Language Server Protocol; a finding that does not count is a hint, 4."""
@@ -46,8 +46,9 @@ class Edit(msgspec.Struct, frozen=True):
 
 
 def shown(findings: Iterable[Finding], lines: Sequence[str]) -> tuple[Shown, ...]:
-    """Return findings of a file with these lines; what spans several lines is shown on its first one."""
-    return tuple(Shown(one, span_of(one, lines), SEVERITIES[one.severity] if one.gated else HINT) for one in findings)
+    """Return findings of a file with these lines, those to fix first before others; a long one on its first line."""
+    order = by_urgency(findings)
+    return tuple(Shown(one, span_of(one, lines), SEVERITIES[one.severity] if one.gated else HINT) for one in order)
 
 
 def span_of(finding: Finding, lines: Sequence[str]) -> Span:

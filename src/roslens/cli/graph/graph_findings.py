@@ -85,6 +85,9 @@ def _calling(configuration: Configuration, source: GraphSource) -> Mapping[str, 
     }
     programs = {}
     for path in sorted(paths):
+        if (known := source.facts.program_of(path)) is not None:
+            programs[path] = known
+            continue
         language, text = _CODE.get(Path(path).suffix), source.facts.files.content(path)
         if language is not None and text is not None:
             programs[path] = parse_file(text, Language(language), source.settings.macros).program()

@@ -50,6 +50,8 @@ def graph_look(
     root: Path,
     cache: Path | None,
     progress: Progress,
+    *,
+    changed: bool = False,
 ) -> Beyond | None:
     """Return the check of configurations; None if it is left out.
 
@@ -60,6 +62,7 @@ def graph_look(
         root: of the workspace.
         cache: the file in which is kept what was learned of files; None keeps nothing.
         progress: who watches.
+        changed: whether only changed files count: findings are all that is taken of the graphs then.
     """
     if options.graph is False or "graph" in settings.disable:
         return None
@@ -83,6 +86,10 @@ def graph_look(
         with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
             chosen = chosen_configurations(source, every=every)
             found = assembled(source, chosen.named, progress)
+        if changed:
+            # That other code cannot be read, or a graph is not whole, is no matter of what was changed.
+            broken = tuple(one for one in found.failures if one.location is not None or one.detail)
+            return Sight(Outcome(findings=found.all_findings(), failures=broken))
         known = {name: completeness_of(one) for name, one in found.configurations.items()}
         unknown = incomplete(known)
         failures = (*found.failures, *((unknown,) if unknown is not None else ()))

@@ -102,6 +102,16 @@ def urgency(one: RuleCount, rule: RuleInfo | None = None, commits: int = 0) -> U
     )
 
 
+def by_urgency(findings: Iterable[Finding]) -> list[Finding]:
+    """Return findings in the order in which they are to be fixed: those that do not count behind all that do."""
+
+    def order(one: Finding) -> tuple[object, ...]:
+        *key, rule, _example = urgency(counted(one))
+        return not one.gated, *key, one.path, one.line, one.column, rule
+
+    return sorted(findings, key=order)
+
+
 def counted(finding: Finding) -> RuleCount:
     """Return a single finding as the count of its rule."""
     return RuleCount(

@@ -17,6 +17,7 @@ from roslens.model.source import Language, Package, Role
 from roslens.source.extract.facts.chosen import Chosen
 from roslens.source.extract.facts.launched import Unresolved
 from roslens.source.extract.facts.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.ir.program import Program
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.symbols.evaluated_unit import EvaluatedUnit
 from roslens.source.extract.symbols.reached_functions import Reached
@@ -184,6 +185,10 @@ class WorkspaceFacts:
     def role(self, path: str) -> Role:
         """Return whose code a file is; own where the workspace does not have it."""
         return Role(self.roles.get(path, Role.OWN.value))
+
+    def program_of(self, path: str) -> Program | None:
+        """Return the program of a file; None where it makes no nodes of the workspace, or cannot be read."""
+        return self._parts.programs.programs.get(path)
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""

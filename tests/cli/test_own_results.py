@@ -1,5 +1,6 @@
-"""What a clone brings as results of an earlier run is refused; what this user made is taken."""
+"""What a clone brings as results of an earlier run is set aside; what this user made is taken."""
 
+import hmac
 import os
 import shutil
 import sqlite3
@@ -8,10 +9,10 @@ import subprocess
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.terminal.boundary import BAD_INPUT
-from roslens.cli.workplace.own_results import MARK, refuse_foreign
+from roslens.cli.terminal.boundary import BAD_INPUT, FINDINGS
+from roslens.cli.workplace import workplace
+from roslens.cli.workplace.own_results import MARK, why_foreign
 from roslens.cli.workplace.user_folder import user_folder, user_secret
-from roslens.model.errors import UsageError
 
 MANIFEST = '<package format="3"><name>a</name><version>1.0.0</version><description>d</description>\
 <maintainer email="a@example.org">a</maintainer><license>MIT</license></package>'
@@ -26,6 +27,8 @@ def checked(tmp_path, monkeypatch):
     (root / "a" / "a.cpp").write_text("int f() { " + "if (g()) h(); " * 40 + "}\n")
     subprocess.run(["git", "init", "-q", str(root)], check=True)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "other"))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    monkeypatch.setattr(workplace, "_TOLD", set())
     main(["check", str(root), "-q", "--jobs", "1", "--fail-on", "never"])
     return root
 
@@ -34,44 +37,105 @@ def as_another_user(root, monkeypatch):
     monkeypatch.setenv("XDG_CONFIG_HOME", str(root.parent / "user"))
 
 
-def test_a_forged_verdict_is_refused_by_every_verb(checked, monkeypatch, capsys):
-    store = sqlite3.connect(checked / ".roslens" / "store.sqlite")
+def forge(folder):
+    store = sqlite3.connect(folder / "store.sqlite")
     store.execute("DELETE FROM finding")
     store.commit()
+    store.close()
+
+
+def gate(root, *more):
+    return main(["check", str(root), "-q", "--jobs", "1", "--fail-on", "note", *more])
+
+
+def test_a_forged_verdict_is_set_aside_with_one_line_and_stays_as_it_is(checked, monkeypatch, capsys):
+    forge(checked / ".roslens")
+    before = {one.name: one.read_bytes() for one in (checked / ".roslens").iterdir()}
     as_another_user(checked, monkeypatch)
-    for words in (["check"], ["check", "--no-cache"], ["report"], ["serve"], ["graph"], ["clean"]):
-        assert main([*words, str(checked)]) == BAD_INPUT
-        assert "was made by another user" in capsys.readouterr().err
-    assert main(["check", str(checked), "-q", "--no-store", "--no-cache", "--jobs", "1"]) in (0, 1)
+    assert gate(checked) == FINDINGS
+    said = capsys.readouterr().err
+    assert said.count("was made by another user, or somewhere else: it is set aside") == 1
+    assert {one.name: one.read_bytes() for one in (checked / ".roslens").iterdir()} == before
+    # Every other command shows the user's own run.
+    for words in (["report", "-o", str(checked.parent / "out"), "-q"], ["check", "-q", "--fail-on", "note"], ["clean"]):
+        assert main([words[0], str(checked), *words[1:]]) in (0, FINDINGS)
     assert main(["clean", "--all", str(checked)]) == 0
-    assert main(["check", str(checked), "-q", "--jobs", "1"]) in (0, 1)
+    assert not (checked / ".roslens").exists()
+    assert list((checked.parent / "state/roslens/workspaces").iterdir()) == []
+
+
+def test_containers_with_a_new_home_each_go_on(checked, monkeypatch):
+    for number in range(3):
+        monkeypatch.setenv("XDG_CONFIG_HOME", str(checked.parent / f"home{number}"))
+        monkeypatch.setenv("XDG_STATE_HOME", str(checked.parent / f"state{number}"))
+        assert gate(checked) == FINDINGS
+    assert sorted(one.name for one in checked.iterdir()) == [".git", ".roslens", "a"]
+
+
+def test_a_report_without_a_run_of_this_user_has_none(checked, monkeypatch, capsys):
+    as_another_user(checked, monkeypatch)
+    assert main(["evidence", "a", "--workspace", str(checked)]) == BAD_INPUT
+    assert "no finished run in" in capsys.readouterr().err
+
+
+def test_a_leaked_mark_opens_no_other_folder(checked, tmp_path):
+    other = tmp_path / "other-clone"
+    shutil.copytree(checked, other)
+    forge(other / ".roslens")
+    assert why_foreign(checked / ".roslens", os.environ) == ""
+    assert why_foreign(other / ".roslens", os.environ).startswith("was made by another user, or somewhere else")
+    assert gate(other) == FINDINGS
+
+
+def earlier_mark():
+    return hmac.new(user_secret(os.environ), b"results of roslens", "sha256").hexdigest().encode()
+
+
+def test_the_mark_of_an_earlier_version_is_taken_and_renewed(checked):
+    (checked / ".roslens" / MARK).write_bytes(earlier_mark())
+    (user_folder(os.environ) / "marks-of-folders").unlink()
+    assert why_foreign(checked / ".roslens", os.environ) == ""
+    run = (checked / ".roslens" / "store.sqlite").stat().st_ino
+    assert gate(checked) == FINDINGS
+    assert (checked / ".roslens" / "store.sqlite").stat().st_ino == run
+    assert earlier_mark() not in (checked / ".roslens" / MARK).read_bytes()
+
+
+def test_a_mark_of_an_earlier_version_that_came_later_is_not_taken(checked):
+    (checked / ".roslens" / MARK).write_bytes(earlier_mark())
+    os.utime(checked / ".roslens" / MARK, (0, 0))
+    os.utime(user_folder(os.environ) / "marks-of-folders", (1, 1))
+    assert why_foreign(checked / ".roslens", os.environ)
 
 
 def test_the_users_own_is_taken_after_the_workspace_moved(checked):
     moved = checked.parent / "moved"
     shutil.move(checked, moved)
-    assert main(["check", str(moved), "-q", "--jobs", "1"]) in (0, 1)
+    assert why_foreign(moved / ".roslens", os.environ) == ""
+    assert gate(moved) == FINDINGS
+    again = checked.parent / "again"
+    moved.rename(again)
+    assert why_foreign(again / ".roslens", os.environ) == ""
 
 
 def test_what_git_tracks_came_with_the_source(checked, capsys):
     subprocess.run(["git", "add", "-f", ".roslens"], cwd=checked, check=True)
-    assert main(["check", str(checked)]) == BAD_INPUT
+    assert gate(checked) == FINDINGS
     said = capsys.readouterr().err
-    assert "is part of a git repository, so it came with the source" in said
+    assert "is part of a git repository, so it came with the source: it is set aside" in said
     assert "roslens clean --all" in said
 
 
-def test_a_store_without_a_mark_is_refused(checked, capsys):
+def test_a_store_without_a_mark_is_set_aside(checked, capsys):
     (checked / ".roslens" / MARK).unlink()
-    assert main(["check", str(checked)]) == BAD_INPUT
+    assert gate(checked) == FINDINGS
     assert "has no mark of its creator" in capsys.readouterr().err
 
 
-def test_past_revisions_that_a_clone_brings_are_refused(tmp_path):
+def test_past_revisions_that_a_clone_brings_are_foreign(tmp_path):
     (tmp_path / ".roslens").mkdir()
     (tmp_path / ".roslens/history.sqlite").write_bytes(b"")
-    with pytest.raises(UsageError, match="has no mark of its creator"):
-        refuse_foreign(tmp_path / ".roslens", os.environ)
+    assert why_foreign(tmp_path / ".roslens", os.environ) == "has no mark of its creator"
 
 
 @pytest.mark.parametrize("name", ["store.sqlite", "cache.sqlite", "history.sqlite"])
@@ -80,15 +144,15 @@ def test_files_that_are_no_plain_files(checked, name, kind, capsys):
     place = checked / ".roslens" / name
     place.unlink(missing_ok=True)
     place.symlink_to("/proc/kmsg") if kind == "link" else os.mkfifo(place)
-    assert main(["check", str(checked)]) == BAD_INPUT
+    assert gate(checked) == FINDINGS
     assert f"has a {name} that is not a regular file" in capsys.readouterr().err
 
 
-def test_a_link_is_refused_and_cleaning_removes_only_the_link(checked, capsys):
+def test_a_link_is_set_aside_and_cleaning_removes_only_the_link(checked, capsys):
     folder = checked / ".roslens"
     folder.rename(checked.parent / "target")
     folder.symlink_to(checked.parent / "target")
-    assert main(["check", str(checked)]) == BAD_INPUT
+    assert gate(checked) == FINDINGS
     assert "is a link" in capsys.readouterr().err
     assert main(["clean", "--all", str(checked)]) == 0
     assert (checked.parent / "target" / "store.sqlite").is_file()
@@ -98,8 +162,7 @@ def test_a_link_is_refused_and_cleaning_removes_only_the_link(checked, capsys):
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can give a folder to somebody else")
 def test_a_folder_of_somebody_else(checked):
     os.chown(checked / ".roslens", 12345, -1)
-    with pytest.raises(UsageError, match="belongs to another user"):
-        refuse_foreign(checked / ".roslens", os.environ)
+    assert why_foreign(checked / ".roslens", os.environ) == "belongs to another user (number 12345)"
 
 
 def test_the_secret_is_private_and_stays(tmp_path):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.graph.graph_stage import graph_look
 from roslens.cli.workplace.process_option import process_look, with_process
 from roslens.cli.workplace.tools_option import with_tools, without_programs_of_models
-from roslens.cli.workplace.workplace import ANSWERS, CACHE, FOLDER, own_folder
+from roslens.cli.workplace.workplace import ANSWERS, CACHE, kept_in, own_folder
 
 if TYPE_CHECKING:
     from roslens.cli.terminal.streams import LineProgress, NoProgress, TerminalProgress
@@ -85,7 +85,7 @@ def analysed(
                 base=Path(configuration.base or "."),
                 jobs=configuration.jobs if options.jobs is None else options.jobs,
                 progress=progress,
-                log=None if options.no_store else root / FOLDER / "log",
+                log=None if options.no_store else kept_in(root) / "log",
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
                 engine=engine,

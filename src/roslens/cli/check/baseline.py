@@ -263,7 +263,7 @@ def analysed_revision(
     from roslens.cli.git.git_tree import write_tree
     from roslens.cli.git.revision import renamed_since
     from roslens.cli.terminal.streams import NoProgress
-    from roslens.cli.workplace.workplace import CACHE, FOLDER, own_folder
+    from roslens.cli.workplace.workplace import CACHE, kept_in, own_folder
     from roslens.store.runs import Store
 
     with ScratchFolder("baseline") as folder:
@@ -278,7 +278,7 @@ def analysed_revision(
         if not asked.paths:
             return Baseline(revision.title, (), {}, {})
         if not options.no_cache:
-            _lend(root / FOLDER / CACHE, own_folder(place) / CACHE)
+            _lend(kept_in(root) / CACHE, own_folder(place) / CACHE)
         with Store.open(None) as store:
             answer = analysed(
                 asked,

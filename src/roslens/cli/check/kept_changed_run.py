@@ -74,15 +74,13 @@ def changed_run(start: str) -> Iterator[NarrowedView]:
         UsageError: there is none.
         StoreError: the store cannot be read.
     """
-    from roslens.cli.workplace.own_results import refuse_foreign
-    from roslens.cli.workplace.workplace import FOLDER, refuse_missing
+    from roslens.cli.workplace.workplace import FOLDER, kept_in, refuse_missing
     from roslens.store.runs import Store
 
     refuse_missing(start)
     path = Path(start).resolve()
-    folder = next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / STORE).is_file()), None)
-    if folder is not None:
-        refuse_foreign(folder, os.environ)
+    folders = (kept_in(above) for above in (path, *path.parents))
+    folder = next((one for one in folders if (one / STORE).is_file()), None)
     kept = None if folder is None else _read(folder)
     if folder is not None and kept is not None:
         with Store.open(folder / STORE) as store:

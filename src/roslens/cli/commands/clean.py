@@ -30,20 +30,24 @@ def run(options: argparse.Namespace) -> int:
     import shutil
     from pathlib import Path
 
-    from roslens.cli.workplace.workplace import CACHE, FOLDER, STORE, find_folder, some_folder
+    from roslens.cli.workplace.workplace import CACHE, FOLDER, STORE, aside_of, find_folder
     from roslens.model.errors import UsageError
     from roslens.store.runs import Store
 
     if options.all:
+        path = Path(options.path).resolve()
+        kept = ((above / FOLDER, aside_of(above)) for above in (path, *path.parents))
+        folders = next((one for one in kept if any((each / STORE).is_file() for each in one)), (path / FOLDER,))
         # Also what was made by others, which no other command touches; of a link only the link.
-        folder = some_folder(options.path) or Path(options.path).resolve() / FOLDER
-        if folder.is_symlink() or folder.is_file():
-            folder.unlink()
-        elif folder.is_dir():
-            shutil.rmtree(folder)
-        else:
+        there = [one for one in folders if one.is_symlink() or one.exists()]
+        if not there:
             find_folder(options.path)
-        print(f"removed {folder}")
+        for folder in there:
+            if folder.is_symlink() or folder.is_file():
+                folder.unlink()
+            else:
+                shutil.rmtree(folder)
+            print(f"removed {folder}")
         return 0
     folder = find_folder(options.path)
     if options.keep is not None:

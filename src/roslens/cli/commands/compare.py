@@ -100,14 +100,11 @@ def _of_runs(options: argparse.Namespace) -> int:
     from roslens.cli.terminal.boundary import CLEAN, FINDINGS
     from roslens.cli.terminal.streams import write_result
     from roslens.cli.workplace.configuration import find_configuration
-    from roslens.cli.workplace.own_results import refuse_foreign
     from roslens.cli.workplace.trust_option import admitted_by
-    from roslens.cli.workplace.workplace import FOLDER
     from roslens.compare.run_difference import run_difference
     from roslens.model.finding import Severity
 
     root = workspace_root(options.path or ".")
-    refuse_foreign(root / FOLDER, os.environ)
     settings = settings_of(options, admitted_by(options, find_configuration(root, options.config)), os.environ)
     with named_runs(root, settings) as runs:
         before, after = runs.find(options.before), runs.find(options.after)

@@ -14,7 +14,7 @@ from roslens.cli.git.git_repository import commit_of_revision, names_like, repos
 from roslens.cli.past.past_runs import PastRuns, past_runs
 from roslens.cli.workplace.process_option import seconds_of
 from roslens.cli.workplace.shared_store import shared_address
-from roslens.cli.workplace.workplace import FOLDER, STORE, open_store
+from roslens.cli.workplace.workplace import STORE, kept_in, open_store
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ class NamedRuns:
 
     def _of_tree(self, name: str) -> NamedRun:
         if self._store is None:
-            if not (self.root / FOLDER / STORE).is_file() and not shared_address(str(self.root)):
+            if not (kept_in(self.root) / STORE).is_file() and not shared_address(str(self.root)):
                 raise UsageError(
                     f'"{name}": nothing was checked in {self.root} yet', expected="a kept run",
                     advice="Run `roslens check` first",

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.past.past_repositories import behind_heads
 from roslens.cli.past.past_store import kept_past
 from roslens.cli.workplace.shared_store import shared_address
-from roslens.cli.workplace.workplace import FOLDER, STORE, open_store, refuse_missing
+from roslens.cli.workplace.workplace import STORE, kept_in, open_store, refuse_missing
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def trends_of(start: str) -> Iterator[Trends]:
     with ExitStack() as opened:
         past = opened.enter_context(kept.open())
         now = None
-        if (kept.root / FOLDER / STORE).is_file() or shared_address(start):
+        if (kept_in(kept.root) / STORE).is_file() or shared_address(start):
             store = opened.enter_context(open_store(start))
             now = store.view() if store.latest() is not None else None
         settings = find_configuration(kept.root, None).source.workspace

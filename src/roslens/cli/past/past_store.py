@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.workplace.own_results import refuse_foreign
 from roslens.cli.workplace.shared_store import SHARED, VARIABLE, note_shared, shared_address
-from roslens.cli.workplace.workplace import FOLDER, STORE, own_folder
+from roslens.cli.workplace.workplace import STORE, kept_in, own_folder
 
 if TYPE_CHECKING:
     from roslens.store.runs import Store
@@ -35,17 +34,15 @@ class KeptPast(msgspec.Struct, frozen=True):
     root: Path
     address: str = ""
 
-    def open(self, environment: Mapping[str, str] = os.environ) -> Store:
+    def open(self) -> Store:
         """Open their runs to be read.
 
         Raises:
-            UsageError: they may be of someone else.
             StoreError: they cannot be read.
         """
         from roslens.store.runs import Store
 
-        refuse_foreign(self.root / FOLDER, environment)
-        return Store.open_shared(self.address) if self.address else Store.open(self.root / FOLDER / PAST)
+        return Store.open_shared(self.address) if self.address else Store.open(kept_in(self.root) / PAST)
 
 
 def kept_past(start: str) -> KeptPast | None:
@@ -59,7 +56,7 @@ def kept_past(start: str) -> KeptPast | None:
         from roslens.store.postgres.connection import has_schema
 
         return KeptPast(workspace_root(start), address) if has_schema(address) else None
-    root = next((above for above in (path, *path.parents) if (above / FOLDER / PAST).is_file()), None)
+    root = next((above for above in (path, *path.parents) if (kept_in(above) / PAST).is_file()), None)
     return None if root is None else KeptPast(root)
 
 
@@ -87,7 +84,7 @@ def workspace_root(start: str) -> Path:
     kept = (
         above
         for above in (path, *path.parents)
-        if any((above / FOLDER / name).is_file() for name in (STORE, PAST, SHARED))
+        if any((folder / name).is_file() for folder in [kept_in(above)] for name in (STORE, PAST, SHARED))
     )
     return next(kept, path)
 

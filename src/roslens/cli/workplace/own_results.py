@@ -1,11 +1,14 @@
 """Whether what is kept of a workspace was made by this user: a clone must not bring its own clean verdict.
 
-A folder ``.roslens`` that roslens made has a mark that only this user can make. One without it, one that git tracks,
-a link, or one that belongs to another user is refused: a store in it could have its findings deleted.
+A folder ``.roslens`` that roslens made has a mark that only this user can make, and that is of this folder alone: by
+its path, or by its number in the file system where it was moved. So a mark that leaked opens no other folder. One
+without it, one that git tracks, a link, or one that belongs to another user is set aside: a store in it could have its
+findings deleted.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hmac
 import os
 import stat
@@ -14,46 +17,69 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from roslens.children.git import git_environment, git_words, looks_bare
-from roslens.cli.workplace.user_folder import user_secret, write_private
+from roslens.cli.workplace.user_folder import user_folder, user_secret, write_private
 from roslens.intake.bounded_file import read_bounded
-from roslens.model.errors import UsageError
 
 MARK = "maker"
 _KEPT = ("store.sqlite", "changed.sqlite", "cache.sqlite", "history.sqlite")
 _GIT_LIMIT_S = 10.0
+_SINCE = "marks-of-folders"
 
 
-def refuse_foreign(folder: Path, environment: Mapping[str, str]) -> None:
-    """Refuse what is kept in ``folder`` unless this user made it; a folder that is not there is fine.
-
-    Raises:
-        UsageError: it may be of someone else.
-    """
+def why_foreign(folder: Path, environment: Mapping[str, str]) -> str:
+    """Return why what is kept in ``folder`` may be of someone else; empty if this user made it, or it is not there."""
     try:
         found = folder.lstat()
     except OSError:
-        return
-    if reason := _strange(folder, found) or _tracked(folder) or _unmarked(folder, environment):
-        raise UsageError(
-            f"{str(folder)!r} {reason}",
-            expected="results that roslens wrote for you, on this machine",
-            advice=f"`roslens clean --all {folder.parent}` removes it; or use --no-store --no-cache. "
-            "A CI that keeps it between runs has to keep the file `secret` in $XDG_CONFIG_HOME/roslens too",
-        )
+        return ""
+    return _strange(folder, found) or _tracked(folder) or _unmarked(folder, environment)
 
 
 def mark_own(folder: Path, environment: Mapping[str, str]) -> None:
-    """Mark a folder as made by this user.
+    """Mark a folder as made by this user, at the place where it is now.
 
     Raises:
         OSError: it cannot be written.
     """
-    if not (folder / MARK).exists():
-        write_private(folder / MARK, _mark(environment))
+    marks = _marks(folder, environment)
+    try:
+        if read_bounded(folder / MARK).split() == marks:
+            return
+    except OSError:
+        pass
+    write_private(folder / MARK, b"\n".join(marks) + b"\n")
 
 
-def _mark(environment: Mapping[str, str]) -> bytes:
-    return hmac.new(user_secret(environment), b"results of roslens", "sha256").hexdigest().encode()
+def _marks(folder: Path, environment: Mapping[str, str]) -> list[bytes]:
+    """Return the marks of a folder: by its path, and by its number in the file system."""
+    found = folder.stat()
+    places = (os.fsencode(folder.resolve()), b"%d:%d" % (found.st_dev, found.st_ino))
+    secret = user_secret(environment)
+    return [hmac.new(secret, b"results of roslens in\0" + one, "sha256").hexdigest().encode() for one in places]
+
+
+def _is_of_earlier_version(folder: Path, content: bytes, environment: Mapping[str, str]) -> bool:
+    """Return whether a mark is that of a version whose marks were the same for all folders of a user.
+
+    It is taken only where it lay here before this version came: nobody can set back when a file was made here.
+    """
+    earlier = hmac.new(user_secret(environment), b"results of roslens", "sha256").hexdigest().encode()
+    if not hmac.compare_digest(content, earlier):
+        return False
+    note_version(environment)
+    since = user_folder(environment) / _SINCE
+    try:
+        return (folder / MARK).stat().st_ctime <= since.stat().st_mtime
+    except OSError:
+        return False
+
+
+def note_version(environment: Mapping[str, str]) -> None:
+    """Remember when marks of single folders began for this user; once."""
+    since = user_folder(environment) / _SINCE
+    if not since.exists():
+        with contextlib.suppress(OSError):
+            write_private(since, b"marks are of single folders from here on\n")
 
 
 def _strange(folder: Path, found: os.stat_result) -> str:
@@ -94,4 +120,9 @@ def _unmarked(folder: Path, environment: Mapping[str, str]) -> str:
         content = read_bounded(folder / MARK)
     except OSError:
         return "has no mark of its creator"
-    return "" if hmac.compare_digest(content, _mark(environment)) else "was made by another user"
+    given, own = content.split(), _marks(folder, environment)
+    if any(hmac.compare_digest(one, mark) for one, mark in zip(given, own, strict=False)) or _is_of_earlier_version(
+        folder, content, environment
+    ):
+        return ""
+    return "was made by another user, or somewhere else"

@@ -6,11 +6,14 @@ import argparse
 import contextlib
 import difflib
 import os
+import sys
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.workplace.own_results import mark_own, refuse_foreign
+from roslens.cli.workplace.own_results import mark_own, note_version, why_foreign
 from roslens.cli.workplace.shared_store import SHARED, shared_address
+from roslens.cli.workplace.user_folder import state_folder
 from roslens.model.errors import UsageError
 from roslens.store.folder import prepare_folder
 
@@ -38,11 +41,10 @@ def find_folder(start: str) -> Path:
     """Return the ``.roslens`` folder of the workspace that ``start`` is in.
 
     Raises:
-        UsageError: there is no such folder, nothing was checked there yet, or it may be of someone else.
+        UsageError: there is no such folder, or nothing was checked there yet.
     """
     refuse_missing(start)
     if (folder := some_folder(start)) is not None:
-        refuse_foreign(folder, os.environ)
         return folder
     path = Path(start).resolve()
     raise UsageError(
@@ -71,20 +73,46 @@ def refuse_missing(start: str) -> None:
 
 
 def some_folder(start: str) -> Path | None:
-    """Return the ``.roslens`` folder with a store that ``start`` is in, whoever made it; None where there is none."""
+    """Return the folder of this user with a store of the workspace that ``start`` is in; None where there is none."""
     path = Path(start).resolve()
-    folders = (above / FOLDER for above in (path, *path.parents))
+    folders = (kept_in(above) for above in (path, *path.parents))
     return next((one for one in folders if (one / STORE).is_file() or (one / SHARED).is_file()), None)
 
 
-def own_folder(root: Path) -> Path:
-    """Return the ``.roslens`` folder of a workspace, made and marked as this user's where there is none.
+def kept_in(root: Path) -> Path:
+    """Return where results of a workspace are kept: its ``.roslens``, or a folder of this user where that is foreign.
 
-    Raises:
-        UsageError: the existing one may be of someone else.
+    What is in a foreign one is neither used nor changed, and a line says so once.
     """
     folder = root / FOLDER
-    refuse_foreign(folder, os.environ)
+    reason = why_foreign(folder, os.environ)
+    if not reason:
+        return folder
+    aside = aside_of(root)
+    if str(folder) not in _TOLD:
+        _TOLD.add(str(folder))
+        print(
+            f"roslens: {str(folder)!r} {reason}: it is set aside, and results are kept in {str(aside)!r} "
+            f"(`roslens clean --all {root}` removes both)",
+            file=sys.stderr,
+        )
+    return aside
+
+
+def aside_of(root: Path) -> Path:
+    """Return where results of a workspace are kept whose ``.roslens`` is foreign."""
+    name = sha256(os.fsencode(root.resolve())).hexdigest()[:16]
+    return state_folder(os.environ) / "workspaces" / name
+
+
+_TOLD: set[str] = set()
+"""Foreign folders of which the line was printed."""
+
+
+def own_folder(root: Path) -> Path:
+    """Return where results of a workspace are kept, made and marked as this user's where there is none."""
+    note_version(os.environ)
+    folder = kept_in(root)
     with contextlib.suppress(OSError):  # a folder that cannot be written is reported when something is to be written
         prepare_folder(folder)
         mark_own(folder, os.environ)

@@ -1,9 +1,11 @@
 import csv
 import json
+import os
 
 import pytest
 
 from roslens.cli.main import main
+from roslens.cli.workplace.journal_key import journal_signing
 from roslens.store.journals.journal import Journal
 
 
@@ -34,6 +36,28 @@ def test_what_was_changed_is_the_exit_code(path, capsys):
     path.write_bytes(path.read_bytes().replace(b"3.5", b"4.5"))
     assert main(["journal", "--verify"]) == 1
     assert "line 1: entry 0 was changed" in capsys.readouterr().out
+
+
+def test_a_journal_that_was_hashed_anew_is_the_exit_code(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    path = tmp_path / "journal.jsonl"
+    with Journal(path, journal_signing(path, os.environ)) as journal:
+        journal.add("decided", 1e9, entity="topic:/scan")
+    assert main(["journal", str(path), "--verify"]) == 0
+    assert "1 entries as they were written, 1 of them signed" in capsys.readouterr().out
+    path.unlink()
+    with Journal(path) as journal:
+        journal.add("decided", 1e9, entity="topic:/other")
+    assert main(["journal", str(path), "--verify"]) == 1
+    assert "entry 0, the last that was signed here, is not there as it was written" in capsys.readouterr().out
+
+
+def test_the_key_is_of_the_user_and_the_folder(tmp_path):
+    one, other = ({"XDG_CONFIG_HOME": str(tmp_path / name)} for name in ("one", "other"))
+    keys = {journal_signing(tmp_path / name / "j", user).key for name in "ab" for user in (one, other)}
+    assert len(keys) == 4
+    assert journal_signing(tmp_path / "a/j", one) == journal_signing(tmp_path / "a/../a/j", one)
+    assert journal_signing(tmp_path / "a/k", one).last != journal_signing(tmp_path / "a/j", one).last
 
 
 def test_it_is_exported_whole(path, tmp_path):

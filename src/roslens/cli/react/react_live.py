@@ -55,6 +55,7 @@ def react_live(options: argparse.Namespace) -> int:
         UsageError: the options make no sense, or no ROS is observed in which anything could be done.
         DocumentError: the reference has no reactions, or calls for what cannot be done.
     """
+    from roslens.cli.workplace.journal_key import journal_signing
     from roslens.store.journals.journal import Journal
 
     limits, files = limits_of(options), files_with_reactions(options)
@@ -66,7 +67,7 @@ def react_live(options: argparse.Namespace) -> int:
     length = length_of(options.length, "--for") if options.length is not None else None
     path = options.journal or state_folder(os.environ) / "journal.jsonl"
     with contextlib.ExitStack() as stack:
-        journal = stack.enter_context(Journal(path))
+        journal = stack.enter_context(Journal(path, journal_signing(path, os.environ)))
         questions = questions_of(options.mode) if options.serve is not None else None
         reacting = Reacting(options, files, limits, journal, stack, questions)
         reacting.prepare()

@@ -15,24 +15,32 @@ from typing import Any
 
 from roslens.model.errors import StoreError
 from roslens.store.journals.journal_entry import MOST_BYTES, Entry, EntryError, read, written
+from roslens.store.journals.signing import Anchor, Signing
 
 if os.name == "posix":
     import fcntl
 
 TORN = "torn"
 """The text of an entry that follows an incomplete line."""
+ANEW = "anew"
+"""The text of an entry that follows where entries were that are no longer there."""
 
 
 class Journal:
     """A journal that is written to."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, signing: Signing | None = None) -> None:
         """Open or begin a journal, for its user alone.
+
+        Args:
+            path: of the journal.
+            signing: what entries are signed with; None signs none.
 
         Raises:
             StoreError: it cannot be written, or its end is no journal.
         """
         self._path = path
+        self._signing = signing
         self._last: Entry | None = None
         self._size = 0
         self._turn = threading.Lock()
@@ -70,10 +78,26 @@ class Journal:
         """
         with self._turn, self._locked():
             self._catch_up()
-            number, before = (self._last.n + 1, self._last.hash) if self._last else (0, "")
-            entry, line = written(number, time, what, fields, before)
-            self._append(line)
-            self._last = entry
+            if (lost := self._lost()) is not None:
+                text = f"{lost.n + 1} entries were here, up to {lost.hash}: they were put away, cut off or changed"
+                self._write(time, ANEW, {"text": text, "entries": lost.n + 1, "head": lost.hash})
+            return self._write(time, what, fields)
+
+    def _lost(self) -> Anchor | None:
+        """Return the last entry that was signed here, if the journal no longer ends with one that is."""
+        if self._signing is None or (anchor := self._signing.anchor()) is None:
+            return None
+        last = self._last
+        whole = last is not None and last.n >= anchor.n and self._signing.made(last.code, last.hash)
+        return None if whole else anchor
+
+    def _write(self, time: float, what: str, fields: dict[str, Any]) -> Entry:
+        number, before = (self._last.n + 1, self._last.hash) if self._last else (0, "")
+        entry, line = written(number, time, what, fields, before, self._signing)
+        self._append(line)
+        self._last = entry
+        if self._signing is not None:
+            self._signing.keep(entry.n, entry.hash)
         return entry
 
     def close(self) -> None:
@@ -120,12 +144,9 @@ class Journal:
         if rest:
             if start and not newline:
                 raise StoreError("no journal", where=str(self._path), expected="a line for each entry")
-            number, before = (self._last.n + 1, self._last.hash) if self._last else (0, "")
-            time = self._last.time if self._last else 0.0
             self._append(b"\n")
             text = rest.decode("utf-8", "replace")
-            self._last, torn = written(number, time, TORN, {"bytes": len(rest), "text": text}, before)
-            self._append(torn)
+            self._write(self._last.time if self._last else 0.0, TORN, {"bytes": len(rest), "text": text})
 
 
 def _unwritten(path: Path, error: OSError) -> StoreError:

@@ -3,7 +3,8 @@
 A line is a JSON object with the keys ``n`` (number of the entry, from 0), ``time`` (seconds since the epoch), ``what``,
 ``fields``, ``before`` (hash of the entry before it, empty for the first) and last ``hash``: SHA-256, in hexadecimal, of
 the bytes of the line up to ``,"hash":``. So nothing can be changed, left out or put in between without every hash after
-it being another one. That the end of a journal was cut off shows against a hash that was kept elsewhere.
+it being another one. That the end of a journal was cut off shows against a hash that was kept elsewhere. Behind it may
+be ``code``, which shows that whoever wrote the entry has the key of the journal (``signing.py``).
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ import hashlib
 from typing import Any
 
 import msgspec
+
+from roslens.store.journals.signing import Signing
 
 MOST_BYTES = 64_000
 """Of one line; longer texts in it are shortened until it fits."""
@@ -30,6 +33,7 @@ class Entry(msgspec.Struct, frozen=True):
         fields: what is known of it, in JSON's types.
         before: hash of the entry before it.
         hash: of this one.
+        code: of its hash, made with the key of the journal; empty where it has none.
     """
 
     n: int
@@ -38,6 +42,7 @@ class Entry(msgspec.Struct, frozen=True):
     fields: dict[str, Any]
     before: str
     hash: str
+    code: str = ""
 
 
 class EntryError(ValueError):
@@ -47,17 +52,23 @@ class EntryError(ValueError):
 _DECODER = msgspec.json.Decoder(Entry)
 
 
-def written(n: int, time: float, what: str, fields: dict[str, Any], before: str) -> tuple[Entry, bytes]:
+def written(
+    n: int, time: float, what: str, fields: dict[str, Any], before: str, signing: Signing | None = None
+) -> tuple[Entry, bytes]:
     """Return an entry and its line, with the end of the line."""
     most = MOST_BYTES
     while True:
         body = _ENCODER.encode({"before": before, "fields": fields, "n": n, "time": time, "what": what})[:-1]
-        if len(body) <= MOST_BYTES - 100:
+        if len(body) <= MOST_BYTES - 200:
             break
         most //= 4
         fields = _shortened(fields, most) if most else {"shortened": True}
     found = hashlib.sha256(body).hexdigest()
-    return Entry(n, time, what, fields, before, found), body + b',"hash":"' + found.encode() + b'"}\n'
+    line = body + b',"hash":"' + found.encode() + b'"'
+    code = signing.code(found) if signing is not None else ""
+    if code:
+        line += b',"code":"' + code.encode() + b'"'
+    return Entry(n, time, what, fields, before, found, code), line + b"}\n"
 
 
 def read(line: bytes) -> Entry:

@@ -9,8 +9,9 @@ from pathlib import Path
 import msgspec
 
 from roslens.model.errors import StoreError
-from roslens.store.journals.journal import TORN
+from roslens.store.journals.journal import ANEW, TORN
 from roslens.store.journals.journal_entry import MOST_BYTES, Entry, EntryError, read
+from roslens.store.journals.signing import Signing
 
 _PIECE = 1 << 20
 
@@ -22,11 +23,13 @@ class Verified(msgspec.Struct, frozen=True):
         entries: that are as they were written, from the first on.
         head: hash of the last of them; keep it elsewhere, so that a journal whose end is cut off shows.
         wrong: what is not as it was written, and in which line; empty where all is.
+        signed: how many entries the key of the journal signed.
     """
 
     entries: int
     head: str
     wrong: tuple[str, ...] = ()
+    signed: int = 0
 
 
 class JournalReader:
@@ -78,25 +81,28 @@ class JournalReader:
         os.close(self._file)
 
 
-def verify(path: Path, head: str = "") -> Verified:
-    """Look at every hash of a journal.
+def verify(path: Path, head: str = "", signing: Signing | None = None) -> Verified:
+    """Look at every hash of a journal, and at every code.
+
+    Entries of before it was signed have no code; what follows one that has is signed as well, up to the last that is
+    known to be.
 
     Args:
         path: of the journal.
         head: a hash that was kept of it before, which has to be in it; empty for none.
+        signing: what it was signed with; None looks at no code.
 
     Raises:
         StoreError: it cannot be read.
     """
     reader = JournalReader(path)
     try:
-        return _verified(reader, head)
+        return _verified(reader, _Chain(head, signing))
     finally:
         reader.close()
 
 
-def _verified(reader: JournalReader, head: str) -> Verified:
-    chain = _Chain(head)
+def _verified(reader: JournalReader, chain: _Chain) -> Verified:
     for line in reader.lines():
         try:
             entry = read(line)
@@ -110,8 +116,11 @@ def _verified(reader: JournalReader, head: str) -> Verified:
 class _Chain:
     """What was seen of a journal so far: its last entry, and what is wrong."""
 
-    def __init__(self, head: str) -> None:
+    def __init__(self, head: str, signing: Signing | None) -> None:
         self._head = head
+        self._signing = signing
+        self._anchor = signing.anchor() if signing is not None else None
+        self._signed = 0
         self._seen = not head
         self._wrong: list[str] = []
         self._last: Entry | None = None
@@ -136,8 +145,21 @@ class _Chain:
             found = f"entry {entry.n} does not follow entry {last.n}" if last else f"it begins with entry {entry.n}"
             self._wrong.append(f"line {number}: {found}: something was changed, left out or put in")
         self._last = entry
+        self._look_at_code(number, entry)
         self._good += not self._wrong
         self._seen = self._seen or entry.hash == self._head
+
+    def _look_at_code(self, number: int, entry: Entry) -> None:
+        if self._signing is None:
+            return
+        if self._signing.made(entry.code, entry.hash):
+            self._signed += 1
+            if entry.what == ANEW and entry.n:
+                self._wrong.append(f"line {number}: {entry.fields.get('text', '')}")
+            if self._anchor is not None and (entry.n, entry.hash) == (self._anchor.n, self._anchor.hash):
+                self._anchor = None
+        elif self._signed:
+            self._wrong.append(f"line {number}: entry {entry.n} is not signed with the key of this journal")
 
     def verified(self, reader: JournalReader) -> Verified:
         """Return what all lines of a reader come to."""
@@ -148,4 +170,7 @@ class _Chain:
             wrong.append(f"line {reader.line + 1}: not complete; its writer ended within it, or still writes")
         if not self._seen:
             wrong.append(f"no entry has the hash {self._head[:16]!r}: the end was cut off, or it is another journal")
-        return Verified(self._good, self._last.hash if self._last else "", tuple(wrong))
+        if self._anchor is not None:
+            lost = f"entry {self._anchor.n}, the last that was signed here, is not there as it was written"
+            wrong.append(f"{lost}: the end was cut off, or entries were written anew")
+        return Verified(self._good, self._last.hash if self._last else "", tuple(wrong), self._signed)

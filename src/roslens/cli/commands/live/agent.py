@@ -141,6 +141,7 @@ def _acting(
     import time
 
     from roslens.cli.react.hold_file import Held
+    from roslens.cli.workplace.journal_key import journal_signing
     from roslens.cli.workplace.user_folder import state_folder
     from roslens.live.agent.acting import Acting
     from roslens.live.agent.enrol import read_agent
@@ -150,7 +151,8 @@ def _acting(
     if options.requests is not None:
         requests = address_of(options.requests, DEFAULT_REQUESTS_PORT)
     state = state_folder(os.environ)
-    journal = stack.enter_context(Journal(options.journal or state / "agent-journal.jsonl"))
+    path = options.journal or state / "agent-journal.jsonl"
+    journal = stack.enter_context(Journal(path, journal_signing(path, os.environ)))
     acting = Acting(
         options.name, requests, read_agent(options.enrolled), journal, say=_say, wall=time.time,
         output=state / "nodes", held=Held(os.environ),

@@ -59,10 +59,14 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _verify(path: Path, head: str) -> int:
+    import os
+
+    from roslens.cli.workplace.journal_key import journal_signing
     from roslens.store.journals.read_journal import verify
 
-    found = verify(path, head)
-    print(f"{path}: {found.entries} entries as they were written")
+    found = verify(path, head, journal_signing(path, os.environ))
+    signed = f", {found.signed} of them signed" if found.signed else "; none is signed by this user in this folder"
+    print(f"{path}: {found.entries} entries as they were written{signed}")
     if found.wrong:
         for text in found.wrong[:20]:
             print(f"  {text}")

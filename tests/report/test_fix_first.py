@@ -88,6 +88,17 @@ def test_a_line_that_two_rules_report_is_one_row():
     assert chosen(*unknown) == ["a", "b"]
 
 
+def test_the_same_place_in_a_copy_of_its_folder_is_no_further_row():
+    def row(path, rule="d"):
+        return weighed(rule, Consequence.HARD_TO_MAINTAIN, Certainty.PROVEN, line=7, path=path)
+
+    paths = ["ch9/bot/bot/bot_gazebo/a.xml", "ch9/bot/bot_gazebo/a.xml", "ch9/bot/bot_arm/a.xml"]
+    summary = package(*(row(path) for path in paths))
+    rows = first_to_fix([summary], (), {}, ALL)
+    assert [one.path for one in rows] == ["ch9/bot/bot/bot_gazebo/a.xml", "ch9/bot/bot_arm/a.xml"]
+    assert len(first_to_fix([package(row("a.xml"), row("b/a.xml"))], (), {}, ALL)) == 2
+
+
 def test_each_grave_finding_takes_part_and_not_the_example_of_its_rule_alone():
     def grave(line):
         return Finding(

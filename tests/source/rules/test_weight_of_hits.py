@@ -90,6 +90,16 @@ def test_a_standard_matters_where_what_the_package_uses_needs_a_newer_one(
 
 
 @pytest.mark.parametrize(
+    ("asks", "severity"),
+    [("", NOTE), ("<depend>pcl_conversions</depend>", WARNING), ("<depend>gtsam</depend>", WARNING)],
+)
+def test_code_of_one_processor_matters_beside_libraries_that_come_built(asks, severity, weights, tmp_path):
+    build = "project(arm)\nadd_compile_options(-march=native)\nadd_executable(a a.cpp)\n"
+    write(tmp_path, asks=asks, CMakeLists__txt=build, a__cpp="int main() {}\n")
+    assert [one for one, _ in weights("cmake.machine_flags")] == [severity]
+
+
+@pytest.mark.parametrize(
     ("files", "weight"),
     [
         ({"scripts__board__py": IMPORTS}, (WARNING, Consequence.STOPS_BUILD)),

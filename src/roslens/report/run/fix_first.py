@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -21,6 +22,8 @@ METRICS = "metrics"
 """The tag of findings of quality models."""
 FURTHEST = 16.0
 """How far beyond a limit is far: a limit of which nothing is that far beyond is for whoever looks at the metrics."""
+
+_FOLDERS = re.compile(r"(?:[\w.+-]+/)+")
 
 Urgency = tuple[int, int, int, int, int, float, int, str, str]
 
@@ -130,17 +133,33 @@ def counted(finding: Finding) -> RuleCount:
 
 
 def _one_a_line(ordered: Iterable[RuleCount]) -> list[RuleCount]:
-    """Return rows of which each place has one, the first, with the other rules that report it."""
+    """Return rows of which each place has one, the first, with the other rules that report it.
+
+    A place in a second copy of the same folder has none.
+    """
     found: dict[tuple[str, int, str], RuleCount] = {}
+    twins: set[tuple[str, ...]] = set()
     for one in ordered:
         # Nothing but a line tells that two findings are about the same.
         key = (one.path, one.line, "") if one.path and one.line else ("", 0, f"{one.rule} {one.example}")
         first = found.get(key)
         if first is None:
-            found[key] = one
+            twin = _without_folders(one)
+            if not twin or twin not in twins:
+                found[key] = one
+            twins.add(twin)
         elif one.rule != first.rule and one.rule not in first.also:
             found[key] = msgspec.structs.replace(first, also=(*first.also, one.rule))
     return list(found.values())
+
+
+def _without_folders(one: RuleCount) -> tuple[str, ...]:
+    """Return what a row has in common with that of the same file in a copy of its folder; nothing without a place.
+
+    It is what is said without folders, the file, and the folder that it is in with the one around that.
+    """
+    *_, package, folder, _file = ("", "", "", *one.path.split("/"))
+    return (one.rule, package, folder, _FOLDERS.sub("", one.example)) if package else ()
 
 
 def _chosen(ordered: Sequence[RuleCount]) -> tuple[RuleCount, ...]:

@@ -14,6 +14,8 @@ from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.source.over_budget import in_rules
 from roslens.source.rules.by_package.caught_type import as_notes_of_caught_types
+from roslens.source.rules.by_package.device_driver import as_notes_in_drivers
+from roslens.source.rules.by_package.earlier_distribution import as_notes_for_earlier_distribution
 from roslens.source.rules.by_package.for_target import as_the_target_has
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
 from roslens.source.rules.by_package.named_by_launch import as_notes_where_launch_names
@@ -105,6 +107,8 @@ _WEIGHED: tuple[Callable[[Placed, PackageView], Placed], ...] = (
     _left_behind,
     as_notes_where_used_once,
     as_notes_of_unbuilt_sources,
+    as_notes_for_earlier_distribution,
+    as_notes_in_drivers,
     as_notes_where_launch_names,
     as_notes_where_uncalled,
 )

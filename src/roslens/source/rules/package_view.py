@@ -63,6 +63,11 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         return uses_of(self, self.cmake, self.launch)
 
     @cached_property
+    def named(self) -> frozenset[str]:
+        """The packages that it uses or declares, in lower case."""
+        return frozenset(one.name.lower() for one in (*self.uses, *self.package.dependencies))
+
+    @cached_property
     def launch(self) -> tuple[LaunchXml, ...]:
         """The launch files in XML."""
         from roslens.source.rules.views.launch_view import launch_files

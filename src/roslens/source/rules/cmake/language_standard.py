@@ -43,13 +43,7 @@ def _is_too_old(standard: str, view: PackageView) -> bool:
     """Return whether what a package is for, or uses, needs a newer standard in current distributions."""
     if 2 in view.ros:
         return standard in (*_OLD, *_OLD_IN_ROS2)
-    return standard in _OLD and any(name.lower().startswith("pcl") for name in _named(view))
-
-
-def _named(view: PackageView) -> Iterator[str]:
-    """Yield the packages that a package uses or declares."""
-    yield from (use.name for use in view.uses)
-    yield from (one.name for one in view.package.dependencies)
+    return standard in _OLD and any(name.startswith("pcl") for name in view.named)
 
 
 def _compiles(view: PackageView) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Set
 
+import msgspec
+
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -15,6 +17,8 @@ _NATIVE = re.compile(r"(?<![\w-])-m(?:arch|tune|cpu)=native\b|(?<![\w-])-xHost\b
 _TUNE = "-mtune"
 _SWITCH = re.compile(r"native|march|simd|sse|avx|optimi", re.IGNORECASE)
 
+_BINARY = ("pcl", "libpcl", "gtsam", "moveit", "fcl", "libfcl", "ompl", "pinocchio", "libpointmatcher", "grid_map_core")
+"""Beginnings of the names of libraries that are installed as built without the flag and take types of Eigen."""
 _OFF = frozenset({"OFF", "FALSE", "0", "NO"})
 
 
@@ -31,7 +35,8 @@ def found(view: PackageView) -> Iterator[Hit]:
         if match is None or match[0].startswith(_TUNE) or _is_asked_for(one, off):
             continue
         message = f"{match[0]!r} makes code of the processor that builds; expected an option that is off by default"
-        yield one.hit("cmake.machine_flags", message)
+        certainty = None if any(name.startswith(_BINARY) for name in view.named) else Certainty.HEURISTIC
+        yield msgspec.structs.replace(one.hit("cmake.machine_flags", message), certainty=certainty)
 
 
 def _is_for_c_alone(one: Written, view: PackageView) -> bool:
@@ -59,7 +64,8 @@ RULE = PackageRule(
     id="cmake.machine_flags",
     title="Code of the processor that happens to build it",
     finds="`-march=native` (or `-mcpu=native`) without an option that is off by default: `option(USE_NATIVE … OFF)`, "
-    "or `set(USE_NATIVE OFF CACHE BOOL …)`.",
+    "or `set(USE_NATIVE OFF CACHE BOOL …)`. In a package that uses no library with types of Eigen which comes built, "
+    "such as PCL, it is a note: what is built on the robot runs there.",
     why="What is built on a workstation or in CI ends with an illegal instruction on the robot's smaller "
     "processor; and Eigen lays its types out differently with it, so that packages built without it crash when "
     "they meet.",

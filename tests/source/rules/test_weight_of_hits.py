@@ -23,6 +23,11 @@ MAKES = (
     "project(arm)\nfind_package(catkin REQUIRED COMPONENTS {})\n"
     "add_message_files(FILES State.msg)\ngenerate_messages()\n"
 )
+SPLITS = (
+    "<launch><arg name='model' default='{}'/>"
+    "<arg name='name' default=\"$(eval arg('model').split('_')[1])\"/>"
+    "<param name='a' value='$(arg name)'/></launch>"
+)
 TO_MAKE = "<build_depend>message_generation</build_depend>"
 
 
@@ -97,6 +102,12 @@ def test_code_of_one_processor_matters_beside_libraries_that_come_built(asks, se
     build = "project(arm)\nadd_compile_options(-march=native)\nadd_executable(a a.cpp)\n"
     write(tmp_path, asks=asks, CMakeLists__txt=build, a__cpp="int main() {}\n")
     assert [one for one, _ in weights("cmake.machine_flags")] == [severity]
+
+
+@pytest.mark.parametrize(("default", "severity"), [("", NOTE), ("arm", WARNING)])
+def test_an_expression_may_wait_for_what_an_empty_default_stands_for(default, severity, weights, tmp_path):
+    write(tmp_path, kind="catkin", launch__arm__launch=SPLITS.format(default))
+    assert [one for one, _ in weights("launch.failing_expression")] == [severity]
 
 
 @pytest.mark.parametrize(

@@ -90,7 +90,7 @@ class LaunchOutcome:
         """Return whether an element of a file of ROS 1 depends on what may be given: its file is evaluated once."""
         lines = self._package.read(failed.evidence.path).splitlines()[failed.evidence.line - 1 :]
         element = b" ".join(lines[:_LINES]).partition(b">")[0]
-        return _GIVEN.search(element) is not None
+        return any(_GIVEN.search(text) for text in (element, failed.text.encode()))
 
     @cached_property
     def raw_files(self) -> tuple[ParameterFileUse, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -12,6 +13,9 @@ from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.launch_outcome import Outcome
 
 _LONGEST = 100
+_USED = re.compile(r"""\barg\(\s*['"](\w+)['"]\s*\)|\$\((?:arg|var)\s+(\w+)\)""")
+_EMPTY = re.compile(r"""<arg\s[^>]*\bdefault\s*=\s*(?:""|'')[^>]*>""")
+_NAME = re.compile(r"""\bname\s*=\s*["'](\w+)["']""")
 
 
 def found(view: PackageView) -> Iterator[Hit]:
@@ -26,7 +30,7 @@ def found(view: PackageView) -> Iterator[Hit]:
                 failed.evidence.column,
                 context=failed.text[:_LONGEST],
                 path=failed.evidence.path,
-                certainty=_certainty(one),
+                certainty=_certainty(one, view),
             )
 
 
@@ -40,10 +44,19 @@ def _started(one: Outcome) -> str:
     return f"{where} with the defaults of its arguments" if one.by_default else where
 
 
-def _certainty(one: Outcome) -> Certainty | None:
-    if one.is_included and one.by_default:
+def _certainty(one: Outcome, view: PackageView) -> Certainty | None:
+    if one.by_default and (one.is_included or _waits_for_a_value(one, view)):
         return Certainty.HEURISTIC
     return Certainty.LIKELY if one.failed.open or one.by_default else None
+
+
+def _waits_for_a_value(one: Outcome, view: PackageView) -> bool:
+    """Return whether an expression uses an argument whose default is an empty text: whoever starts it gives another."""
+    used = {name for pair in _USED.findall(one.failed.text) for name in pair if name}
+    if not used:
+        return False
+    text = view.read(one.failed.evidence.path).decode("utf-8", "replace")
+    return any(name in used for element in _EMPTY.findall(text) for name in _NAME.findall(element))
 
 
 RULE = PackageRule(
@@ -52,7 +65,8 @@ RULE = PackageRule(
     finds="`$(eval …)` or `PythonExpression` that Python ends with an error (a name that is not defined, as `true` in "
     "ROS 2, a missing operator or quote), and an `if` or `unless` that is neither true nor false, with what is known "
     "of the arguments. It is a warning where it depends on defaults of arguments, or on a condition whether it is "
-    "reached, and a note where other launch files include the file and may give others.",
+    "reached, and a note where other launch files include the file and may give others, or where the "
+    "default is an empty text.",
     why="launch and roslaunch end with that error: nothing starts, or not on the day that the branch is taken.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.PROVEN,

@@ -89,14 +89,33 @@ def test_a_line_that_two_rules_report_is_one_row():
 
 
 def test_the_same_place_in_a_copy_of_its_folder_is_no_further_row():
-    def row(path, rule="d"):
-        return weighed(rule, Consequence.HARD_TO_MAINTAIN, Certainty.PROVEN, line=7, path=path)
+    def row(path, user):
+        place = f"{path}:7: {user} uses it"
+        return RuleCount("d", Severity.WARNING, 1, 1, place, path=path, line=7)
 
-    paths = ["ch9/bot/bot/bot_gazebo/a.xml", "ch9/bot/bot_gazebo/a.xml", "ch9/bot/bot_arm/a.xml"]
-    summary = package(*(row(path) for path in paths))
-    rows = first_to_fix([summary], (), {}, ALL)
-    assert [one.path for one in rows] == ["ch9/bot/bot/bot_gazebo/a.xml", "ch9/bot/bot_arm/a.xml"]
-    assert len(first_to_fix([package(row("a.xml"), row("b/a.xml"))], (), {}, ALL)) == 2
+    copies = [row(f"{at}/bot_gazebo/a.xml", f"{at}/bot_gazebo/CMakeLists.txt:3") for at in ("ch9/bot/bot", "ch9/bot")]
+    other = row("ch9/bot/bot_arm/a.xml", "ch9/bot/bot_arm/CMakeLists.txt:3")
+    rows = first_to_fix([package(*copies, other)], (), {}, ALL)
+    assert [(one.path, one.alike) for one in rows] == [
+        ("ch9/bot/bot/bot_gazebo/a.xml", 1),
+        ("ch9/bot/bot_arm/a.xml", 0),
+    ]
+
+
+def test_what_is_said_alike_of_several_places_is_one_row_that_counts_them():
+    def row(path, message, consequence):
+        place = f"{path}:7: {message}"
+        return RuleCount(
+            "d", Severity.WARNING, 1, 1, place, path=path, line=7, consequence=consequence, certainty=Certainty.PROVEN
+        )
+
+    def shown(consequence):
+        rows = [row(path, "no licence", consequence) for path in ("a", "b", "c")]
+        other = row("d", "no licence at all", consequence)
+        return [(one.path, one.alike) for one in first_to_fix([package(*rows, other)], (), {}, ALL)]
+
+    assert shown(Consequence.HARD_TO_MAINTAIN) == [("a", 2), ("d", 0)]
+    assert shown(Consequence.MAY_BE_WRONG) == [("a", 0), ("b", 0), ("c", 0)]
 
 
 def test_each_grave_finding_takes_part_and_not_the_example_of_its_rule_alone():

@@ -54,7 +54,8 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     A rule has one count for each severity, certainty and set of tags that its findings have; ``gated`` is how
     many of them count for gates, ``fixable`` how many of these have a fix; ``excess`` is how far the example is beyond
     its bound; ``path`` is the file of the example, below the workspace; ``consequence`` and ``certainty`` are None
-    where its tool declares none. ``line`` is that of the example, ``also`` are rules that report it too.
+    where its tool declares none. ``line`` is that of the example, ``also`` are rules that report it too, and ``alike``
+    is of how many other places a row says the same.
     """
 
     rule: str
@@ -70,6 +71,7 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     certainty: Certainty | None = None
     line: int = 0
     also: tuple[str, ...] = ()
+    alike: int = 0
 
     @property
     def weight(self) -> tuple[Consequence, Certainty]:

@@ -51,6 +51,8 @@ def fix_first_lines(
         yield from _head(terminal, f"{number:>3}. ", one.severity, one.example)
         rule = f"new: {one.rule}" if number <= new else one.rule
         facts = [weight_of(one.weight, rules.get(one.rule)), " and ".join((rule, *one.also))]
+        if one.alike:
+            facts.append(f"the same in {plural(one.alike, 'other place')}")
         if commits := changes.get(one.path):
             facts.append(f"{plural(commits, 'commit')} to the file in a year")
         yield from _facts(terminal, facts)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import msgspec
 
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
+from roslens.model.weight.consequence import Consequence
 from roslens.store.summary import example_of
 
 MOST = 10
@@ -135,31 +136,39 @@ def counted(finding: Finding) -> RuleCount:
 def _one_a_line(ordered: Iterable[RuleCount]) -> list[RuleCount]:
     """Return rows of which each place has one, the first, with the other rules that report it.
 
-    A place in a second copy of the same folder has none.
+    A place of which the same is said as of another is none but counts as one that is ``alike``: that is one decision.
     """
     found: dict[tuple[str, int, str], RuleCount] = {}
-    twins: set[tuple[str, ...]] = set()
+    said: dict[tuple[str, ...], tuple[str, int, str]] = {}
     for one in ordered:
         # Nothing but a line tells that two findings are about the same.
         key = (one.path, one.line, "") if one.path and one.line else ("", 0, f"{one.rule} {one.example}")
         first = found.get(key)
         if first is None:
-            twin = _without_folders(one)
-            if not twin or twin not in twins:
+            alike = next((said[what] for what in _said(one) if what in said), None)
+            if alike is None:
                 found[key] = one
-            twins.add(twin)
+                said.update(dict.fromkeys(_said(one), key))
+            else:
+                found[alike] = msgspec.structs.replace(found[alike], alike=found[alike].alike + 1)
         elif one.rule != first.rule and one.rule not in first.also:
             found[key] = msgspec.structs.replace(first, also=(*first.also, one.rule))
     return list(found.values())
 
 
-def _without_folders(one: RuleCount) -> tuple[str, ...]:
-    """Return what a row has in common with that of the same file in a copy of its folder; nothing without a place.
+def _said(one: RuleCount) -> Iterator[tuple[str, ...]]:
+    """Yield what a row has in common with others that say the same.
 
-    It is what is said without folders, the file, and the folder that it is in with the one around that.
+    For the same file in a copy of its folder it is the file with the two folders around it, and the message without
+    others; where it is no more than hard to maintain, the message alone: `license is TODO` of ten packages is one
+    decision, and each of ten mistakes at run time is one.
     """
-    *_, package, folder, _file = ("", "", "", *one.path.split("/"))
-    return (one.rule, package, folder, _FOLDERS.sub("", one.example)) if package else ()
+    message = one.example.removeprefix(one.path).lstrip(":0123456789 ") if one.path else one.example
+    if one.weight[0].rank <= Consequence.HARD_TO_MAINTAIN.rank:
+        yield one.rule, message
+    *_, outer, inner, file = ("", "", "", *one.path.split("/"))
+    if outer:
+        yield one.rule, outer, inner, file, _FOLDERS.sub("", message)
 
 
 def _chosen(ordered: Sequence[RuleCount]) -> tuple[RuleCount, ...]:

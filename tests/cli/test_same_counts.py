@@ -40,9 +40,9 @@ Write = Callable[[Path], Path]
 
 
 def example(root: Path, _: Write) -> list[str]:
-    """Limits that are warnings, beside others that are notes."""
+    """Limits that are warnings."""
     shutil.copytree(EXAMPLE, root, ignore=shutil.ignore_patterns(".roslens"))
-    return ["--model", "extreme,ros:note"]
+    return ["--model", "ros"]
 
 
 def with_every_role(root: Path, talk: Write) -> list[str]:

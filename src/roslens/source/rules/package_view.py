@@ -65,7 +65,8 @@ class PackageView(PackageFiles, frozen=True, dict=True):
     @cached_property
     def named(self) -> frozenset[str]:
         """The packages that it uses or declares, in lower case."""
-        return frozenset(one.name.lower() for one in (*self.uses, *self.package.dependencies))
+        names = (*(use.name for use in self.uses), *(one.name for one in self.package.dependencies))
+        return frozenset(name.lower() for name in names)
 
     @cached_property
     def launch(self) -> tuple[LaunchXml, ...]:

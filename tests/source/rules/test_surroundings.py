@@ -75,3 +75,11 @@ def test_a_script_may_give_an_argument(path, text, severity, package_view, tmp_p
     package(tmp_path, "q")
     (tmp_path / path).write_text(text)
     assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == [severity]
+
+
+@pytest.mark.parametrize(("given", "severities"), [('<arg name="name" value="a"/>', []), ("", [Severity.WARNING])])
+def test_a_default_that_is_the_argument_itself_needs_a_file_that_gives_it(given, severities, package_view, tmp_path):
+    itself = '<launch><arg name="name" default="$(arg name)"/><param name="ns" value="$(arg name)"/></launch>'
+    includes = f'<launch><include file="$(find p)/launch/one.launch">{given}</include></launch>'
+    package(tmp_path, "p", kind="catkin", launch__one_dot_launch=itself, launch__all_dot_launch=includes)
+    assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == severities

@@ -35,10 +35,16 @@ class Passing:
         self._package = package
 
     def is_passed(self, file: LaunchXml, name: str) -> bool:
-        """Return whether others include a file, and all of them pass an argument on with all that they have."""
+        """Return whether others include a file, and all of them pass an argument on.
+
+        They do so with all that they have, or by its name where the file declares it, if too late.
+        """
         path = self._package.inside(file.path)
+        is_declared = name in declared_in(file)
         by = [pair for pair in self._includes if pair[0].path != file.path and self._leads_to(pair[1], path)]
-        return bool(by) and all(_passes(one, element, name) for one, element in by)
+        return bool(by) and all(
+            _passes(one, element, name) or (is_declared and name in _given(element)) for one, element in by
+        )
 
     def is_included(self, file: LaunchXml) -> bool:
         """Return whether another launch file includes a file."""
@@ -85,5 +91,9 @@ def _may_be(written: str, path: str) -> bool:
 def _passes(file: LaunchXml, include: Element, name: str) -> bool:
     if include.attributes.get("pass_all_args", "").strip().lower() not in ("true", "1"):
         return False
-    given = (one.attributes.get("name", "") for one in include.elements() if one.tag == "arg")
-    return name in given or name in declared_in(file)
+    return name in _given(include) or name in declared_in(file)
+
+
+def _given(include: Element) -> Iterator[str]:
+    """Yield the names of the arguments that an include gives."""
+    return (one.attributes.get("name", "") for one in include.elements() if one.tag == "arg")

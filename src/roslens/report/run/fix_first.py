@@ -160,7 +160,7 @@ def _said(one: RuleCount) -> Iterator[tuple[str, ...]]:
     """Yield what a row has in common with others that say the same.
 
     For the same file in a copy of its folder it is the file with the two folders around it, and the message without
-    others; where it is no more than hard to maintain, the message alone: `license is TODO` of ten packages is one
+    others; where it is no more than hard to maintain, the message alone: that ten packages have no licence is one
     decision, and each of ten mistakes at run time is one.
     """
     message = one.example.removeprefix(one.path).lstrip(":0123456789 ") if one.path else one.example

@@ -23,6 +23,14 @@ FACTS = GateFacts({"errors": 2}, Lines(200, 30), {"errors": 0, "warnings": 3}, L
         (GateConditions(comment_ratio_of_new_code=20), FACTS, True, "comment ratio of new code 40 %, at least 20 %"),
         (GateConditions(new_errors=0), GateFacts({}, Lines()), None, "new errors: not known without --baseline"),
         (GateConditions(comment_ratio_of_new_code=1), GateFacts({}, Lines()), None, "not known without --baseline"),
+        (GateConditions(new_breaking_interfaces=0), GateFacts({}, Lines()), None, "not known without --baseline"),
+        (
+            GateConditions(new_breaking_interfaces=0),
+            GateFacts({}, Lines(), breaking_interfaces=("a/msg/B",)),
+            False,
+            "1 new breaking interface, at most 0: a/msg/B",
+        ),
+        (GateConditions(new_breaking_interfaces=0), GateFacts({}, Lines(), breaking_interfaces=()), True, "at most 0"),
         (GateConditions(comment_ratio=1), GateFacts({}, Lines()), True, "there is no such code"),
     ],
 )

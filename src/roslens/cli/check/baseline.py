@@ -14,6 +14,7 @@ import msgspec
 from roslens.model.errors import RoslensError, UsageError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
+from roslens.model.interface_change import InterfaceDifference
 
 if TYPE_CHECKING:
     from roslens.cli.git.revision import Revision
@@ -36,7 +37,8 @@ class Baseline(msgspec.Struct, frozen=True):
     """What a run is compared with.
 
     ``files`` are git's hashes of the files there were by path, None where that is not known; ``renamed`` are paths of
-    files now by those of the baseline; ``graphs`` is whether it looked at computation graphs.
+    files now by those of the baseline; ``graphs`` is whether it looked at computation graphs; ``interfaces`` is how
+    messages, services and actions differ from those of a revision, None where that is not known.
     """
 
     title: str
@@ -44,6 +46,7 @@ class Baseline(msgspec.Struct, frozen=True):
     files: Mapping[str, str] | None = None
     renamed: Mapping[str, str] = {}
     graphs: bool = True
+    interfaces: InterfaceDifference | None = None
 
 
 def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
@@ -262,8 +265,10 @@ def analysed_revision(
     from roslens.cli.check.analysed import analysed
     from roslens.cli.git.git_tree import write_tree
     from roslens.cli.git.revision import renamed_since
+    from roslens.cli.interfaces.states import state_of_tree
     from roslens.cli.terminal.streams import NoProgress
-    from roslens.cli.workplace.workplace import CACHE, kept_in, own_folder
+from roslens.cli.workplace.workplace import CACHE, kept_in, own_folder
+    from roslens.source.extract.workspace.interface_state import interface_difference
     from roslens.store.runs import Store
 
     with ScratchFolder("baseline") as folder:
@@ -292,7 +297,14 @@ def analysed_revision(
             view = store.view(answer.run)
             files = {file.path: file.content_hash for _, file in view.files()}
             return Baseline(
-                revision.title, tuple(view.findings()), files, renamed_since(revision), graphs=looked_at_graphs(view)
+                revision.title,
+                tuple(view.findings()),
+                files,
+                renamed_since(revision),
+                graphs=looked_at_graphs(view),
+                interfaces=interface_difference(
+                    state_of_tree(place, configuration.source), state_of_tree(root, configuration.source)
+                ),
             )
 
 

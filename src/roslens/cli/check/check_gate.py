@@ -40,6 +40,7 @@ def _facts(scope: Scope, conditions: GateConditions) -> GateFacts:
     files = {file.path: file for _, file in scope.judged.files() if file.role is Role.OWN}
     ratio = conditions.comment_ratio is not None or conditions.comment_ratio_of_new_code is not None
     new_files = None
+    interfaces = None if baseline is None else baseline.interfaces
     if baseline is not None and baseline.files is not None:
         before = set(baseline.files.values())
         new_files = {path for path, file in files.items() if file.content_hash not in before}
@@ -48,6 +49,7 @@ def _facts(scope: Scope, conditions: GateConditions) -> GateFacts:
         _lines(scope.judged, files) if ratio else Lines(),
         _counts(scope.judged.findings(tags=tags)) if baseline is not None else None,
         _lines(scope.judged, new_files) if ratio and new_files is not None else None,
+        None if interfaces is None else tuple(sorted({one.interface for one in interfaces.breaking})),
     )
 
 

@@ -175,6 +175,7 @@ def run(options: argparse.Namespace) -> int:
             _keep(folder, store, scope)
         if not options.quiet:
             _tell(scope, outcome, time.monotonic() - begun)
+            _tell_interfaces(scope)
         code = _code(options, scope, missing)
     if options.watch:
         watch_files(options, root, configuration)
@@ -234,6 +235,19 @@ def _tell(scope: Scope, outcome: Answer, seconds: float) -> None:
         print(f"roslens: {left_to_whole_run(outcome.left_out)}", file=sys.stderr)
     how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
     print(f"roslens: {how}, {seconds:.1f} s", file=sys.stderr)
+
+
+def _tell_interfaces(scope: Scope) -> None:
+    """Report what of messages, services and actions breaks since a baseline, and which nodes that affects."""
+    found = None if scope.baseline is None else scope.baseline.interfaces
+    if found is None or not found.breaking:
+        return
+    from roslens.cli.interfaces.users import with_users
+    from roslens.report.run.interface_text import interface_lines
+
+    found = with_users(found, [one.configuration for one in scope.whole.configurations()])
+    for line in interface_lines(found):
+        print(f"roslens: {line}", file=sys.stderr)
 
 
 def _code(options: argparse.Namespace, scope: Scope, missing: int) -> int:

@@ -10,8 +10,12 @@ from roslens.cli.terminal.streams import add_stream_arguments
 from roslens.cli.watch.observers import add_observer_arguments
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from roslens.cli.past.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
+    from roslens.model.interface_change import InterfaceDifference
+    from roslens.source.settings import SourceSettings
 
 TEXT = "Compare two runs or revisions; or source, a running system, recordings and references with each other."
 EXAMPLES = """\
@@ -109,12 +113,36 @@ def _of_runs(options: argparse.Namespace) -> int:
     with named_runs(root, settings) as runs:
         before, after = runs.find(options.before), runs.find(options.after)
         found = run_difference(_side(before), _side(after), renamed_between(root, before.commits, after.commits))
-        text = _written(options.format, found, before, after)
+        interfaces = _interfaces(root, settings, (options.before, options.after), (before, after))
+        text = _written(options.format, found, before, after, interfaces)
     write_result(text, options.output)
     if options.fail_on in (None, "never"):
         return CLEAN
     least = Severity(options.fail_on).rank
-    return FINDINGS if any(one.severity.rank >= least for one in found.findings.new) else CLEAN
+    # A change that breaks may be meant, so that it counts as a warning.
+    breaks = interfaces is not None and bool(interfaces.breaking) and Severity.WARNING.rank >= least
+    return FINDINGS if breaks or any(one.severity.rank >= least for one in found.findings.new) else CLEAN
+
+
+def _interfaces(
+    root: Path, settings: SourceSettings, names: tuple[str, str], runs: tuple[NamedRun, NamedRun]
+) -> InterfaceDifference | None:
+    """Return how interfaces differ, with the nodes that are affected; None where the files of a run are not known."""
+    from roslens.cli.interfaces.states import state_of_revision, state_of_tree
+    from roslens.cli.interfaces.users import with_users
+    from roslens.cli.past.named_run import NOW
+    from roslens.source.extract.workspace.interface_state import interface_difference
+
+    if not all(one.commit for one in runs) or len(runs[1].commits) != 1:
+        return None
+    before, after = (
+        state_of_tree(root, settings)
+        if name in NOW
+        else state_of_revision(root, one.commit.removesuffix("+"), settings)
+        for name, one in zip(names, runs, strict=True)
+    )
+    found = interface_difference(before, after)
+    return with_users(found, [one.configuration for one in runs[1].view.configurations()])
 
 
 def _side(one: NamedRun) -> RunSide:
@@ -125,11 +153,20 @@ def _side(one: NamedRun) -> RunSide:
     return RunSide(tuple(one.view.findings()), one.view.packages(), made_by)
 
 
-def _written(form: str, found: RunDifference, before: NamedRun, after: NamedRun) -> str:
+def _written(
+    form: str, found: RunDifference, before: NamedRun, after: NamedRun, interfaces: InterfaceDifference | None
+) -> str:
+    from roslens.report.run.interface_text import interface_document, interface_lines, interface_markdown
     from roslens.report.run.run_difference_text import difference_json, difference_lines, difference_markdown
 
     if form == "json":
         sides = [{"title": one.title, "commit": one.commit, "run": one.view.id} for one in (before, after)]
-        return difference_json(found, *sides)
-    write = difference_markdown if form == "markdown" else difference_lines
-    return write(found, before.title, after.title)
+        return difference_json(
+            found, sides[0], sides[1], None if interfaces is None else interface_document(interfaces)
+        )
+    changed = interfaces if interfaces is not None and interfaces.changes else None
+    if form == "markdown":
+        text = difference_markdown(found, before.title, after.title)
+        return text if changed is None else f"{text}\n{interface_markdown(changed)}"
+    text = difference_lines(found, before.title, after.title)
+    return text if changed is None else text + "".join(f"{line}\n" for line in interface_lines(changed))

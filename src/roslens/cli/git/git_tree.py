@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 
@@ -40,15 +40,18 @@ class _Entry(msgspec.Struct, frozen=True):
     path: str
 
 
-def write_tree(repository: Repository, commit: str, folder: Path) -> Lacking:
+def write_tree(
+    repository: Repository, commit: str, folder: Path, only: Callable[[str], bool] = lambda _: True
+) -> Lacking:
     """Write the files of a commit below ``folder``, those of the repository's part that is looked at.
 
-    What is large is there, but empty. Submodules are written too, as far as their commits are on this machine.
+    What is large is there, but empty. Submodules are written too, as far as their commits are on this machine. ``only``
+    says of the path of a file whether it is wanted.
 
     Raises:
         UsageError: git does not have the lists of files.
     """
-    found = list(_entries(repository, commit))
+    found = [one for one in _entries(repository, commit) if one.mode == _SUBMODULE or only(one.path)]
     plain = [entry for entry in found if entry.mode not in (_SYMLINK, _SUBMODULE)]
     links = [entry for entry in found if entry.mode == _SYMLINK]
     missing = []
@@ -61,20 +64,22 @@ def write_tree(repository: Repository, commit: str, folder: Path) -> Lacking:
     lacking = Lacking(tuple(missing))
     for entry in found:
         if entry.mode == _SUBMODULE:
-            lacking = _joined(lacking, entry, _write_submodule(repository, commit, entry, folder))
+            lacking = _joined(lacking, entry, _write_submodule(repository, commit, entry, folder, only))
     # Links come last, so that nothing is written through one.
     for entry, content in _contents(repository, commit, links):
         _link(folder, folder / entry.path, os.fsdecode(content or b""))
     return lacking
 
 
-def _write_submodule(repository: Repository, commit: str, entry: _Entry, folder: Path) -> Lacking | None:
+def _write_submodule(
+    repository: Repository, commit: str, entry: _Entry, folder: Path, only: Callable[[str], bool]
+) -> Lacking | None:
     """Write a submodule; None where git does not have it."""
     inner = submodule_at(repository, commit, repository.below + entry.path, entry.hash)
     if inner is None:
         return None
     try:
-        return write_tree(inner, entry.hash, folder / entry.path)
+        return write_tree(inner, entry.hash, folder / entry.path, only)
     except UsageError:
         return None
 

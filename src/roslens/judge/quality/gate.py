@@ -15,6 +15,7 @@ class GateConditions(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unk
     ``errors``, ``warnings`` and ``notes`` are how many findings there may be at most, ``new_…`` how many that the
     baseline does not have. ``comment_ratio`` is the least ratio of comment lines to lines of code, in per cent, of the
     packages' own code, ``comment_ratio_of_new_code`` that of its files that the baseline does not have as they are.
+    ``new_breaking_interfaces`` is how many messages, services and actions may break what was built or recorded before.
     """
 
     errors: int | None = None
@@ -25,6 +26,7 @@ class GateConditions(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unk
     new_notes: int | None = None
     comment_ratio: float | None = None
     comment_ratio_of_new_code: float | None = None
+    new_breaking_interfaces: int | None = None
 
     @property
     def needs_baseline(self) -> bool:
@@ -42,13 +44,14 @@ class Lines(msgspec.Struct, frozen=True):
 class GateFacts(msgspec.Struct, frozen=True):
     """What the conditions are held against; None is what is not known without a baseline.
 
-    ``counts`` and ``new_counts`` are findings by ``errors``, ``warnings`` and ``notes``.
+    ``counts`` and ``new_counts`` are findings by ``errors``, ``warnings`` and ``notes``, ``breaking_interfaces`` names.
     """
 
     counts: dict[str, int]
     lines: Lines
     new_counts: dict[str, int] | None = None
     new_lines: Lines | None = None
+    breaking_interfaces: tuple[str, ...] | None = None
 
 
 class GateResult(msgspec.Struct, frozen=True):
@@ -68,6 +71,10 @@ def evaluate(conditions: GateConditions, facts: GateFacts) -> Iterator[GateResul
         yield from _at_most(f"new_{key}", getattr(conditions, f"new_{key}"), count)
     yield from _ratio("comment_ratio", conditions.comment_ratio, facts.lines)
     yield from _ratio("comment_ratio_of_new_code", conditions.comment_ratio_of_new_code, facts.new_lines)
+    broken = facts.breaking_interfaces
+    count = None if broken is None else len(broken)
+    for one in _at_most("new_breaking_interfaces", conditions.new_breaking_interfaces, count):
+        yield GateResult(one.condition, one.holds, f"{one.text}: {', '.join(broken)}" if broken else one.text)
 
 
 def _at_most(name: str, bound: int | None, count: int | None) -> Iterator[GateResult]:

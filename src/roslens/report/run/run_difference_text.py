@@ -73,7 +73,12 @@ def difference_markdown(found: RunDifference, before: str, after: str) -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-def difference_json(found: RunDifference, before: Mapping[str, Any], after: Mapping[str, Any]) -> str:
+def difference_json(
+    found: RunDifference,
+    before: Mapping[str, Any],
+    after: Mapping[str, Any],
+    interfaces: Mapping[str, Any] | None = None,
+) -> str:
     """Return the difference as one document; ``before`` and ``after`` describe the runs."""
     document = {
         "schema": SCHEMA,
@@ -87,6 +92,7 @@ def difference_json(found: RunDifference, before: Mapping[str, Any], after: Mapp
         "packages_moved": [{"package": one.package, "was_in": one.before, "path": one.after} for one in found.moved],
         "values": [_value(one) for one in found.values],
         "measured_by": [{"name": name, "before": was, "after": now} for name, was, now in found.measured_by],
+        "interfaces": interfaces,
     }
     return msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import msgspec
 
@@ -20,6 +20,8 @@ from roslens.source.extract.interfaces.type_hash import type_hash
 from roslens.source.over_budget import over_budget
 
 INTERFACES = frozenset({Language.MSG, Language.SRV, Language.ACTION})
+Outside = Callable[[int, str], "Interface | None"]
+"""Finds an interface that no package of the workspace has, by generation and full name."""
 _Key = tuple[int, str, str]
 """Generation, name, and id of the package of an interface."""
 _ROS2 = frozenset({"rosidl_default_generators", "rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
@@ -43,7 +45,10 @@ def ros_generation(package: Package) -> int:
 
 
 def interfaces_of(
-    root: str, files: Mapping[str, Iterable[SourceFile]], packages: Iterable[Package]
+    root: str,
+    files: Mapping[str, Iterable[SourceFile]],
+    packages: Iterable[Package],
+    outside: Outside = lambda _generation, _name: None,
 ) -> tuple[tuple[KnownInterface, ...], tuple[Failure, ...]]:
     """Return the interfaces of packages, sorted by name, and what of them could not be read or understood.
 
@@ -54,6 +59,7 @@ def interfaces_of(
         root: folder that paths start from.
         files: of each package, by its id.
         packages: in whose order the first of two interfaces of one name counts.
+        outside: finds what the packages do not have, by generation and full name.
     """
     found: dict[_Key, tuple[str, Interface]] = {}
     failures: list[Failure] = []
@@ -78,7 +84,7 @@ def interfaces_of(
     for (generation, name, _), (_, interface) in found.items():
         firsts.setdefault((generation, name), interface)
     known = [
-        KnownInterface(interface, path, _checksum(interface, _lookup(found, firsts, generation, package_id)))
+        KnownInterface(interface, path, _checksum(interface, _lookup(found, firsts, generation, package_id, outside)))
         for (generation, _, package_id), (path, interface) in sorted(found.items())
     ]
     return tuple(known), tuple(failures)
@@ -94,10 +100,13 @@ def _lookup(
     firsts: Mapping[tuple[int, str], Interface],
     generation: int,
     package_id: str,
+    outside: Outside,
 ) -> Lookup:
     def lookup(name: str) -> Interface | None:
         own = found.get((generation, name, package_id))
-        return firsts.get((generation, name)) if own is None else own[1]
+        if own is not None:
+            return own[1]
+        return firsts.get((generation, name)) or outside(generation, name)
 
     return lookup
 

@@ -14,6 +14,7 @@ room                                      what it does
 ``page``                                  what the live page and the terminal show of a watch
 ``past``                                  past revisions as runs
 ``check``                                 what ``roslens check`` analyses, compares, fixes and writes
+``interfaces``                            messages, services and actions at two times, and who uses them
 ``graph``                                 configurations of a workspace, shown and checked
 ``git``                                   revisions of a repository, read without a checkout
 ``workplace``                             configuration, store, trust: what a workspace and a user decide

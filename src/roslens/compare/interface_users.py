@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.interface_change import InterfaceUser
+from roslens.model.interfaces.interface_change import InterfaceUser
 
 _VERBS = {
     Role.PUBLISHER: "publishes",

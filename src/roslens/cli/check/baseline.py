@@ -14,7 +14,7 @@ import msgspec
 from roslens.model.errors import RoslensError, UsageError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
-from roslens.model.interface_change import InterfaceDifference
+from roslens.model.interfaces.interface_change import InterfaceDifference
 
 if TYPE_CHECKING:
     from roslens.cli.git.revision import Revision
@@ -267,7 +267,7 @@ def analysed_revision(
     from roslens.cli.git.revision import renamed_since
     from roslens.cli.interfaces.states import state_of_tree
     from roslens.cli.terminal.streams import NoProgress
-from roslens.cli.workplace.workplace import CACHE, kept_in, own_folder
+    from roslens.cli.workplace.workplace import CACHE, kept_in, own_folder
     from roslens.source.extract.workspace.interface_state import interface_difference
     from roslens.store.runs import Store
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from roslens.cli.past.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
-    from roslens.model.interface_change import InterfaceDifference
+    from roslens.model.interfaces.interface_change import InterfaceDifference
     from roslens.source.settings import SourceSettings
 
 TEXT = "Compare two runs or revisions; or source, a running system, recordings and references with each other."

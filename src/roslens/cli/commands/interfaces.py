@@ -10,7 +10,7 @@ from roslens.cli.terminal.streams import add_stream_arguments
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from roslens.model.interface_change import InterfaceDifference
+    from roslens.model.interfaces.interface_change import InterfaceDifference
     from roslens.source.extract.workspace.interface_state import InterfaceState
     from roslens.source.settings import SourceSettings
 

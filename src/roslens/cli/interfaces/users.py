@@ -12,7 +12,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
-    from roslens.model.interface_change import InterfaceDifference, InterfaceUser
+    from roslens.model.interfaces.interface_change import InterfaceDifference, InterfaceUser
 
 
 def with_users(
@@ -55,7 +55,7 @@ def _expected(
     from roslens.judge.patterns.pattern import Pattern
     from roslens.judge.reading.read_reference import load_reference
     from roslens.live.window.signals import BY_KEY
-    from roslens.model.interface_change import InterfaceUser
+    from roslens.model.interfaces.interface_change import InterfaceUser
 
     gone = {one.interface: one.gone for one in found.changes if one.gone}
     topics = {

@@ -7,7 +7,13 @@ from typing import Any
 
 import msgspec
 
-from roslens.model.interface_change import Breaks, InterfaceChange, InterfaceDifference, InterfaceUser, VersionStep
+from roslens.model.interfaces.interface_change import (
+    Breaks,
+    InterfaceChange,
+    InterfaceDifference,
+    InterfaceUser,
+    VersionStep,
+)
 from roslens.model.words.plural import plural
 from roslens.report.writing.terminal import printable
 

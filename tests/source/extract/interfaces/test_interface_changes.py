@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.model.interface_change import Breaks
+from roslens.model.interfaces.interface_change import Breaks
 from roslens.source.extract.interfaces.interface_changes import changes_of
 from roslens.source.extract.interfaces.interface_file import read_interface
 from roslens.source.extract.interfaces.message_md5 import md5_of

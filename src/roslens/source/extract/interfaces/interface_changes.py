@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from roslens.model.interface_change import Breaks, InterfaceChange
+from roslens.model.interfaces.interface_change import Breaks, InterfaceChange
 from roslens.source.extract.interfaces.interface import FieldType, Interface, InterfaceField, Message
 
 _PARTS = {"msg": ("",), "srv": ("request", "response"), "action": ("goal", "result", "feedback")}

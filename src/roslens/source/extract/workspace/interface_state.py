@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.model.interface_change import InterfaceChange, InterfaceDifference, VersionStep
+from roslens.model.interfaces.interface_change import InterfaceChange, InterfaceDifference, VersionStep
 from roslens.model.source import OUTSIDE_PACKAGES, Language, SourceFile
 from roslens.source.extract.interfaces.interface_changes import Placed, changes_of
 from roslens.source.extract.interfaces.published_interfaces import published_interface

@@ -22,6 +22,7 @@ from roslens.source.rules.graph import (
     type,  # noqa: A004 - the rule is called so
 )
 from roslens.source.rules.graph.parameters import (
+    lifecycle_manager,
     parameter_elsewhere,
     parameter_file,
     parameter_namespace,
@@ -39,10 +40,13 @@ _MODULES = (
     qos, latched, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range,
     parameter_file, parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic,
     transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
+    lifecycle_manager,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""
-_OF_A_SYSTEM = frozenset(one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time, latched))
+_OF_A_SYSTEM = frozenset(
+    one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time, latched, lifecycle_manager)
+)
 """Rules that say nothing of nodes of which nobody knows whether they run together."""
 
 

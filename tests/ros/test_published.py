@@ -198,9 +198,7 @@ def test_ros1(master, messages1, tmp_path):
         (watching(tmp_path, "--ros1"), {**os.environ, **master}),
     ) as (talker, listener, watch):
         status = told_soon(watch, listener, talker.process.terminate)
-        message = status[4].replace(BECAUSE, "")
-        assert message.startswith("is expected but not there")
-        assert message.endswith("; Look at the cable.")
+        assert status[4].replace(BECAUSE, "") == "is expected but not there; Look at the cable."
         assert ["presence state", "absent"] in status[6]
         # Who comes late is reported at once what stands.
         echo = subprocess.run(
@@ -236,7 +234,4 @@ def test_ros2(ros2_python, messages2, tmp_path):
         (watching(tmp_path, "--ros2", "--python", ros2_python), base),
     ) as (talker, listener, watch):
         status = told_soon(watch, listener, talker.process.kill)
-        message = status[4].replace(BECAUSE, "")
-        assert message.startswith("is expected but not there: its process ")
-        assert " crashed (SIGKILL)" in message
-        assert message.endswith("; Look at the cable.")
+        assert status[4].replace(BECAUSE, "") == "is expected but not there; Look at the cable."

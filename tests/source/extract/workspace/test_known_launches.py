@@ -1,12 +1,16 @@
 """What is known of launch files is what evaluating them again comes to, whatever was edited meanwhile."""
 
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from roslens.intake.time_budget import OverBudgetError
 from roslens.source.extract.facts.files import FolderFiles
+from roslens.source.extract.launch import launch_budget
+from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
 from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
 from roslens.source.extract.workspace.known_launches import KnownLaunches
 from roslens.store.cache import Cache
@@ -114,3 +118,23 @@ def test_a_damaged_launch_is_evaluated_again(tmp_path):
             keys = [key for (key,) in cache._connection.execute("SELECT key FROM facts")]
             cache.replace(dict.fromkeys(keys, damage))
             assert look(tmp_path, cache, PACKAGES, "slow") == first
+
+
+def test_what_a_budget_ended_is_evaluated_again(tmp_path, monkeypatch):
+    @contextmanager
+    def spent(path, *, size):
+        yield
+        raise OverBudgetError("takes more than 10 s", path)
+
+    for path, text in FILES.items():
+        write(tmp_path, path, text)
+    files = FolderFiles(tmp_path, PACKAGES)
+    with Cache.open(tmp_path / "cache.sqlite") as cache:
+        with monkeypatch.context() as patched:
+            patched.setattr(launch_budget, "file_budget", spent)
+            cut = look(tmp_path, cache, PACKAGES, "slow")
+            assert cut.cut
+            assert evaluate_ros1("robot/launch/robot.launch.xml", files).cut
+        whole = look(tmp_path, cache, PACKAGES, "slow")
+    assert not whole.cut
+    assert len(whole.nodes) > len(cut.nodes)

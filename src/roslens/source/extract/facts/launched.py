@@ -205,6 +205,7 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
         failed: where it ends with an error.
         raw_files: files of parameters that rcl reads as they are.
         shared: arguments of included files that get the value of another one (ROS 2).
+        cut: whether a budget ended its evaluation, so that another time it may come to more.
     """
 
     generation: str
@@ -216,3 +217,4 @@ class Launch(msgspec.Struct, frozen=True, omit_defaults=True):
     failed: tuple[Failed, ...] = ()
     raw_files: tuple[ParameterFileUse, ...] = ()
     shared: tuple[Shared, ...] = ()
+    cut: bool = False

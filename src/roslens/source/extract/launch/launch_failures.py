@@ -20,6 +20,7 @@ class Failures:
         at: the action that is visited.
         is_open: whether it is visited under conditions only that are not known.
         is_opaque: whether something before was not followed, which may set launch configurations.
+        is_cut: whether a budget ended something.
     """
 
     def __init__(self) -> None:
@@ -27,6 +28,7 @@ class Failures:
         self.at = Evidence("", 0)
         self.is_open = False
         self.is_opaque = False
+        self.is_cut = False
         self._failed: dict[Failed, None] = {}
         self._raw_files: dict[ParameterFileUse, None] = {}
         self._through: list[Evidence] = []

@@ -60,11 +60,11 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    with within_budget(whole.miss, path, Evidence(path, 0)):
+    with within_budget(whole.miss, whole.failures, path, Evidence(path, 0)):
         whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
-        tuple(whole.unresolved), whole.failures.failed,
+        tuple(whole.unresolved), whole.failures.failed, cut=whole.failures.is_cut,
     )  # fmt: skip
     return with_controllers(with_plugins(launch, files, environment or {}), files)
 
@@ -102,7 +102,7 @@ class _Whole:
             return space.private
         self._read += 1
         document = Document(None, (), (0,))
-        with within_budget(self.miss, path, evidence, len(content)):
+        with within_budget(self.miss, self.failures, path, evidence, len(content)):
             document = read_elements(content)
         for fault in document.faults:
             place = Evidence(path, *document.place(fault.offset))

@@ -56,11 +56,11 @@ def evaluate_ros2(
     """
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
     whole = _Whole(files, environment or {}, any_arguments=any_arguments)
-    with within_budget(whole.miss, path, Evidence(path, 0)):
+    with within_budget(whole.miss, whole.failures, path, Evidence(path, 0)):
         whole.file(path, given, Space(), Evidence(path, 0), outer=True)
     return Launch(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
-        whole.failures.failed, whole.failures.raw_files, whole.shared.found,
+        whole.failures.failed, whole.failures.raw_files, whole.shared.found, cut=whole.failures.is_cut,
     )  # fmt: skip
 
 
@@ -100,7 +100,7 @@ class _Whole:
         self._read += 1
         actions: tuple[Action, ...] = ()
         try:
-            with within_budget(self.miss, path, evidence, len(content)):
+            with within_budget(self.miss, self.failures, path, evidence, len(content)):
                 actions = actions_of(path, content, self.files)
         except DocumentError as error:
             place, reason = place_and_reason(error, path, evidence)

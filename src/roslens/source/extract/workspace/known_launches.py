@@ -51,7 +51,7 @@ class KnownLaunches:
         self._new: dict[str, bytes] = {}
 
     def launch(self, given: tuple[object, ...], evaluate: Callable[[Files], Launch]) -> Launch:
-        """Return what a launch file comes to; it is evaluated where that is not known.
+        """Return what a launch file comes to; it is evaluated where that is not known, or a budget ended it before.
 
         Args:
             given: all that the result depends on besides files: the path, the arguments, the environment.
@@ -68,7 +68,8 @@ class KnownLaunches:
                 pass  # What a damaged cache holds is made again.
         noted = NotedFiles(self._files)
         found = evaluate(noted)
-        self._new[slot] = squeezed(_encode(_apart(noted.asked, found)))
+        if not found.cut:
+            self._new[slot] = squeezed(_encode(_apart(noted.asked, found)))
         return found
 
     def keep(self) -> None:

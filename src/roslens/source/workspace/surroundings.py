@@ -40,6 +40,8 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         folders: of the packages of the workspace, by name, where it has launch files, which name others.
         started: launch files, and files of parameters, of all these packages.
         target: what it is built for.
+        own: names of the packages of the workspace that it depends on, sorted: what these have is there, whatever a
+            distribution has.
     """
 
     inside: str = ""
@@ -49,6 +51,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     folders: tuple[tuple[str, str], ...] = ()
     started: Started = Started()
     target: Target = Target()
+    own: tuple[str, ...] = ()
 
 
 def surroundings_of(
@@ -65,6 +68,7 @@ def surroundings_of(
     every = tuple(sorted((one.name, one.path) for one in own))
     started = _started([file for one in own for file in files.get(one.id, ())])
     folders = frozenset(one.path for one in own)
+    names = frozenset(one.name for one in own)
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
         for dependency in one.dependencies:
@@ -87,6 +91,7 @@ def surroundings_of(
             every if starts else (),
             started if starts else Started(),
             targets.get(one.id, Target()),
+            tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
         )
     return found
 

@@ -65,3 +65,21 @@ def test_where_no_target_is_known_it_is_a_note_without_a_fix_that_an_old_distrib
 
 def test_a_package_for_both_versions_of_ros_may_choose_elsewhere(findings):
     assert severities(findings(distro="jazzy", depends="rclcpp</depend><depend>roscpp")) == ["note"]
+
+
+def test_what_the_workspace_has_itself_is_there(findings, tmp_path):
+    own = tmp_path / "include/cv_bridge/cv_bridge.h"
+    own.parent.mkdir(parents=True)
+    own.write_text("#pragma once\n")
+    assert not findings(distro="jazzy")
+
+
+def test_what_a_package_beside_it_has_is_there(package_view, tmp_path):
+    for name, depends in (("arm", "cv_bridge"), ("cv_bridge", "rclcpp")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(MANIFEST.format(depends).replace("<name>arm", f"<name>{name}"))
+    (tmp_path / "arm/arm.cpp").write_bytes(SOURCE)
+    hits = match_file(parse_file(SOURCE, Language.CPP, MacroSettings()).view()).hits
+    settings = RuleSettings(profiles=(), enable=("distribution.header",))
+    view = package_view(tmp_path, "arm", "jazzy")
+    assert not rule_findings(view, settings, {"arm/arm.cpp": hits}, (), (), [])

@@ -6,13 +6,14 @@ where the user named the target, and it does not have the thing any more, is it 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.distributions.known_distributions import distributions, is_at_least
-from roslens.source.distributions.read_changes import Change, Effect, effect_of, read_changes
+from roslens.source.distributions.read_changes import Change, Effect, Kind, effect_of, read_changes
 from roslens.source.distributions.target import Target
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -31,7 +32,7 @@ def _counted(hits: Sequence[Hit], view: PackageView, target: Target) -> Iterator
             continue
         change = read_changes()[hit.change]
         effect = effect_of(change, target)
-        if effect is Effect.NONE or change.ros not in view.ros:
+        if effect is Effect.NONE or change.ros not in view.ros or _is_own(change, view):
             continue
         yield msgspec.structs.replace(
             hit,
@@ -41,6 +42,13 @@ def _counted(hits: Sequence[Hit], view: PackageView, target: Target) -> Iterator
             edits=() if _is_too_new(change, target) else hit.edits,
             message=f"{hit.message}{_because(change, effect, target)}",
         )
+
+
+def _is_own(change: Change, view: PackageView) -> bool:
+    """Return whether the package, or one of the workspace that it depends on, has the thing itself."""
+    if change.kind is Kind.HEADER and f"include/{change.name}" in view.listing:
+        return True
+    return re.split(r"[/:.]", change.name, maxsplit=1)[0] in view.around.own
 
 
 def _certainty(change: Change, effect: Effect, target: Target, view: PackageView) -> Certainty:

@@ -21,8 +21,6 @@ def found(view: PackageView) -> Iterator[Hit]:
         if one.kind not in _ASKING or not one.active or one.condition or one.name in seen:
             continue
         seen.add(one.name)
-        if any(name == one.name for name, _ in view.around.folders):
-            continue
         for change in changes_of(Kind.PACKAGE).get(one.name, ()):
             where = one.location
             message = f"dependency {row_message(change, one.name)}"

@@ -94,6 +94,7 @@ def formats():
 WORDS = {
     "check": ["check", ".", "-q", "--jobs", "1", "--fail-on", "never", "--no-store"],
     "graph": ["graph", ".", "-q", "--launch", "arm/c.launch.xml"],
+    "interfaces": ["interfaces", ".", "-q"],
     "roles": ["roles", "."],
     "percentile": ["percentile", "."],
     "evidence": ["evidence", "arm"],

@@ -1,4 +1,4 @@
-"""What launch files of ROS 2 name: conditions as they are written, files, and why these are not known."""
+"""What launch files name: conditions as they are written, files, and why these are not known."""
 
 from __future__ import annotations
 
@@ -15,6 +15,11 @@ from roslens.source.extract.symbolic.text import Not, Text, Written
 def standing_of(text: Text) -> Standing:
     """Return what is known of a file whose path is not, or is not below the workspace."""
     return Standing.OUTSIDE if not text.holes or is_outside(text.holes[0].reason) else Standing.UNDECIDABLE
+
+
+def why_unread(file: Text) -> str:
+    """Return why a file that is named is not read."""
+    return str(file.holes[0].reason) if file.holes else "an absolute path"
 
 
 def place_and_reason(error: DocumentError, path: str, evidence: Evidence) -> tuple[Evidence, str]:

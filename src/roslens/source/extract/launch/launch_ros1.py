@@ -19,7 +19,7 @@ from roslens.source.extract.facts.resolve_name import absolute, tidy
 from roslens.source.extract.launch.gazebo_plugins import with_plugins
 from roslens.source.extract.launch.launch_budget import within_budget
 from roslens.source.extract.launch.launch_failures import Failures
-from roslens.source.extract.launch.launch_reasons import standing_of
+from roslens.source.extract.launch.launch_reasons import standing_of, why_unread
 from roslens.source.extract.launch.ros1_doubt import Doubt, only_if, setting_if
 from roslens.source.extract.launch.ros1_names import private, remap_also, without_end
 from roslens.source.extract.launch.ros1_nodelet import as_nodelet
@@ -247,7 +247,7 @@ class _File:
                 given[name] = only_if(inside.own, found, given.get(name))
         file = substitute(needed(element, "file"), self._scope)
         if file.known is None or file.known.startswith("/"):
-            self._whole.miss(str(file), self._place(element), _why(file), opens=True, standing=standing_of(file))
+            self._whole.miss(str(file), self._place(element), why_unread(file), opens=True, standing=standing_of(file))
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []
@@ -385,11 +385,6 @@ class _File:
         self, element: Element, text: str, reason: str, *, opens: bool = False, fault: Fault | None = None
     ) -> None:
         self._whole.miss(text, self._place(element), reason, opens=opens, fault=fault)
-
-
-def _why(file: Text) -> str:
-    """Return why a file that is included is not read."""
-    return str(file.holes[0].reason) if file.holes else "an absolute path"
 
 
 _TAGS: dict[str, Callable[[_File, Element, Space, list[Remap]], tuple[Setting, ...]]] = {

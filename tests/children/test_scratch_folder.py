@@ -127,7 +127,46 @@ with worker_pool(1, "forkserver") as pool:
 """
 
 
-def test_sockets_of_worker_pools_are_in_one(temporary):
+@pytest.fixture
+def short(monkeypatch):
+    """A temporary folder with a path in which there is room for the names of sockets."""
+    with tempfile.TemporaryDirectory(dir="/tmp") as folder:
+        monkeypatch.setenv("TMPDIR", folder)
+        monkeypatch.setattr(tempfile, "tempdir", None)
+        yield Path(folder)
+
+
+def test_pools_start_where_the_path_leaves_no_room_for_names_of_sockets(short, monkeypatch):
+    place = short / ("x" * (107 - len(f"{short}//pymp-abcdefgh/listener-abcdefgh")))
+    place.mkdir()
+    monkeypatch.setenv("TMPDIR", str(place))
+    process = subprocess.run([sys.executable, "-c", POOL], input="", capture_output=True, text=True, check=False)
+    assert (process.stdout, process.stderr) == ("1\n", "")
+    assert list(place.iterdir()) == []
+
+
+def test_pools_start_again_after_their_folder_was_removed(short):
+    twice = (
+        POOL
+        + """
+import os
+for name in os.listdir(os.environ["TMPDIR"]):
+    os.rename(os.environ["TMPDIR"] + "/" + name, os.environ["TMPDIR"] + "/gone")
+from multiprocessing import forkserver
+server = forkserver._forkserver
+os.close(server._forkserver_alive_fd)
+os.waitpid(server._forkserver_pid, 0)
+server._forkserver_pid = server._forkserver_alive_fd = server._forkserver_address = None
+with worker_pool(1, "forkserver") as pool:
+    print(pool.submit(abs, -2).result(), flush=True)
+"""
+    )
+    process = subprocess.run([sys.executable, "-c", twice], input="", capture_output=True, text=True, check=False)
+    assert process.stdout == "1\n2\n", process.stderr
+
+
+def test_sockets_of_worker_pools_are_in_one(short):
+    temporary = short
     process = subprocess.Popen([sys.executable, "-c", POOL], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "1\n"
     assert [one.name.rpartition(".")[0] for one in temporary.iterdir()] == ["roslens.mp"]

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from killed.place import Place, place, wait_for, write_workspace
+from roslens.cli.workplace.own_results import mark_own
 from roslens.store.live.history import History
 from roslens.store.runs import Store
 
@@ -65,6 +66,12 @@ def prepared(where: Place) -> None:
     write_workspace(inside / "ws", AFTER)
 
 
+def copied(template: Path, where: Place) -> None:
+    """Put what was prepared into a place, with results that are marked as made there."""
+    shutil.copytree(template, where.inside, dirs_exist_ok=True)
+    mark_own(where.inside / "ws/.roslens", os.environ)
+
+
 def finished(where: Place, words: list[str]) -> str:
     """Run a command to its end and return what it said."""
     process = where.start(words)
@@ -79,7 +86,7 @@ def usual(template: Path, folder: Path, mount: bool) -> dict[str, Usual]:
     with place(template, mount=False) as where:
         prepared(where)
     with place(folder, mount=mount) as where:
-        shutil.copytree(template, where.inside, dirs_exist_ok=True)
+        copied(template, where)
         for command, words in COMMANDS.items():
             if command == "agent":
                 found[command] = Usual(1.0, set())
@@ -95,7 +102,7 @@ def tried(moment: Moment, template: Path, folder: Path, usually: dict[str, Usual
     wrong: list[str] = []
     chance = random.Random(f"{moment}")
     with place(folder, mount=mount) as where:
-        shutil.copytree(template, where.inside, dirs_exist_ok=True)
+        copied(template, where)
         before = where.files()
         _ended(where, moment, usually[moment.command].seconds, chance)
         if not wait_for(lambda: not where.processes(), ENDS_S):

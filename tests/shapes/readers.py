@@ -189,11 +189,19 @@ LIMITS = {
 
 
 class Measured(NamedTuple):
-    """What reading took: processor seconds, the largest process in MB, and why it was left out; empty if it was not."""
+    """What reading took.
+
+    Attributes:
+        seconds: of a processor.
+        megabytes: the largest that the process was.
+        left_out: why the content was left out; empty if it was not.
+        grown: by how many MB the process grew; it begins as large as the one that it is a copy of.
+    """
 
     seconds: float
     megabytes: float
     left_out: str
+    grown: float
 
 
 class ReadError(Exception):
@@ -213,13 +221,16 @@ def measured(grammar: str, content: bytes) -> Measured:
         _child(grammar, content, slot, there)
     os.close(there)
     with os.fdopen(here, "rb") as stream:
+        pages = stream.readline()
         said = stream.read().decode()
     _, status, used = os.wait4(pid, 0)
     code = os.waitstatus_to_exitcode(status)
     why = said.removeprefix("over ") if said.startswith("over ") else why_ended(code)
     if said.startswith("error ") or (code and not why):
         raise ReadError(f"exit code {code}: {said.removeprefix('error ')}")
-    return Measured(used.ru_utime + used.ru_stime, used.ru_maxrss / 1000, why)
+    began = int(pages) * resource.getpagesize() / 1e6
+    largest = used.ru_maxrss * 1024 / 1e6
+    return Measured(used.ru_utime + used.ru_stime, largest, why, largest - began)
 
 
 def _child(grammar: str, content: bytes, slot: Slot, answers: int) -> None:
@@ -231,6 +242,7 @@ def _child(grammar: str, content: bytes, slot: Slot, answers: int) -> None:
         faulthandler.disable()
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         watch(slot)
+        os.write(answers, Path("/proc/self/statm").read_bytes().split()[1] + b"\n")
         said = ""
         try:
             with warnings.catch_warnings():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -13,6 +14,9 @@ from roslens.children.safe_path import elsewhere
 from roslens.children.scratch_folder import ScratchFolder
 
 Method = Literal["fork", "forkserver", "spawn"]
+
+_LONGEST_FOLDER = 107 - len("/listener-abcdefgh")
+"""Bytes of the path of a folder of sockets, whose paths may have 107; multiprocessing gives it a shorter name."""
 
 
 @contextmanager
@@ -52,11 +56,17 @@ def _own_temporary_folder() -> None:
     from multiprocessing import process, util
 
     # multiprocessing makes one of its own, which tells nothing of its owner, unless this is set.
-    config: dict[str, object] = getattr(process.current_process(), "_config", {})
-    if config.get("tempdir") is None:
-        folder = ScratchFolder("mp")
-        config["tempdir"] = folder.name
-        util.Finalize(None, folder.cleanup, exitpriority=-100)
+    config: dict[str, str | None] = getattr(process.current_process(), "_config", {})
+    # What cleans up temporary folders of a machine may have removed one that was long unused.
+    if os.path.isdir(config.get("tempdir") or ""):  # noqa: PTH112 - a text
+        return
+    config["tempdir"] = None
+    folder = ScratchFolder("mp")
+    if len(os.fsencode(folder.name)) > _LONGEST_FOLDER:
+        folder.cleanup()
+        return
+    config["tempdir"] = folder.name
+    util.Finalize(None, folder.cleanup, exitpriority=-100)
 
 
 @contextmanager

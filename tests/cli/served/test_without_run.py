@@ -14,6 +14,7 @@ import pytest
 
 from roslens.cli.main import main
 from roslens.cli.served.without_run import needs_no_run
+from roslens.cli.workplace.workplace import own_folder
 
 EXAMPLE = Path(__file__).parents[3] / "examples/recording"
 
@@ -29,8 +30,7 @@ def test_only_what_runs_or_was_recorded_needs_no_run(tmp_path: Path) -> None:
     assert needs_no_run(options(tmp_path, live=True))
     assert not needs_no_run(options(tmp_path))
     assert not needs_no_run(options(tmp_path, bag=["a.bag"], accept=True))
-    (tmp_path / ".roslens").mkdir()
-    (tmp_path / ".roslens/store.sqlite").touch()
+    (own_folder(tmp_path) / "store.sqlite").touch()
     assert not needs_no_run(options(tmp_path, bag=["a.bag"]))
 
 

@@ -51,5 +51,14 @@ def test_what_no_supported_distribution_has_is_gone_also_where_no_target_is_know
     assert effect_of(old, Target()) is Effect.REMOVED
 
 
+def test_what_people_are_told_may_be_older_than_the_code():
+    change = next(
+        one for one in read_changes().values() if one.ros == 2 and one.removed == "jazzy" and not one.deprecated
+    )
+    assert effect_of(change, Target(("foxy",))) is Effect.NONE
+    assert effect_of(change, Target(("foxy",), told=True)) is Effect.LATER
+    assert effect_of(change, Target(("jazzy",), told=True)) is Effect.REMOVED
+
+
 def test_a_name_may_have_a_row_for_each_version_of_ros():
     assert {one.ros for one in changes_of(Kind.HEADER)["pluginlib/class_list_macros.h"]} == {1, 2}

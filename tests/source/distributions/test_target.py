@@ -102,3 +102,30 @@ def test_all_files_of_a_kind_count_but_those_for_documentation(target):
         ".github/workflows/deploy_docs.yml": "ROS_DISTRO: iron\n",
     }
     assert target(files).note() == "for Humble, Jazzy, as .github/workflows/humble.yml says"
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "distros"),
+    [
+        ("README.md", "    sudo apt install ros-foxy-navigation2\n", ("foxy",)),
+        ("README.md", "rosdep install --from-paths src --rosdistro=kinetic -y\n", ("kinetic",)),
+        ("README.rst", "source /opt/ros/jazzy/setup.bash\n", ("jazzy",)),
+        ("arm/README.md", "## Tested with ROS 2 Humble and `ROS2 Iron`\n", ("humble", "iron")),
+        ("README.md", "ROS Noetic (Ubuntu 20.04)\n", ("noetic",)),
+        (".vscode/c_cpp_properties.json", '{"includePath": ["/opt/ros/foxy/include/**"]}\n', ("foxy",)),
+        ("README.md", "A humble robot with a jazzy arm.\n", ()),
+        ("CHANGELOG.rst", "* Drop ROS Kinetic\n", ()),
+    ],
+)
+def test_what_people_are_told_to_install_says_it(target, path, text, distros):
+    said = target({path: text})
+    assert said.distros == distros
+    if distros:
+        assert said.told
+        assert said.said_by == path
+
+
+def test_what_builds_says_more_than_what_people_are_told(target):
+    said = target({"arm/README.md": "ROS 2 Foxy\n", ".github/workflows/ci.yml": "container: ros:humble\n"})
+    assert said.distros == ("humble",)
+    assert not said.told

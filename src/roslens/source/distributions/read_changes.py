@@ -104,7 +104,8 @@ def effect_of(change: Change, target: Target) -> Effect:
         return Effect.REMOVED
     if change.deprecated and any(is_at_least(one, change.deprecated) for one in names):
         return Effect.DEPRECATED
-    return Effect.NONE
+    # What people are told may be older than the code: it is looked at as what will break.
+    return Effect.LATER if change.removed and target.told else Effect.NONE
 
 
 @cache

@@ -2,7 +2,8 @@
 
 The files that are looked at, in this order: those of continuous integration, those of containers, lists of repositories
 (``.repos``); files of one kind in one folder are taken together. Those nearest to a package count, up to the root of
-its repository. ``$ROS_DISTRO`` counts where no file says anything. A standard of C++ is no sign: C++17 is that of
+its repository. Where none of them says anything, what people are told to install counts (READMEs, settings of
+editors), and ``$ROS_DISTRO`` where no file says anything. A standard of C++ is no sign: C++17 is that of
 Humble to Kilted (REP-2000).
 """
 
@@ -35,13 +36,18 @@ _IN_CONTAINER = re.compile(
     rf"(?i)\bros(?:-core|-base)?:(?:{_NAMES})\b|/ros:(?:{_NAMES})\b|/opt/ros/(?:{_NAMES})\b|\bros-(?:{_NAMES})-"
     rf"|ROS_DISTRO[\"']?\s*[=:\s]\s*[\"']?(?:{_NAMES})\b"
 )
+_IN_DOCUMENT = re.compile(
+    rf"(?i)/opt/ros/(?:{_NAMES})\b|\bros-(?:{_NAMES})-|--rosdistro[=\s]+(?:{_NAMES})\b"
+    rf"|ROS_DISTRO\W{{1,3}}(?:{_NAMES})\b|\bros(?:\s?[12])?\W{{0,3}}(?:{_NAMES})\b"
+)
 _VERSION = re.compile(rf"^\s*version\s*:\s*[\"']?(?:{_NAMES})(?:-devel)?[\"']?\s*$", re.MULTILINE | re.IGNORECASE)
 _NAME = re.compile(rf"(?i)(?<![A-Za-z])(?:{_NAMES})(?![A-Za-z])")
 
 _DOCUMENTATION = re.compile(r"(?i)doc(?!ker)|doxygen|pages")
 """Names of files that build documentation, whatever distribution they do that with."""
 
-_KINDS: tuple[tuple[tuple[str, ...], re.Pattern[str]], ...] = (
+_Kind = tuple[tuple[str, ...], re.Pattern[str]]
+_BUILDING: tuple[_Kind, ...] = (
     (
         (
             ".github/workflows/*.yml",
@@ -69,6 +75,7 @@ _KINDS: tuple[tuple[tuple[str, ...], re.Pattern[str]], ...] = (
     ),
     (("*.repos", ".rosinstall", "*.rosinstall"), _VERSION),
 )
+_TELLING: tuple[_Kind, ...] = ((("README*", "readme*", "INSTALL*", "docs/README*", ".vscode/*.json"), _IN_DOCUMENT),)
 
 
 class Target(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -78,11 +85,13 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
         distros: names of distributions, in order of release; empty where nothing is known.
         given: the user said so, where it is not guessed.
         said_by: who says so: ``distro``, which the user set, the path of a file, or ``$ROS_DISTRO``.
+        told: people are told so, where nothing that builds says it.
     """
 
     distros: tuple[str, ...] = ()
     given: bool = False
     said_by: str = ""
+    told: bool = False
 
     def of(self, ros: int) -> tuple[str, ...]:
         """Return those of a version of ROS."""
@@ -112,15 +121,21 @@ def targets_of(
         return {one.id: said for one in packages}
     name = (environment or {}).get("ROS_DISTRO", "")
     fallback = Target((name,), said_by="$ROS_DISTRO") if name in distributions() else Target()
-    looked: dict[Path, Target | None] = {}
-    return {one.id: _guess(root, root / one.path, looked) or fallback for one in packages}
+    building: dict[Path, Target | None] = {}
+    telling: dict[Path, Target | None] = {}
+    return {
+        one.id: _guess(root, root / one.path, _BUILDING, building)
+        or _guess(root, root / one.path, _TELLING, telling)
+        or fallback
+        for one in packages
+    }
 
 
-def _guess(root: Path, folder: Path, looked: dict[Path, Target | None]) -> Target | None:
-    """Return what the nearest files say, from a folder up to the root of its repository."""
+def _guess(root: Path, folder: Path, kinds: tuple[_Kind, ...], looked: dict[Path, Target | None]) -> Target | None:
+    """Return what the nearest files of some kinds say, from a folder up to the root of its repository."""
     for above in (folder, *folder.parents):
         if above not in looked:
-            looked[above] = _said_in(above, root)
+            looked[above] = _said_in(above, root, kinds)
         if (said := looked[above]) is not None:
             return said
         if (above / ".git").exists() or above == above.parent:
@@ -134,12 +149,13 @@ def _is_in_repository(root: Path) -> bool:
     return any((above / ".git").exists() for above in root.parents)
 
 
-def _said_in(folder: Path, root: Path) -> Target | None:
-    for patterns, expression in _KINDS:
+def _said_in(folder: Path, root: Path, kinds: tuple[_Kind, ...]) -> Target | None:
+    for patterns, expression in kinds:
         said = [(path, names) for path in _files(folder, patterns) if (names := _named(path, expression))]
         if said:
             found = {name for _, names in said for name in names}
-            return Target(tuple(name for name in distributions() if name in found), said_by=_shown(said[0][0], root))
+            names = tuple(name for name in distributions() if name in found)
+            return Target(names, said_by=_shown(said[0][0], root), told=kinds is _TELLING)
     return None
 
 
@@ -161,9 +177,14 @@ def _named(path: Path, expression: re.Pattern[str]) -> tuple[str, ...]:
         text = read_bounded(path, MOST_BYTES).decode("utf-8", "replace")
     except (OSError, ValueError):
         return ()
-    code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("#"))
+    # In a document a sign that begins comments elsewhere begins a title.
+    code = text if expression is _IN_DOCUMENT else _without_comments(text)
     found = {name.lower() for match in expression.finditer(code) for name in _NAME.findall(match[0])}
     return tuple(name for name in distributions() if name in found)
+
+
+def _without_comments(text: str) -> str:
+    return "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("#"))
 
 
 def _shown(path: Path, root: Path) -> str:

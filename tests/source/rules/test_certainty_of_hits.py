@@ -49,6 +49,7 @@ class Turtle(Node):
         time.sleep(1)
 """
 OLD_NODE = "from launch_ros.actions import Node\nnode = Node(package='arm', {0}='arm', executable='arm')\n"
+FORMAT = "#include <string>\n{0}\nvoid f(const std::string& given) {{ {1} printf({2}.c_str()); {3} }}\n"
 RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 
 
@@ -124,6 +125,91 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("launch.unknown_keyword", Language.PYTHON, OLD_NODE.format("node_name"), Certainty.LIKELY),
         ("launch.unknown_keyword", Language.PYTHON, OLD_NODE.format("nmae"), None),
         ("node.credential", Language.CPP, 'const char * password = "r0bot-4711";\n', Certainty.HEURISTIC),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'std::string text = "stop" " now";', "text", ""),
+            Certainty.HEURISTIC,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'std::string text("stop");', "text", ""),
+            Certainty.HEURISTIC,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'std::string text{"stop"};', "text", ""),
+            Certainty.HEURISTIC,
+        ),
+        ("cpp.format_string", Language.CPP, FORMAT.format("", 'std::string text = "50 %d";', "text", ""), None),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'std::string text = "stop";', "text", "text += given;"),
+            None,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'std::string text = "stop"; read(text);', "text", ""),
+            None,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format("", 'const std::string text = "stop"; show(text);', "text", ""),
+            Certainty.HEURISTIC,
+        ),
+        ("cpp.format_string", Language.CPP, FORMAT.format("", "std::string text = given;", "text", ""), None),
+        ("cpp.format_string", Language.CPP, FORMAT.format("", "std::string text;", "text", ""), None),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('static const std::string TEXT = "stop";', "", "TEXT", ""),
+            Certainty.HEURISTIC,
+        ),
+        ("cpp.format_string", Language.CPP, FORMAT.format('std::string text = "stop";', "", "text", ""), None),
+        ("cpp.format_string", Language.CPP, FORMAT.format('const std::string given = "stop";', "", "given", ""), None),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('#define TEXT "stop" " now"  // all', "", "std::string(TEXT)", ""),
+            Certainty.HEURISTIC,
+        ),
+        ("cpp.format_string", Language.CPP, FORMAT.format('#define TEXT "stop %s"', "", "std::string(TEXT)", ""), None),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('#define TEXT "stop"\n#undef TEXT\n#define TEXT "%s"', "", "std::string(TEXT)", ""),
+            None,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('constexpr char TEXT[] = "stop";', "", '(std::string(TEXT) + " now")', ""),
+            Certainty.HEURISTIC,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('const char* TEXT = "stop";', "", "std::string(TEXT)", ""),
+            None,
+        ),
+        ("cpp.format_string", Language.CPP, FORMAT.format("", "", '(std::string("stop") + given)', ""), None),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('const std::string TEXT = "stop";', "for (auto TEXT : all()) {", "TEXT", "}"),
+            None,
+        ),
+        (
+            "cpp.format_string",
+            Language.CPP,
+            FORMAT.format('const std::string TEXT = "stop";', "auto g = [](const std::string& TEXT) {", "TEXT", "};"),
+            None,
+        ),
     ],
 )
 def test_it_is_a_note(rule, language, text, certainty):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.rules.cpp.functions.constant_text import constant_text
 from roslens.source.rules.cpp_statement import arguments_of, callee
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -31,12 +32,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if not _NAME.fullmatch(name) or len(arguments) != 1 + bool(_SECOND.fullmatch(name)) or arguments[-1] != text:
         return
     written = view.text(text)
-    if written.endswith(("c_str()", "what()")):
-        yield view.hit(
-            "cpp.format_string",
-            text,
-            f'`{view.short(text, 200)}` is the format of `{name}`; expected `"%s"` before it',
-        )
+    if not written.endswith(("c_str()", "what()")):
+        return
+    message = f"`{view.short(text, 200)}` is the format of `{name}`"
+    expected = 'expected `"%s"` before it'
+    known = constant_text(_read_of(text), view)
+    if known is None or "%" in known:
+        yield view.hit("cpp.format_string", text, f"{message}; {expected}")
+    else:
+        always = f"{message}, always a text without `%`, so that nothing is printed wrong; {expected}"
+        yield view.hit("cpp.format_string", text, always, certainty=Certainty.HEURISTIC)
+
+
+def _read_of(call: Node) -> Node | None:
+    """Return what the text of a call is read of."""
+    function = call.child_by_field_name("function")
+    return function.child_by_field_name("argument") if function is not None else None
 
 
 RULE = FileRule(

@@ -83,3 +83,37 @@ def test_a_default_that_is_the_argument_itself_needs_a_file_that_gives_it(given,
     includes = f'<launch><include file="$(find p)/launch/one.launch">{given}</include></launch>'
     package(tmp_path, "p", kind="catkin", launch__one_dot_launch=itself, launch__all_dot_launch=includes)
     assert found("launch.undeclared_argument", package_view(tmp_path, "p")) == severities
+
+
+NEEDS = '<launch><node pkg="q" {}="go" name="go"/></launch>'
+
+
+@pytest.mark.parametrize(
+    ("kind", "asks", "severity"),
+    [
+        ("ament_cmake", "", Severity.WARNING),
+        ("ament_cmake", "<exec_depend>p</exec_depend>", Severity.NOTE),
+        ("ament_cmake", "<depend>between</depend>", Severity.NOTE),
+        ("ament_cmake", "<doc_depend>p</doc_depend>", Severity.WARNING),
+        # catkin orders packages that need each other only when they run.
+        ("catkin", "<exec_depend>p</exec_depend>", Severity.WARNING),
+        ("catkin", "<build_depend>p</build_depend>", Severity.NOTE),
+    ],
+)
+def test_a_dependency_that_would_close_a_cycle_is_not_expected(kind, asks, severity, package_view, tmp_path):
+    start = NEEDS.format("exec" if kind.startswith("ament") else "type")
+    package(tmp_path, "p", kind=kind, launch__one_dot_launch=start)
+    package(tmp_path, "between", "<depend>p</depend>", kind)
+    package(tmp_path, "q", asks, kind)
+    assert found("package.undeclared_dependency", package_view(tmp_path, "p")) == [severity]
+
+
+def test_it_says_which_of_two_packages_declares_the_other(package_view, tmp_path):
+    package(tmp_path, "p", launch__one_dot_launch=NEEDS.format("exec"))
+    package(tmp_path, "q", "<exec_depend>p</exec_depend>")
+    settings = RuleSettings((), ("package.undeclared_dependency",))
+    (one,) = rule_findings(package_view(tmp_path, "p"), settings, {}, (), (), [])
+    assert one.message.startswith(
+        "launch file launch/one.launch: 'p' uses 'q' without declaring it, and package.xml of 'q' declares 'p': "
+    )
+    assert not one.edits

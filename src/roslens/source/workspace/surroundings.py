@@ -10,6 +10,7 @@ import msgspec
 
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 from roslens.source.distributions.target import Target
+from roslens.source.workspace.dependents import Dependents, dependents_of
 
 _SOURCES = "src/"
 _STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
@@ -42,6 +43,8 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         target: what it is built for.
         own: names of the packages of the workspace that it depends on, sorted: what these have is there, whatever a
             distribution has.
+        dependents: names of the packages that depend on it, also through others, sorted; with each, whether one of the
+            dependencies on the way is of a build or a test.
     """
 
     inside: str = ""
@@ -52,6 +55,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     started: Started = Started()
     target: Target = Target()
     own: tuple[str, ...] = ()
+    dependents: Dependents = ()
 
 
 def surroundings_of(
@@ -69,6 +73,7 @@ def surroundings_of(
     started = _started([file for one in own for file in files.get(one.id, ())])
     folders = frozenset(one.path for one in own)
     names = frozenset(one.name for one in own)
+    dependents = dependents_of(own)
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
         for dependency in one.dependencies:
@@ -92,6 +97,7 @@ def surroundings_of(
             started if starts else Started(),
             targets.get(one.id, Target()),
             tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
+            dependents[one.name],
         )
     return found
 

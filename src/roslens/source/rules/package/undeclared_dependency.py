@@ -39,6 +39,9 @@ def found(view: PackageView) -> Iterator[Hit]:
         if use.name in reported or not _expected(use, view) or any(_is_said(key, use) for key in declared):
             continue
         reported.add(use.name)
+        if _closes_cycle(use, view):
+            yield _cyclic(use, view)
+            continue
         how = use.how.partition(" ")[0]
         if how in gathered:
             gathered[how][use.name] = use
@@ -67,6 +70,24 @@ def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
         certainty=certainty,
         edits=_declared(uses, view),
     )
+
+
+def _closes_cycle(use: Use, view: PackageView) -> bool:
+    """Return whether no build could order the packages any more with the dependency declared."""
+    way = dict(view.around.dependents).get(use.name)
+    return way is not None and (way or use.when != RUN or 2 in view.ros)
+
+
+def _cyclic(use: Use, view: PackageView) -> Hit:
+    own, other = view.package.name, use.name
+    through = "" if other in view.around.asked_by else ", through other packages"
+    message = (
+        f"{use.how}: {own!r} uses {other!r} without declaring it, and package.xml of {other!r} declares "
+        f"{own!r}{through}: the two depend on each other, and no build can order them with both declared; expected "
+        "that one does without the other, or a package of its own for what needs both"
+    )
+    certainty = Certainty.HEURISTIC
+    return Hit("package.undeclared_dependency", message, use.line, context=other, path=use.path, certainty=certainty)
 
 
 def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
@@ -107,8 +128,9 @@ RULE = PackageRule(
     title="Package used and not declared",
     finds="A package that CMakeLists.txt finds, that a launch file finds or starts nodes of, or, of ROS, that "
     "sources include or import, and of which package.xml says nothing. What is imported is one finding for a "
-    "package, what launch files need another, what is included one note. Libraries are known by the keys of "
-    "rosdep; modules of CMake need none.",
+    "package, what launch files need another, what is included one note. A package that depends on this one itself is "
+    "a note as well: to declare it would close a cycle. Libraries are known by the keys of rosdep; modules of CMake "
+    "need none.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
     consequence=Consequence.HARD_TO_MAINTAIN,

@@ -152,11 +152,6 @@ def test_pools_start_again_after_their_folder_was_removed(short):
 import os
 for name in os.listdir(os.environ["TMPDIR"]):
     os.rename(os.environ["TMPDIR"] + "/" + name, os.environ["TMPDIR"] + "/gone")
-from multiprocessing import forkserver
-server = forkserver._forkserver
-os.close(server._forkserver_alive_fd)
-os.waitpid(server._forkserver_pid, 0)
-server._forkserver_pid = server._forkserver_alive_fd = server._forkserver_address = None
 with worker_pool(1, "forkserver") as pool:
     print(pool.submit(abs, -2).result(), flush=True)
 """

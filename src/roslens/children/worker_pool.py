@@ -6,7 +6,7 @@ import os
 import signal
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Literal
 
 from roslens.children.lifeline import leave_interrupts, watch_parent
@@ -57,16 +57,29 @@ def _own_temporary_folder() -> None:
 
     # multiprocessing makes one of its own, which tells nothing of its owner, unless this is set.
     config: dict[str, str | None] = getattr(process.current_process(), "_config", {})
-    # What cleans up temporary folders of a machine may have removed one that was long unused.
-    if os.path.isdir(config.get("tempdir") or ""):  # noqa: PTH112 - a text
-        return
-    config["tempdir"] = None
+    before = config.get("tempdir")
+    if before is not None:
+        # What cleans up temporary folders of a machine may have removed one that was long unused.
+        if os.path.isdir(before):  # noqa: PTH112 - a text
+            return
+        config["tempdir"] = None
+        _stop_server()
     folder = ScratchFolder("mp")
     if len(os.fsencode(folder.name)) > _LONGEST_FOLDER:
         folder.cleanup()
         return
     config["tempdir"] = folder.name
     util.Finalize(None, folder.cleanup, exitpriority=-100)
+
+
+def _stop_server() -> None:
+    """End the server that starts workers: nobody reaches it any more, as its socket is gone."""
+    from multiprocessing import forkserver
+
+    stop = getattr(getattr(forkserver, "_forkserver", None), "_stop", None)
+    if stop is not None:
+        with suppress(FileNotFoundError):
+            stop()
 
 
 @contextmanager

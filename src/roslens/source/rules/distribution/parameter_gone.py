@@ -4,30 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.errors import DocumentError
-from roslens.model.source import Language, Role
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.distributions.read_changes import Kind, changes_of
 from roslens.source.extract.facts.launched import Setting
-from roslens.source.extract.parameters.parameter_file import ros2_parameters
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.parameter_files import parameter_files
 
 _MANAGER = "controller_manager"
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each parameter of the tables that is set for a controller of that type."""
-    for file in view.of_language(Language.YAML, roles=(Role.OWN,)):
-        content = view.read(file.path)
-        if b"ros__parameters" not in content or b"type" not in content:
-            continue
-        try:
-            settings = ros2_parameters(content, file.path)
-        except DocumentError:
-            continue
-        yield from _gone(settings, file.path)
+    for path, settings in parameter_files(view, b"type"):
+        yield from _gone(settings, path)
 
 
 def _gone(settings: list[Setting], path: str) -> Iterator[Hit]:

@@ -6,11 +6,9 @@ from collections.abc import Iterator, Mapping
 
 import msgspec
 
-from roslens.model.errors import DocumentError
-from roslens.model.source import Language, Role
 from roslens.source.extract.facts.launched import Setting
-from roslens.source.extract.parameters.parameter_file import ros2_parameters
 from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.views.parameter_files import parameter_files
 
 LISTS = (
     *("plugins", "filters", "controller_plugins", "planner_plugins", "behavior_plugins", "recovery_plugins"),
@@ -41,15 +39,8 @@ class PluginList(msgspec.Struct, frozen=True):
 
 def listed_plugins(view: PackageView) -> Iterator[PluginList]:
     """Yield each list of plug-ins in the parameter files of a package; files that cannot be read have none."""
-    for file in view.of_language(Language.YAML, roles=(Role.OWN,)):
-        content = view.read(file.path)
-        if b"ros__parameters" not in content or b"plugin" not in content:
-            continue
-        try:
-            settings = ros2_parameters(content, file.path)
-        except DocumentError:
-            continue
-        yield from _lists(settings, file.path)
+    for path, settings in parameter_files(view, b"plugin"):
+        yield from _lists(settings, path)
 
 
 def _lists(settings: list[Setting], path: str) -> Iterator[PluginList]:

@@ -400,8 +400,8 @@ def test_names_of_lines_stand_on_their_lines_and_once_where_several_share_a_part
 def test_a_name_stands_on_the_level_part_that_no_other_line_shares(visit: Visit) -> None:
     page = visit("/computation/rover?topics=lines")
     paths = [
-        "M0 50H100Q107 50 107 57V93Q107 100 114 100H300M294 97L300 100L294 103",
-        "M0 50H100Q107 50 107 57V193Q107 200 114 200H300M294 197L300 200L294 203",
+        "M0 50H100q7 0 7 7V93q0 7 7 7H300m-6 -3l6 3l-6 3",
+        "M0 50H100q7 0 7 7V193q0 7 7 7H300m-6 -3l6 3l-6 3",
     ]
     found = page.evaluate(
         """async (paths) => {

@@ -73,7 +73,7 @@ def holds(box: Box, x: float, y: float) -> bool:
 
 def points(path: str) -> list[tuple[float, float]]:
     """Return points along a line, but for its tip."""
-    line = re.findall(r"[MHVQC][^MHVQCL]*", path.rpartition("M")[0])
+    line = re.findall(r"[MHVqC][^MHVqC]*", path.rpartition("m")[0])
     found: list[tuple[float, float]] = []
     x = y = 0.0
     for one in line:
@@ -88,7 +88,9 @@ def points(path: str) -> list[tuple[float, float]]:
             found += [(x, y + (numbers[0] - y) * step / 20) for step in range(1, 21)]
             y = numbers[0]
         else:
-            if one[0] == "Q":
+            if one[0] == "q":
+                numbers = [value + (y if place % 2 else x) for place, value in enumerate(numbers)]
+            if len(numbers) == 4:
                 numbers = numbers[:2] + numbers
             (a, b, c, d, e, f), (x0, y0) = numbers, (x, y)
             for step in range(1, 21):
@@ -251,7 +253,9 @@ def test_wires_of_one_element_share_a_track() -> None:
 
 def upright(path: str) -> list[float]:
     """Return where a line runs straight up or down."""
-    return [float(x) for x in re.findall(r"Q([\d.]+) [\d.]+ [\d.]+ [\d.]+V", path)]
+    return [
+        round(float(x) + float(turn), 1) for x, turn in re.findall(r"H(-?[\d.]+)q(-?[\d.]+) 0 [-\d.]+ [-\d.]+V", path)
+    ]
 
 
 def made_up(count: int, seed: int = 3) -> Graph:

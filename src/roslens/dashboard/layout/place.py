@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
 
 PASSES = 16
 
@@ -24,13 +25,15 @@ def spread(
         passes: how often each column is gone through.
     """
     centre = _stacked(order, heights)
+    offsets = [_offsets([heights[item] for item in column]) for column in order]
+    steps = list(zip(order, offsets, strict=True))
     for turn in range(passes):
         last = turn >= passes - 2
         forward = turn % 2 == 0
         beside = left if forward else right
-        for column in order if forward else reversed(order):
+        for column, offset in steps if forward else reversed(steps):
             wanted = [_wish(centre, item, (*left[item], *right[item]) if last else beside[item]) for item in column]
-            for item, place in zip(column, settle(wanted, [heights[item] for item in column]), strict=True):
+            for item, place in zip(column, _pooled(wanted, offset), strict=True):
                 centre[item] = place
     return centre
 
@@ -49,7 +52,7 @@ def _stacked(order: Sequence[Sequence[int]], heights: Sequence[float]) -> list[f
 def _wish(centre: Sequence[float], item: int, neighbours: Sequence[int]) -> float:
     if not neighbours:
         return centre[item]
-    return sum(centre[other] for other in neighbours) / len(neighbours)
+    return sum([centre[other] for other in neighbours]) / len(neighbours)
 
 
 def settle(wanted: Sequence[float], heights: Sequence[float]) -> list[float]:
@@ -57,11 +60,15 @@ def settle(wanted: Sequence[float], heights: Sequence[float]) -> list[float]:
 
     This is isotonic regression on the wishes less the room above, by pooling adjacent violators (Barlow et al. 1972).
     """
-    offsets = []
-    top = 0.0
-    for height in heights:
-        offsets.append(top + height / 2)
-        top += height
+    return _pooled(wanted, _offsets(heights))
+
+
+def _offsets(heights: Sequence[float]) -> list[float]:
+    """Return the centre of each where they stand on each other without room between."""
+    return [below - height / 2 for below, height in zip(accumulate(heights), heights, strict=True)]
+
+
+def _pooled(wanted: Sequence[float], offsets: Sequence[float]) -> list[float]:
     blocks: list[tuple[float, int]] = []
     for wish, offset in zip(wanted, offsets, strict=True):
         mean, size = wish - offset, 1

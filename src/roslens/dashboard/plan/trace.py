@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 
 from roslens.dashboard.plan.ground import ROOM, Ground, Stand
 
@@ -49,8 +49,11 @@ class Tracks:
                 for step, height in enumerate(heights, 1):
                     found[first + step].add(height)
         self._heights = [sorted(heights) for heights in found]
-        self._ranks = [{height: place for place, height in enumerate(heights)} for heights in self._heights]
         self._rooms = [_room(left[1], right[0]) for left, right in pairwise(self.spans)]
+        self._known = [
+            {height: _pair(place, len(heights), *room) for place, height in enumerate(heights)}
+            for heights, room in zip(self._heights, self._rooms, strict=False)
+        ]
 
     def rightward(self, column: int, y: float, height: float) -> str:
         """Return a bend behind a column."""
@@ -72,16 +75,19 @@ class Tracks:
 
     def track(self, column: int, left: float, right: float) -> float:
         """Return where a wire between two heights changes from one to the other, behind a column."""
+        known = self._known[column].get(left)
+        if known is not None:
+            return known[right < left]
         start, wide = self._rooms[column]
         heights = self._heights[column]
-        place = self._ranks[column].get(left)
-        # Each height has two tracks, for what rises and for what falls; what leaves at another height stands between.
-        if place is not None:
-            number = place + 0.75 if right < left else len(heights) - place - 0.75
-        else:
-            place = bisect_left(heights, left)
-            number = float(place) if right < left else max(0.0, len(heights) - place - 0.5)
+        place = bisect_left(heights, left)
+        number = float(place) if right < left else max(0.0, len(heights) - place - 0.5)
         return start + wide * number / (len(heights) or 1)
+
+
+def _pair(place: int, count: int, start: float, wide: float) -> tuple[float, float]:
+    """Return the two tracks of a height, for what falls and for what rises; other heights have theirs between."""
+    return start + wide * (count - place - 0.75) / count, start + wide * (place + 0.75) / count
 
 
 def _room(start: float, end: float) -> tuple[float, float]:
@@ -98,13 +104,23 @@ def _bent(start: float, y: float, end: float, height: float) -> str:
     return f"H{start:.1f}C{middle:.1f} {y:.1f} {middle:.1f} {height:.1f} {end:.1f} {height:.1f}"
 
 
+def _corners(direction: int, *, falls: bool, back: bool) -> tuple[str, str]:
+    """Return the corners in which a line turns up or down and level again, relative to where each begins."""
+    across, down = direction * CORNER, CORNER if falls else -CORNER
+    return f"q{across:g} 0 {across:g} {down:g}", f"q0 {down:g} {-across if back else across:g} {down:g}"
+
+
+_CORNERS = {
+    (direction, falls, back): _corners(direction, falls=falls, back=back)
+    for direction, falls, back in product((1, -1), (True, False), (True, False))
+}
+
+
 def _stepped(x: float, y: float, height: float, direction: int, *, back: bool = False) -> str:
     """Return a line that turns up or down at ``x``, and at a height back into its direction, or against it."""
-    before, after = x - direction * CORNER, x + (-direction if back else direction) * CORNER
-    down = CORNER if height > y else -CORNER
-    at, first, last = f"{x:.1f}", f"{y:.1f}", f"{height:.1f}"
-    corner = f"H{before:.1f}Q{at} {first} {at} {y + down:.1f}"
-    return f"{corner}V{height - down:.1f}Q{at} {last} {after:.1f} {last}"
+    falls = height > y
+    into, out = _CORNERS[direction, falls, back]
+    return f"H{x - direction * CORNER:.1f}{into}V{height - CORNER if falls else height + CORNER:.1f}{out}"
 
 
 def trace(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) -> tuple[str, Place]:
@@ -131,7 +147,7 @@ def trace(source: Stand, target: Stand, way: Sequence[float], tracks: Tracks) ->
     end = target.x - target.width / 2
     last = way[-1] if way else source.y
     word = tracks.track(target.column - 1, last, target.y), (last + target.y) / 2
-    return f"{''.join(parts)}H{end:.1f}{arrow(end, target.y)}", _rounded(word)
+    return f"{''.join(parts)}H{end:.1f}{ARROW}", _rounded(word)
 
 
 def _rounded(place: Place) -> Place:
@@ -180,10 +196,8 @@ def _turn(x: float, y: float, to: float, direction: int) -> str:
 def _entry(target: Stand, y: float) -> str:
     """Return the end of a line that comes from the right: past the element, round, and into its left side."""
     left = target.x - target.width / 2
-    return f"H{left:.1f}{_turn(left, y, target.y, -1)}{arrow(left, target.y)}"
+    return f"H{left:.1f}{_turn(left, y, target.y, -1)}{ARROW}"
 
 
-def arrow(x: float, y: float) -> str:
-    """Return the tip of a wire that comes from the left."""
-    back = x - TIP
-    return f"M{back:.1f} {y - TIP / 2:.1f}L{x:.1f} {y:.1f}L{back:.1f} {y + TIP / 2:.1f}"
+ARROW = f"m{-TIP:g} {-TIP / 2:g}l{TIP:g} {TIP / 2:g}l{-TIP:g} {TIP / 2:g}"
+"""The tip of a wire that comes from the left, drawn from its end."""

@@ -10,7 +10,7 @@ const SHARES = [0.5, 0.3, 0.7];
 function levelsOf(path) {
   const found = [];
   let [x, y] = [0, 0];
-  for (const [, kind, text] of path.matchAll(/([MHVQCL])([^MHVQCL]*)/g)) {
+  for (const [, kind, text] of path.matchAll(/([MHVQCLqml])([^MHVQCLqml]*)/g)) {
     const numbers = text.trim().split(/[\s,]+/).map(Number);
     if (kind === "H") {
       const last = found.at(-1);
@@ -20,7 +20,10 @@ function levelsOf(path) {
       else found.push({ y, left, right });
       x = numbers[0];
     } else if (kind === "V") y = numbers[0];
-    else [x, y] = numbers.slice(-2);
+    else {
+      const [across, down] = numbers.slice(-2);
+      [x, y] = kind === kind.toLowerCase() ? [x + across, y + down] : [across, down];
+    }
   }
   return found;
 }

@@ -5,7 +5,8 @@ Reading is the cost: a file whose size, time stamp and inode are those of the la
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -18,6 +19,7 @@ from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
 from roslens.source.workspace.roles import given_role, role_by_path
+from roslens.source.workspace.unpacked_projects import unpacked_projects
 from roslens.source.workspace.vendored import named_folders, vendored_folders
 from roslens.store.cache import FileStat
 
@@ -48,7 +50,6 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
     failures: list[Failure] = []
     learned: dict[str, FileStat] = {}
     others: dict[str, tuple[str, ...]] = {}
-    packages = [one.package.path for one in workspace.packages if one.package.id != OUTSIDE_PACKAGES]
     for found in workspace.packages:
         kept: list[SourceFile] = []
         unnamed: list[str] = []
@@ -66,7 +67,7 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
             kept.append(SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash))
         others[found.package.id] = tuple(unnamed)
         files[found.package.id] = _with_headers(
-            _with_vendored(found, _with_libraries(kept, settings), settings, packages)
+            _with_vendored(found, _with_libraries(kept, settings), settings, workspace)
         )
     return Inventory(files, tuple(failures), learned, others)
 
@@ -84,19 +85,10 @@ def _looked_into(
 
 
 def _with_vendored(
-    found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings, packages: Sequence[str]
+    found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings, workspace: Workspace
 ) -> list[SourceFile]:
-    """Return the files, with those marked as work of others that only their folder shows to be so.
-
-    ``packages`` are the folders of all packages.
-    """
-    paths = [entry.path for entry in found.files]
-    if found.package.copy_of:
-        folders: tuple[str, ...] = (f"{found.package.path}/",)
-    elif found.package.id == OUTSIDE_PACKAGES:
-        folders = named_folders(paths, packages)
-    else:
-        folders = vendored_folders(found.package.path, paths, found.package.name)
+    """Return the files, with those marked as work of others that only their folder shows to be so."""
+    folders = _folders_of_others(found, workspace)
     if not folders:
         return files
     return [
@@ -105,6 +97,43 @@ def _with_vendored(
         else file
         for file in files
     ]
+
+
+def _folders_of_others(found: FoundPackage, workspace: Workspace) -> tuple[str, ...]:
+    """Return the folders of a package with work of others, each with ``/`` at its end."""
+    if found.package.copy_of:
+        return (f"{found.package.path}/",)
+    paths = [entry.path for entry in found.files]
+    packages = [one.package.path for one in workspace.packages if one.package.id != OUTSIDE_PACKAGES]
+    is_outside = found.package.id == OUTSIDE_PACKAGES
+    if is_outside and not packages:
+        return named_folders(paths)
+    projects = unpacked_projects(
+        found.package.path,
+        paths,
+        _own_names(workspace),
+        partial(_text_of, workspace.root),
+        packages if is_outside else (),
+    )
+    if is_outside:
+        return (*named_folders(paths, packages), *projects)
+    return (*vendored_folders(found.package.path, paths, found.package.name), *projects)
+
+
+def _own_names(workspace: Workspace) -> frozenset[str]:
+    """Return what a text names that is about the workspace: its repository, its packages and their people."""
+    packages = [one.package for one in workspace.packages if not one.package.copy_of]
+    people = [person for one in packages for person in (*one.maintainers, *one.authors)]
+    names = [*(one.name for one in packages), *(text for one in people for text in (one.name, one.email))]
+    return frozenset((*workspace.homes, *(name.strip().lower() for name in names)))
+
+
+def _text_of(root: str, path: str) -> bytes:
+    """Return what a file below a root holds; nothing where it is too large, or cannot be read."""
+    try:
+        return read_bounded(f"{root}/{path}", LARGEST_UNNAMED_BYTES)
+    except OSError:
+        return b""
 
 
 def _with_libraries(files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:

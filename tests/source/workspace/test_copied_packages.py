@@ -74,6 +74,24 @@ def test_a_package_of_a_maker_of_drivers_is_a_copy(tree: Tree) -> None:
     assert copied(root) == {"laser": "laser 2.1.4"}
 
 
+def test_a_package_of_strangers_in_an_unpacked_archive_is_a_copy(tree: Tree) -> None:
+    root = tree({**OWN, "src/laser-noetic-devel/laser/package.xml": manifest("laser", "2.1.4", STRANGER)})
+    assert copied(root) == {"laser": "laser 2.1.4"}
+
+
+def test_an_archive_of_ones_own_people_or_repository_is_at_home(tree: Tree) -> None:
+    ours = {"src/laser-master/package.xml": manifest("laser", who="Ada L|ada@gmail.com")}
+    assert copied(tree({**OWN, **ours})) == {}
+    config = '[remote "origin"]\n\turl = https://github.com/uni/laser.git\n'
+    theirs = {"src/laser-master/package.xml": manifest("laser", who=STRANGER), ".git/config": config}
+    assert copied(tree({**OWN, **theirs})) == {}
+
+
+def test_an_archive_is_at_home_beside_packages_that_name_nobody(tree: Tree) -> None:
+    own = {".git/HEAD": "", "src/robot/package.xml": manifest("robot", who="TODO|todo@todo.todo")}
+    assert copied(tree({**own, "src/laser-master/package.xml": manifest("laser", who=STRANGER)})) == {}
+
+
 def test_packages_that_a_project_of_others_published_are_copies_however_many(tree: Tree) -> None:
     names = ("nav2_core", "nav2_util", "nav2_planner", "nav2_controller")
     copies = {f"navigation2/{name}/package.xml": manifest(name, "1.3.7", STRANGER) for name in names}

@@ -2,8 +2,9 @@
 
 The manifest and the change log keep where a package is from. A package came from elsewhere where it was released by
 itself (a ``CHANGELOG.rst`` of bloom with the date of a release), where its manifest names a repository that is named
-as the package or as a folder around it, where all its maintainers are of makers whose packages are often copied, or
-where it has a name that a project of others published. It is at home all the same
+as the package or as a folder around it, where all its maintainers are of makers whose packages are often copied, where
+it has a name that a project of others published, or where it lies in an unpacked archive and names its people, as does
+a package that is at home. It is at home all the same
 
 * at the root of the workspace, in a repository of that name, or in a checkout of its own;
 * where half of all packages or more have its version, name its repository or are of the same maker, unless its name is
@@ -25,6 +26,7 @@ import msgspec
 
 from roslens.model.source import Package, Person
 from roslens.source.workspace.published_projects import published_elsewhere
+from roslens.source.workspace.unpacked_projects import unpacked_project
 
 CHANGE_LOG = "CHANGELOG.rst"
 """Where bloom expects what changed in a release, beside the manifest."""
@@ -80,7 +82,12 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     elsewhere = [
         one
         for one in candidates
-        if _may_be_a_copy(one) and (one.package.name in published or _is_from_elsewhere(one, released, named, homes))
+        if _may_be_a_copy(one)
+        and (
+            one.package.name in published
+            or _is_from_elsewhere(one, released, named, homes)
+            or _is_in_an_archive(one.package, homes)
+        )
     ]
     if not elsewhere:
         return {}
@@ -100,6 +107,12 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     ids = {one.package.id for one in away}
     at_home = [one for one in candidates if one.package.id not in ids]
     people = {key for one in at_home for key in _people(one.package)}
+    if not people:
+        ids -= {
+            one.package.id
+            for one in away
+            if one.package.name not in published and not _is_from_elsewhere(one, released, named, homes)
+        }
     kept = [one for one in away if not people.isdisjoint(_people(one.package))]
     kept_versions = {one.package.version for one in kept if one.package.id in released}
     ids -= {one.package.id for one in kept}
@@ -146,6 +159,12 @@ def _is_from_elsewhere(
     if not names.isdisjoint(homes):
         return False
     return package.id in released or _is_in_its_folder(package, names) or bool(_makers(package))
+
+
+def _is_in_an_archive(package: Package, homes: Set[str]) -> bool:
+    """Return whether a package that names its people lies in an unpacked archive of another repository."""
+    projects = {unpacked_project(part) for part in package.path.lower().split("/")}
+    return bool(_people(package)) and bool(projects - {"", *homes})
 
 
 def _makers(package: Package) -> Set[str]:

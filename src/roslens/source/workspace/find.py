@@ -48,13 +48,15 @@ class FoundPackage(msgspec.Struct, frozen=True):
 class Workspace(msgspec.Struct, frozen=True):
     """The packages found, sorted by path, and what could not be read. ``root`` is absolute.
 
-    ``hidden`` are folders with packages that an ignore marker hides, with its name.
+    ``hidden`` are folders with packages that an ignore marker hides, with its name. ``homes`` are the names that the
+    repository around the root has, and its owners, in lower case; none where there is no checkout.
     """
 
     root: str
     packages: tuple[FoundPackage, ...]
     failures: tuple[Failure, ...]
     hidden: tuple[tuple[str, str], ...] = ()
+    homes: tuple[str, ...] = ()
 
 
 def find_workspace(
@@ -79,7 +81,10 @@ def find_workspace(
     seen.repositories.update(_repositories_above(root, starts))
     failures = list(seen.failures)
     packages = [_package(folder, root, settings, seen.repositories, read, failures) for folder in seen.packages[1:]]
-    packages = _with_copies(_distinct(packages, failures), root, seen.repositories)
+    top = next((folder for folder in (Path(root), *Path(root).parents) if os.path.lexists(folder / ".git")), None)
+    packages = _distinct(packages, failures)
+    if top is not None:
+        packages = _with_copies(packages, root, seen.repositories, _names_of(top))
     if outside := _outside(seen.packages[0]):
         packages.append(outside)
     packages.sort(key=lambda found: (found.package.path, found.package.id))
@@ -87,7 +92,8 @@ def find_workspace(
         failures.append(_empty(starts, root, seen))
     failures.sort(key=_place)
     hidden = tuple((path, marker) for path, marker in sorted(seen.hidden.items()) if _has_package(root, path))
-    return Workspace(root, tuple(packages), tuple(failures), hidden)
+    homes = () if top is None else tuple(sorted({basename(root).lower(), *_names_of(top), *_owners_of(top)}))
+    return Workspace(root, tuple(packages), tuple(failures), hidden, homes)
 
 
 def root_of(paths: Sequence[str | Path]) -> Path:
@@ -218,20 +224,23 @@ def _distinct(packages: list[FoundPackage], failures: list[Failure]) -> list[Fou
 
 _MOST = 1 << 20
 _REMOTE = re.compile(rb"^\s*url\s*=.*?([\w.-]+?)(?:\.git)?/?\s*$", re.MULTILINE)
+_OWNER = re.compile(rb"^\s*url\s*=\s*(?:\w+://|[\w.-]+@)[\w.@-]+(?::\d+)?[/:]([\w.-]+)/[\w.-]+/?\s*$", re.MULTILINE)
 
 
-def _with_copies(packages: list[FoundPackage], root: str, repositories: Set[str]) -> list[FoundPackage]:
-    """Return the packages, those named that were copied from elsewhere into the repository that the root is in."""
-    top = next((folder for folder in (Path(root), *Path(root).parents) if os.path.lexists(folder / ".git")), None)
-    if top is None:
-        return packages
+def _with_copies(
+    packages: list[FoundPackage], root: str, repositories: Set[str], names: Set[str]
+) -> list[FoundPackage]:
+    """Return the packages, those named that were copied from elsewhere into the repository that the root is in.
+
+    ``names`` are those of the repository.
+    """
     checkouts = tuple(f"{folder}/" for folder in repositories if folder)
     copied = copied_packages(
         [
             Candidate(found.package, _log_of(found, root), own_checkout=f"{found.package.path}/".startswith(checkouts))
             for found in packages
         ],
-        {basename(root).lower(), *_names_of(top)},
+        {basename(root).lower(), *names},
     )
     return [
         msgspec.structs.replace(found, package=msgspec.structs.replace(found.package, copy_of=copied[found.package.id]))
@@ -253,6 +262,12 @@ def _names_of(checkout: Path) -> Set[str]:
     """Return the names of the repository that is checked out in a folder, in lower case: its, and its remotes'."""
     remotes = _REMOTE.findall(_content(f"{checkout}/.git/config"))
     return {checkout.name.lower(), *(name.decode("utf-8", "replace").lower() for name in remotes)}
+
+
+def _owners_of(checkout: Path) -> Set[str]:
+    """Return the owners that the remotes of the repository in a folder name, in lower case."""
+    found = _OWNER.findall(_content(f"{checkout}/.git/config"))
+    return {name.decode("utf-8", "replace").lower() for name in found}
 
 
 def _content(path: str) -> bytes:

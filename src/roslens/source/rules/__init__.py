@@ -12,6 +12,7 @@ room                                 what it has
 ``graph``                            rules on computation graphs: names, types, ``parameters``, and in ``timing``
                                      quality of service, queues and deadlocks
 ``by_package``, ``views``            what makes findings of a package notes; what rules on packages look at
+``flow``                             which functions callbacks reach by calls, and what keeps back what they wait for
 ``edits``                            edits that mend findings
 ``published``, ``field``             coding standards, and how rules fare in the field
 ==================================== ==============================================================================

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at, number_of, receiver
 from roslens.source.rules.file_view import FileView
+from roslens.source.rules.flow.python_waits import where_it_waits
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -34,33 +34,24 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     length = number_of(next(iter(arguments(call)), None), view) or 0.0
     if 0 < length < _SHORTEST_S:
         return
-    callback = callback_around(call, view, of_stream=b"rclpy" not in view.code)
-    if callback is not None:
+    where = where_it_waits(call, view)
+    if where is not None:
         yield view.hit(
             "node.sleep_in_callback_python",
             call,
-            f"`{view.text(call)}` in {spoken(callback)}: messages queue up meanwhile; expected a timer that goes on "
-            "later",
-            callback=callback,
-            certainty=None if length >= _LONG_S and not _executes(callback, view) else Certainty.HEURISTIC,
+            f"`{view.text(call)}` in {where.spoken}: messages queue up meanwhile; expected a timer that goes on later",
+            callback=where.callback,
+            certainty=None if length >= _LONG_S and not where.takes_time else Certainty.HEURISTIC,
         )
-
-
-def _executes(callback: str, view: FileView) -> bool:
-    """Return whether a callback carries out goals of an action: to take its time is what it is for."""
-    name = callback.rpartition(".")[2].encode()
-    given = (
-        rb"\bActionServer\s*\((?:[^()=]*,|[^()]*\bexecute_callback\s*=)\s*(?:self\s*\.\s*)?" + re.escape(name) + rb"\b"
-    )
-    return bool(name) and re.search(given, view.code) is not None
 
 
 RULE = FileRule(
     id="node.sleep_in_callback_python",
     title="Sleep in a callback (Python)",
-    finds="A callback that sleeps: of a subscription or timer, in rclpy of a service or action too. Let a timer go on "
-    "later instead. A sleep of less than a second, or of a length that is computed, is a note: a device may need it. "
-    "So is one where goals of an action are carried out, which may take their time: only other callbacks wait.",
+    finds="A callback that sleeps, or a function that it calls: of a subscription or timer, in rclpy of a service or "
+    "action too. Let a timer go on later instead. A sleep of less than a second, or of a length that is computed, is a "
+    "note: a device may need it. So is one where goals of an action are carried out, which may take their time: only "
+    "other callbacks wait.",
     why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
     consequence=Consequence.MAY_BE_WRONG,

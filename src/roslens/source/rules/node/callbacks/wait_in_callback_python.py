@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.callbacks import callback_around, runs_once, spoken
+from roslens.source.rules.callbacks import runs_once
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.flow.python_waits import where_it_waits
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -25,23 +26,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     around = above(call, "function_definition")
     if around is not None and runs_once(around, view):
         return
-    callback = callback_around(call, view, of_stream=b"rclpy" not in view.code)
-    if callback is not None:
+    where = where_it_waits(call, view)
+    if where is not None:
         yield view.hit(
             "node.wait_in_callback_python",
             call,
-            f"`{view.text(call)}` in {spoken(callback)}: nothing else is handled until it is there; expected a look at "
+            f"`{view.text(call)}` in {where.spoken}: nothing else is handled until it is there; expected a look at "
             "what is ready (`service_is_ready`, `server_is_ready`) or the wait outside of callbacks",
-            callback=callback,
+            callback=where.callback,
         )
 
 
 RULE = FileRule(
     id="node.wait_in_callback_python",
     title="Waiting for a service, an action or a message in a callback (Python)",
-    finds="`wait_for_service`, `wait_for_server`, `wait_for_result`, `wait_for_message` in a callback. Look whether "
-    "it is "
-    "ready and come back instead.",
+    finds="`wait_for_service`, `wait_for_server`, `wait_for_result`, `wait_for_message` in a callback, or in "
+    "a function that one calls. Look whether it is ready and come back instead.",
     why="Where the other node is late or gone, this one stops reacting; a message that is waited for in the thread "
     "that "
     "receives messages never comes.",

@@ -42,6 +42,16 @@ def test_a_full_and_a_closed_output_is_told(words: list[str]):
         assert done.stderr.count(b"\n") == 1
 
 
+def test_a_result_that_is_written_as_bytes_tells_a_full_output_too(tmp_path: Path):
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    done = shell('"$@" >/dev/full', "check", str(tmp_path), "-q", "--no-store", "--no-cache", "--format", "json")
+    assert done.returncode == 74
+    assert (
+        done.stderr
+        == b"roslens: standard output could not be written: No space left on device. Write to a file with -o\n"
+    )
+
+
 def test_who_reads_no_further_hears_nothing_more():
     done = shell('{ "$@"; echo $? >&2; } | true', *WORDS)
     assert done.stderr == b"141\n"

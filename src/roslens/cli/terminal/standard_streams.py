@@ -7,7 +7,10 @@ import contextlib
 import io
 import os
 import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager
 from functools import cached_property
+from typing import BinaryIO, cast
 
 from roslens.report.writing.control_characters import shown_controls
 
@@ -59,21 +62,48 @@ class Output(io.TextIOWrapper):
     def _colours(self) -> bool:
         return self.isatty()
 
+    @property
+    def buffer(self) -> BinaryIO:
+        """What bytes are written to directly; a failure there is remembered here."""
+        return cast("BinaryIO", _Bytes(cast("BinaryIO", super().buffer), self._noticing))
+
     def write(self, text: str, /) -> int:
         """Write text."""
-        try:
+        with self._noticing():
             return super().write(shown_controls(text, colours=self._colours))
+
+    def flush(self) -> None:
+        """Hand on what was written."""
+        with self._noticing():
+            super().flush()
+
+    @contextlib.contextmanager
+    def _noticing(self) -> Iterator[None]:
+        try:
+            yield
         except OSError as error:
             self.failure = error
             raise
 
+
+class _Bytes:
+    """The bytes below standard output."""
+
+    def __init__(self, below: BinaryIO, noticing: Callable[[], AbstractContextManager[None]]) -> None:
+        self._below = below
+        self._noticing = noticing
+
+    def write(self, data: bytes) -> int:
+        with self._noticing():
+            return self._below.write(data)
+
+    def writelines(self, lines: Iterable[bytes]) -> None:
+        with self._noticing():
+            self._below.writelines(lines)
+
     def flush(self) -> None:
-        """Hand on what was written."""
-        try:
-            super().flush()
-        except OSError as error:
-            self.failure = error
-            raise
+        with self._noticing():
+            self._below.flush()
 
 
 def close_output(code: int) -> int:

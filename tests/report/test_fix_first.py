@@ -1,5 +1,7 @@
 """What to mend first."""
 
+import msgspec
+
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
@@ -116,6 +118,27 @@ def test_what_is_said_alike_of_several_places_is_one_row_that_counts_them():
 
     assert shown(Consequence.HARD_TO_MAINTAIN) == [("a", 2), ("d", 0)]
     assert shown(Consequence.MAY_BE_WRONG) == [("a", 0), ("b", 0), ("c", 0)]
+
+
+def test_names_that_a_distribution_took_from_one_package_are_one_row():
+    def row(rule, path, name, tag):
+        message = f"{path}:7: plug-in `{name}` is removed in Humble"
+        return RuleCount(
+            rule, Severity.WARNING, 1, 1, message, (tag,), path=path, line=7,
+            consequence=Consequence.STOPS_START, certainty=Certainty.LIKELY,
+        )  # fmt: skip
+
+    rows = [
+        row("g", "a.yaml", "nav2_recoveries/Spin", "distribution"),
+        row("g", "b.yaml", "nav2_recoveries/Wait", "distribution"),
+        row("g", "b.yaml", "dwb_core::Local", "distribution"),
+        row("h", "c.cpp", "rclcpp::executor::Args", "deprecated"),
+        row("h", "d.cpp", "rclcpp::executor::Args", "deprecated"),
+        row("h", "d.cpp", "rclcpp::Other", "deprecated"),
+    ]
+    rows = [msgspec.structs.replace(one, line=number) for number, one in enumerate(rows, 1)]
+    found = [(one.path, one.line, one.alike) for one in first_to_fix([package(*rows)], (), {}, ALL)]
+    assert sorted(found) == [("a.yaml", 1, 1), ("b.yaml", 3, 0), ("c.cpp", 4, 1), ("d.cpp", 6, 0)]
 
 
 def test_each_grave_finding_takes_part_and_not_the_example_of_its_rule_alone():

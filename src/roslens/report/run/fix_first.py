@@ -21,9 +21,14 @@ LIMITS = 1
 """Rows of quality models at most, which come last: what to change in such a function is for the reader to see."""
 METRICS = "metrics"
 """The tag of findings of quality models."""
+DISTRIBUTION = "distribution"
+DEPRECATED = "deprecated"
+"""Tags of findings about names that a distribution renamed, removed or is about to."""
 FURTHEST = 16.0
 """How far beyond a limit is far: a limit of which nothing is that far beyond is for whoever looks at the metrics."""
 
+_OF_PACKAGE = re.compile(r"`([\w-]+)")
+"""A name, up to what parts it from that of its package."""
 _FOLDERS = re.compile(r"(?:[\w.+-]+/)+")
 
 Urgency = tuple[int, int, int, int, int, float, int, str, str]
@@ -161,11 +166,14 @@ def _said(one: RuleCount) -> Iterator[tuple[str, ...]]:
 
     For the same file in a copy of its folder it is the file with the two folders around it, and the message without
     others; where it is no more than hard to maintain, the message alone: that ten packages have no licence is one
-    decision, and each of ten mistakes at run time is one.
+    decision, and each of ten mistakes at run time is one. So is a name that is gone wherever it is used, and with it
+    the others that a distribution took from the same package: they are moved in one go.
     """
     message = one.example.removeprefix(one.path).lstrip(":0123456789 ") if one.path else one.example
-    if one.weight[0].rank <= Consequence.HARD_TO_MAINTAIN.rank:
+    if one.weight[0].rank <= Consequence.HARD_TO_MAINTAIN.rank or DEPRECATED in one.tags:
         yield one.rule, message
+    if DISTRIBUTION in one.tags and (name := _OF_PACKAGE.search(message)):
+        yield one.rule, name[1]
     *_, outer, inner, file = ("", "", "", *one.path.split("/"))
     if outer:
         yield one.rule, outer, inner, file, _FOLDERS.sub("", message)

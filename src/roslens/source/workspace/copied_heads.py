@@ -49,6 +49,11 @@ _HEADS: dict[bytes, tuple[bytes, ...]] = {
     b"CImg": (b"component of the CImg Library project",),
     b"Simon": (b"Simon Ninon",),  # cpp_redis, tacopie
     b"Kiyoshi": (b"Kiyoshi Matsui",),  # mcpp
+    b"Visual": (b"Visual and Computer Graphics Library",),
+    b"cDc@seacave": (b"Copyright 2007 cDc@seacave",),  # OpenMVS
+    b"SEACAVE": (b"Copyright (c) 2014-2015 SEACAVE",),  # OpenMVS
+    b"SISL.": (b"This file is part of SISL.",),
+    b"uClibc++": (b"is part of the uClibc++ Library",),
     b"PCAN-Basic": (b"PCAN-Basic Example", b"PCAN-Basic API"),
 }
 """Heads of libraries by a word of each: to split a head takes half as long as to look for all of them."""

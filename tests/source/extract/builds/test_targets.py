@@ -92,6 +92,15 @@ def test_components():
     assert reasons(found) == [("gone", "the library of a component is not built by the package")]
 
 
+def test_the_plural_registers_what_stands_behind_a_word_of_the_singular():
+    found = build(
+        'add_library(parts SHARED a.cpp)\nrclcpp_components_register_nodes(parts PLUGIN "ns::A" EXECUTABLE a_node)',
+        "a.cpp",
+    )
+    assert list(of(found, TargetKind.COMPONENT)) == ["ns::A"]
+    assert "a_node" not in of(found, TargetKind.EXECUTABLE), "it makes no program"
+
+
 def test_tests_are_not_installed():
     found = build(
         "if(BUILD_TESTING)\nament_add_gtest(t t.cpp TIMEOUT 30 ENV A=b.cpp)\nendif()\n"

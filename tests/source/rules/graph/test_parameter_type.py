@@ -2,6 +2,7 @@ import pytest
 
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Consequence
 from roslens.source.rules.graph.parameters.parameter_type import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, launched, node, parameter
@@ -50,6 +51,7 @@ def test_ros1_converts_numbers_and_takes_the_default_otherwise():
     assert not findings("double", "int", access="read", generation="ros1")
     (one,) = findings("bool", "string", value="yes please", access="read", generation="ros1")
     assert one.severity is Severity.WARNING
+    assert one.consequence is Consequence.WRONG, "nothing ends for it"
     assert "the default is used" in one.message
     assert not findings("bool", "string", access="read", path="src/a.py", generation="ros1")
 

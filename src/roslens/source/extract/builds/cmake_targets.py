@@ -214,8 +214,10 @@ class Collected:
             run.targets.add(program)
 
     def _components(self, run: Evaluation, call: Call) -> None:
-        given = _grouped(call.arguments, _COMPONENT_WORDS).get("", [])
-        self._register(run, call, "".join(given[:1]), given[1:], "")
+        # It knows no words but RESOURCE_INDEX: what stands behind PLUGIN is one of its names all the same.
+        groups = _grouped(call.arguments, _COMPONENT_WORDS)
+        given = groups.get("", [])
+        self._register(run, call, "".join(given[:1]), [*given[1:], *groups.get("PLUGIN", [])], "")
 
     def _register(self, run: Evaluation, call: Call, library: str, plugins: list[str], program: str) -> None:
         for name in plugins:

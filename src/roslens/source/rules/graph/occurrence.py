@@ -63,6 +63,7 @@ def occurrence(
     *,
     entity: str,
     certainty: Certainty | None = None,
+    consequence: Consequence | None = None,
     context: str = "",
     also: tuple[str, ...] = (),
     doubt: Doubt = _SURE,
@@ -76,16 +77,18 @@ def occurrence(
         entity: text form of its id.
         certainty: where it differs from the rule's, as where it rests on what is in doubt. What lies in a folder of
             what is no longer used is heuristic. A finding that is heuristic where its rule is not is a note.
+        consequence: where it is milder than the rule's.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
         also: further entities for which it holds alike.
         doubt: why it may be none.
     """
-    consequence, of_rule = rule.weight
+    of_all, of_rule = rule.weight
+    what = consequence or of_all
     own = Certainty.HEURISTIC if is_left_behind(proof.path) else certainty or of_rule
     unproven = rule.unproven or own.rank < of_rule.rank
     return Finding(
         rule.id,
-        severity_of(consequence, own, unproven=unproven),
+        severity_of(what, own, unproven=unproven),
         f"{message}{doubt}",
         proof.path,
         proof.line,
@@ -96,7 +99,7 @@ def occurrence(
         fingerprint=fingerprint(rule.id, entity, f"{proof.path} {context}"),
         also=also,
         doubts=doubt.reasons,
-        consequence=consequence,
+        consequence=what,
         certainty=own,
     )
 

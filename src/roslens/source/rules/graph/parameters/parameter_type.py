@@ -71,7 +71,14 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
     )
     entity = f"parameter:{node.name}:{one.name}"
     return occurrence(
-        RULE, message, proof, entity=entity, certainty=certainty, context=f"{one.set_type} {one.type}", doubt=doubt
+        RULE,
+        message,
+        proof,
+        entity=entity,
+        certainty=certainty,
+        consequence=Consequence.WRONG if ros1 else None,
+        context=f"{one.set_type} {one.type}",
+        doubt=doubt,
     )
 
 

@@ -60,6 +60,7 @@ def _unused(run: LaunchRun, include: Action, target: LaunchRun, runs: dict[str, 
             context=name,
             path=run.path,
             certainty=Certainty.LIKELY,
+            consequence=Consequence.MAY_BE_WRONG,
         )
 
 

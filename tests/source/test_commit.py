@@ -1,11 +1,12 @@
 """The commit of a folder, and whether what was read is what the commit has."""
 
+import os
 import subprocess
 
 import pytest
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.commit import commit_of
+from roslens.source.commit import commit_of, last_change_of
 from roslens.source.keys import content_hash
 
 
@@ -29,6 +30,17 @@ def test_what_was_read_is_what_the_commit_has(clone):
     head = subprocess.run(["git", "rev-parse", "HEAD"], cwd=clone, capture_output=True, text=True).stdout.strip()
     assert commit_of(str(clone), [read(clone, "src/a.cpp")]) == head
     assert commit_of(str(clone / "src"), [read(clone / "src", "a.cpp")]) == head
+
+
+def test_the_month_of_the_last_commit_that_changed_the_folder(clone):
+    dated = {**os.environ, "GIT_COMMITTER_DATE": "2021-03-04T00:00:00Z"}
+    (clone / "b.cpp").write_bytes(b"")
+    subprocess.run(["git", "add", "."], cwd=clone, check=True)
+    who = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+    subprocess.run(["git", *who, "commit", "-qm", "two"], cwd=clone, check=True, env=dated)
+    assert last_change_of(str(clone)) == "2021-03"
+    assert last_change_of(str(clone / "src")) > "2021-03"
+    assert last_change_of(str(clone.parent / "none")) == ""
 
 
 @pytest.mark.parametrize(("content", "differs"), [(b"int c;\n", True), (b"int a;\r\nint b;\r\n", False)])

@@ -1,4 +1,4 @@
-"""Which commit a folder is at, and whether what was read differs from it."""
+"""Which commit a folder is at, of when it is, and whether what was read differs from it."""
 
 from __future__ import annotations
 
@@ -31,6 +31,14 @@ def commit_of(root: str, files: Iterable[SourceFile] = ()) -> str:
         for path in tracked
     )
     return f"{head}+" if differs else head
+
+
+def last_change_of(root: str) -> str:
+    """Return year and month of the last commit that changed anything in the folder, ``2026-03``; else nothing."""
+    if looks_bare(root):
+        return ""
+    said = _git(root, "log", "-1", "--format=%cd", "--date=format:%Y-%m", "--", ".")
+    return said.decode("ascii", "replace").strip()
 
 
 def _tracked(root: str) -> dict[str, str]:

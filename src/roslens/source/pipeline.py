@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ from roslens.plugins.options import check_options
 from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models
+from roslens.source.commit import last_change_of
 from roslens.source.distributions.target import targets_of
 from roslens.source.engines.executor import executor_for
 from roslens.source.fetch.fetched_set import only_fetched
@@ -139,16 +141,10 @@ def analyse(
         left_out=frozenset().union(*left_out.values()),
     )
     silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
-    around = surroundings_of(
-        [found.package for found in everything],
-        inventory.files,
-        targets_of(
-            Path(workspace.root),
-            [found.package for found in everything],
-            settings.distro,
-            settings.workspace.environment,
-        ),
-    )
+    every = [found.package for found in everything]
+    last_change = partial(last_change_of, workspace.root)
+    targets = targets_of(Path(workspace.root), every, settings.distro, settings.workspace.environment, last_change)
+    around = surroundings_of(every, inventory.files, targets)
     units = {
         found.package.id: key_of(
             shaping,

@@ -49,6 +49,8 @@ def test_what_a_row_means_for_a_target(distros, effect):
 def test_what_no_supported_distribution_has_is_gone_also_where_no_target_is_known():
     old = Change(kind=Kind.CPP, name="a::b", deprecated="foxy", removed="galactic")
     assert effect_of(old, Target()) is Effect.REMOVED
+    assert effect_of(old, Target(earlier=("foxy",))) is Effect.LATER, "its last commit is of when Foxy was supported"
+    assert effect_of(old, Target(earlier=("melodic",))) is Effect.REMOVED
 
 
 def test_what_people_are_told_may_be_older_than_the_code():

@@ -28,6 +28,30 @@ def test_nothing_is_known_where_nothing_says_it(target):
     assert target({}).note() == ""
 
 
+@pytest.mark.parametrize(
+    ("month", "earlier"),
+    [
+        ("2018-07", ("indigo", "foxy")),
+        ("2021-03", ("kinetic", "foxy")),
+        ("2023-06", ("melodic", "foxy")),
+        ("2024-06", ("melodic", "foxy")),
+        ("2024-07", ()),
+        ("2026-11", ()),
+        ("", ()),
+        ("fatal: no month", ()),
+    ],
+)
+def test_where_nothing_says_it_the_last_commit_tells_what_it_may_be_for(tmp_path, month, earlier):
+    (tmp_path / "arm").mkdir()
+    (tmp_path / "arm/package.xml").write_text("<package/>")
+    packages = [one.package for one in find_workspace([tmp_path], WorkspaceSettings()).packages]
+    (found,) = targets_of(tmp_path, packages, last_change=lambda: month).values()
+    assert found == Target(earlier=earlier)
+    assert found.oldest(2) == ("foxy" if earlier else "humble")
+    (said,) = targets_of(tmp_path, packages, "jazzy", last_change=lambda: month).values()
+    assert said.earlier == ()
+
+
 def test_the_user_has_the_last_word(target):
     said = target({".github/workflows/ci.yml": "container: ros:humble\n"}, given="jazzy")
     assert said.distros == ("jazzy",)

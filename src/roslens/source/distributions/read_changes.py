@@ -10,7 +10,7 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.distributions.known_distributions import OLDEST_SUPPORTED, distributions, is_at_least
+from roslens.source.distributions.known_distributions import distributions, is_at_least
 from roslens.source.distributions.target import Target
 
 FOLDER = Path(__file__).with_name("changes")
@@ -88,7 +88,7 @@ class Effect(Enum):
     NONE = 0
     DEPRECATED = 1
     LATER = 2
-    """No target is known, and a supported distribution does not have it any more."""
+    """No target is known, and a distribution that it may be for does not have it any more."""
     REMOVED = 3
 
 
@@ -96,7 +96,7 @@ def effect_of(change: Change, target: Target) -> Effect:
     """Return what a row means for a target; one without distributions of that version of ROS is an unknown one."""
     names = target.of(change.ros)
     if not names:
-        oldest = OLDEST_SUPPORTED[change.ros]
+        oldest = target.oldest(change.ros)
         if change.removed:
             return Effect.REMOVED if is_at_least(oldest, change.removed) else Effect.LATER
         return Effect.DEPRECATED

@@ -3,14 +3,15 @@
 The files that are looked at, in this order: those of continuous integration, those of containers, lists of repositories
 (``.repos``); files of one kind in one folder are taken together. Those nearest to a package count, up to the root of
 its repository. Where none of them says anything, what people are told to install counts (READMEs, settings of
-editors), and ``$ROS_DISTRO`` where no file says anything. A standard of C++ is no sign: C++17 is that of
-Humble to Kilted (REP-2000).
+editors), and ``$ROS_DISTRO`` where no file says anything. Where nothing does, the last commit of the repository tells
+which distributions it may be for: those that were supported in the year before it. A standard of C++ is no sign: C++17
+is that of Humble to Kilted (REP-2000).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
@@ -18,7 +19,7 @@ import msgspec
 
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import Package
-from roslens.source.distributions.known_distributions import distributions
+from roslens.source.distributions.known_distributions import OLDEST_SUPPORTED, distributions, is_at_least
 
 MOST_BYTES = 300_000
 """Of a file that is looked at."""
@@ -86,12 +87,19 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
         given: the user said so, where it is not guessed.
         said_by: who says so: ``distro``, which the user set, the path of a file, or ``$ROS_DISTRO``.
         told: people are told so, where nothing that builds says it.
+        earlier: where nothing is known, the oldest distributions of each version of ROS that were supported in the year
+            before the last commit, where these are earlier than those that are supported now.
     """
 
     distros: tuple[str, ...] = ()
     given: bool = False
     said_by: str = ""
     told: bool = False
+    earlier: tuple[str, ...] = ()
+
+    def oldest(self, ros: int) -> str:
+        """Return the oldest distribution of a version of ROS that it may be for, where nothing says for which it is."""
+        return next((one for one in self.earlier if distributions()[one].ros == ros), OLDEST_SUPPORTED[ros])
 
     def of(self, ros: int) -> tuple[str, ...]:
         """Return those of a version of ROS."""
@@ -106,7 +114,11 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 def targets_of(
-    root: Path, packages: Iterable[Package], given: str = "", environment: Mapping[str, str] | None = None
+    root: Path,
+    packages: Iterable[Package],
+    given: str = "",
+    environment: Mapping[str, str] | None = None,
+    last_change: Callable[[], str] | None = None,
 ) -> Mapping[str, Target]:
     """Return what each package is built for, by its id.
 
@@ -115,20 +127,37 @@ def targets_of(
         packages: of it.
         given: a distribution that the user named; empty for none.
         environment: variables, of which ``ROS_DISTRO`` counts where no file says anything.
+        last_change: returns year and month of the last commit (``2026-03``), or nothing; asked where nothing says it.
     """
     if given:
         said = Target((given,), given=True, said_by="`distro`")
         return {one.id: said for one in packages}
     name = (environment or {}).get("ROS_DISTRO", "")
-    fallback = Target((name,), said_by="$ROS_DISTRO") if name in distributions() else Target()
+    by_variable = Target((name,), said_by="$ROS_DISTRO") if name in distributions() else None
     building: dict[Path, Target | None] = {}
     telling: dict[Path, Target | None] = {}
-    return {
+    found = {
         one.id: _guess(root, root / one.path, _BUILDING, building)
         or _guess(root, root / one.path, _TELLING, telling)
-        or fallback
+        or by_variable
         for one in packages
     }
+    is_known = all(one is not None for one in found.values())
+    unknown = Target() if is_known or last_change is None else Target(earlier=_earlier(last_change()))
+    return {package: target or unknown for package, target in found.items()}
+
+
+def _earlier(month: str) -> tuple[str, ...]:
+    """Return the oldest distribution of each version of ROS that was supported a year before a month, if not now."""
+    year, _, rest = month.partition("-")
+    if not (year.isdecimal() and rest):
+        return ()
+    before = f"{int(year) - 1}-{rest}"
+    oldest: dict[int, str] = {}
+    for one in distributions().values():
+        if one.end >= before:
+            oldest.setdefault(one.ros, one.name)
+    return tuple(name for ros, name in oldest.items() if not is_at_least(name, OLDEST_SUPPORTED[ros]))
 
 
 def _guess(root: Path, folder: Path, kinds: tuple[_Kind, ...], looked: dict[Path, Target | None]) -> Target | None:

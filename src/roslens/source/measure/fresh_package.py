@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -15,6 +16,7 @@ from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.plugins.outcome import Outcome
 from roslens.source.chosen_models import chosen_models
+from roslens.source.commit import last_change_of
 from roslens.source.distributions.target import targets_of
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import content_hash
@@ -80,7 +82,9 @@ class FreshPackages:
         self._files = {package: list(files) for package, files in self._inventory.files.items()}
         packages = [one.package for one in self._workspace.packages]
         environment = self._settings.workspace.environment
-        targets = targets_of(Path(self._workspace.root), packages, self._settings.distro, environment)
+        root = self._workspace.root
+        last_change = partial(last_change_of, root)
+        targets = targets_of(Path(root), packages, self._settings.distro, environment, last_change)
         self._around = surroundings_of(packages, self._inventory.files, targets)
         self._owner = {file.path: package for package, files in self._files.items() for file in files}
         accepted, _ = read_acceptances(self._base / ACCEPTED)

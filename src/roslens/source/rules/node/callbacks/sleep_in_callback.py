@@ -11,6 +11,7 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, runs_once, spoken
 from roslens.source.rules.calls import arguments, call_at, function_around, receiver
 from roslens.source.rules.file_view import FileView
+from roslens.source.rules.flow.meant_pause import is_meant
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
@@ -59,7 +60,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "timer "
             "that goes on later",
             callback=callback,
-            certainty=None if _is_long(call, view) else Certainty.HEURISTIC,
+            certainty=None if _is_long(call, view) and not is_meant(call, view) else Certainty.HEURISTIC,
         )
 
 
@@ -67,7 +68,8 @@ RULE = FileRule(
     id="node.sleep_in_callback",
     title="Sleep in a callback",
     finds="A callback of a subscription, timer, service or action that sleeps. Let a timer go on later instead. A "
-    "sleep of less than a second, or of a length that is computed, is a note: a device may need it.",
+    "sleep of less than a second, or of a length that is computed, is a note: a device may need it. So is one that a "
+    "comment or a logged message explains, that is how long a published command holds, or that an example has.",
     why="A node's executor has one thread by default: while a callback sleeps, no message, no timer and no stop "
     "command is looked at, and queues run over.",
     consequence=Consequence.MAY_BE_WRONG,

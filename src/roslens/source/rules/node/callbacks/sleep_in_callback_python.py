@@ -10,7 +10,8 @@ from tree_sitter import Node
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import arguments, call_at, number_of, receiver
 from roslens.source.rules.file_view import FileView
-from roslens.source.rules.flow.python_waits import where_it_waits
+from roslens.source.rules.flow.meant_pause import is_meant
+from roslens.source.rules.flow.python_waits import WhereItWaits, where_it_waits
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -41,8 +42,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             call,
             f"`{view.text(call)}` in {where.spoken}: messages queue up meanwhile; expected a timer that goes on later",
             callback=where.callback,
-            certainty=None if length >= _LONG_S and not where.takes_time else Certainty.HEURISTIC,
+            certainty=None if _is_surely_late(length, where, call, view) else Certainty.HEURISTIC,
         )
+
+
+def _is_surely_late(length: float, where: WhereItWaits, call: Node, view: FileView) -> bool:
+    return length >= _LONG_S and not where.takes_time and not is_meant(call, view)
 
 
 RULE = FileRule(
@@ -50,8 +55,9 @@ RULE = FileRule(
     title="Sleep in a callback (Python)",
     finds="A callback that sleeps, or a function that it calls: of a subscription or timer, in rclpy of a service or "
     "action too. Let a timer go on later instead. A sleep of less than a second, or of a length that is computed, is a "
-    "note: a device may need it. So is one where goals of an action are carried out, which may take their time: only "
-    "other callbacks wait.",
+    "note: a device may need it. So is one that a comment or a logged message explains, that is how long a published "
+    "command holds, or that an example has, and one where goals of an action are carried out, which may take their "
+    "time: only other callbacks wait.",
     why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
     consequence=Consequence.MAY_BE_WRONG,

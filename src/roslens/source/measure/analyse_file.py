@@ -8,6 +8,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import Language
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.callbacks import callbacks_of
+from roslens.source.rules.cpp_flow.member_facts import member_facts
 from roslens.source.rules.match_file import Matched, kinds_asked, match_file
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
@@ -18,7 +19,8 @@ from roslens.source.workspace.suppress import Suppression, suppressions
 class FileAnalysis(msgspec.Struct, frozen=True, array_like=True):
     """The facts of a file, the findings its author asked to leave out, what is wrong with its bytes, what rules found.
 
-    ``callbacks`` are the functions that it registers; a rule on the file that declares them may need to know.
+    ``callbacks`` are the functions that it registers, and the members that its classes declare
+    (:mod:`~roslens.source.rules.cpp_flow.member_facts`); a rule on another file may need to know.
 
     It is kept by content: the failure names no file.
     """
@@ -48,5 +50,5 @@ def analyse_parsed(content: bytes, parsed: ParsedFile, wanted: frozenset[str] | 
         suppressions(content),
         encoding_failure("", content),
         match_file(view, wanted),
-        callbacks_of(view),
+        (*callbacks_of(view), *member_facts(view)),
     )

@@ -16,6 +16,7 @@ from roslens.source.metrics.size import duplicated_lines
 from roslens.source.metrics.table import metrics_with
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.callbacks import REGISTERING_CPP, REGISTERING_PYTHON, STREAM, callbacks_of
+from roslens.source.rules.cpp_flow.member_facts import MEMBER, member_facts
 from roslens.source.rules.hit import Hit
 
 
@@ -24,7 +25,7 @@ def registered_elsewhere(
 ) -> frozenset[str]:
     """Return the callbacks that files that are left out register, as far as what was found depends on them.
 
-    A file is parsed only where it names such a function and something that registers one.
+    A file is parsed only where it names such a function and something that registers one, or such a member.
 
     Args:
         task: the package, with the paths that are left out.
@@ -33,13 +34,18 @@ def registered_elsewhere(
     """
     known = frozenset(callbacks)
     names = {hit.callback for found in hits.values() for hit in found if hit.callback} - known
-    words = {name.removeprefix(STREAM).replace("::", ".").rpartition(".")[2].encode() for name in names}
-    if not words:
+    functions = {_last(name.removeprefix(STREAM)) for name in names if not name.startswith(MEMBER)}
+    members = {_last(name.removeprefix(MEMBER).partition(" ")[0]) for name in names if name.startswith(MEMBER)}
+    if not names:
         return known
-    return known.union(*_registered(task, words))
+    return known.union(*_registered(task, functions, members))
 
 
-def _registered(task: PackageTask, words: set[bytes]) -> Iterator[tuple[str, ...]]:
+def _last(name: str) -> bytes:
+    return name.replace("::", ".").rpartition(".")[2].encode()
+
+
+def _registered(task: PackageTask, functions: set[bytes], members: set[bytes]) -> Iterator[tuple[str, ...]]:
     registering = {"cpp": REGISTERING_CPP, "python": REGISTERING_PYTHON}
     for file in task.files:
         if file.path not in task.left_out:
@@ -47,9 +53,11 @@ def _registered(task: PackageTask, words: set[bytes]) -> Iterator[tuple[str, ...
         with suppress(OSError, OverBudgetError):
             content = read_bounded(f"{task.root}/{file.path}")
             names = registering.get(file.language.parsed_as, frozenset())
-            if any(word in content for word in words) and any(name.encode() in content for name in names):
+            registers = any(name.encode() in content for name in names)
+            if any(word in content for word in members) or (registers and any(word in content for word in functions)):
                 with file_budget(file.path, size=len(content)):
-                    yield callbacks_of(parse_file(content, file.language, task.macros).view())
+                    view = parse_file(content, file.language, task.macros).view()
+                    yield (*callbacks_of(view), *member_facts(view))
 
 
 def without_the_whole(entities: Sequence[Entity]) -> tuple[Entity, ...]:

@@ -11,6 +11,7 @@ room                                 what it has
 ``package``, ``cmake``, ``launch``   rules on manifests, builds and launch files
 ``graph``                            rules on computation graphs: names, types, ``parameters``, and in ``timing``
                                      quality of service, queues and deadlocks
+``cpp_flow``                         what flows where within one file of C++: callbacks, helpers, variables, handlers
 ``by_package``, ``views``            what makes findings of a package notes; what rules on packages look at
 ``flow``                             which functions callbacks reach by calls, and what keeps back what they wait for
 ``edits``                            edits that mend findings

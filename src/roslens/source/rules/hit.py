@@ -27,7 +27,8 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         path: below the workspace, of hits of rules on packages; empty for the file itself.
         only: it counts in headers (:data:`HEADER`, :data:`GUARDED`) or in other files (:data:`SOURCE`) only; which of
             them a file is, its name tells.
-        callback: it counts where this function, as qualified in the file, is a callback of some file of the package.
+        callback: it counts where this function, as qualified in the file, is a callback of some file of the package; or
+            where some file declares this member (:mod:`~roslens.source.rules.cpp_flow.member_facts`).
         certainty: where it is less certain than the rule; what is heuristic then is a note, for the readings that
             confirm a rule are of what it is certain of.
         entity: text form of the id it is about, where that is not the innermost one around the line.

@@ -12,6 +12,13 @@ from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
 from roslens.source.rules.views.registered_classes import same_class
 
+_AUTOMATIC = ("ament_auto_add_library", "autoware_ament_auto_add_library", "cuda_add_library")
+_SOURCE = re.compile(r"\.(?:c|cc|cpp|cxx|cu)$")
+_REGISTERS = re.compile(
+    rb"#\s*include\s*[<\"][^>\"]*\.(?:c|cc|cpp|cxx|inc|inl|ipp|def)[>\"]|\b[A-Z]\w*REGISTER\w*\s*\("
+)
+"""What may register a class: a macro, or a piece of source that is included."""
+_COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_nodes")
 
 
@@ -25,9 +32,11 @@ def found(view: PackageView) -> Iterator[Hit]:
     built = [(one, name) for one in commands for name in _classes(one)]
     if any("$" in name for _, name in built) or any(one.defined for one in view.cmake.named(*_COMMANDS)):
         return
-    if complete and components:
+    if complete:
         for command, name in built:
-            if not any(same_class(name, each.name) for each in components):
+            if not any(same_class(name, each.name) for each in components) and (
+                components or _is_all_known(command, view)
+            ):
                 message = f"no source registers {name!r}; expected RCLCPP_COMPONENTS_REGISTER_NODE({name})"
                 yield command.hit("cmake.component_class", message, name)
     for each in components:
@@ -37,6 +46,20 @@ def found(view: PackageView) -> Iterator[Hit]:
                 f"component {each.name!r} is registered by no command of CMakeLists.txt; expected {_COMMANDS[0]}()"
             )
             yield Hit("cmake.component_class", message, each.line, context=each.name, path=each.path)
+
+
+def _is_all_known(command: Written, view: PackageView) -> bool:
+    """Return whether all sources of the library of a command are there, and no macro of another name registers one."""
+    library = next(
+        (one for one in view.cmake.named("add_library", *_AUTOMATIC) if one.words[:1] == command.words[:1]), None
+    )
+    if library is None or not command.words:
+        return False
+    paths = [view.cmake.inside(word, library) for word in library.words[1:] if _SOURCE.search(word)]
+    if not paths or any(path is None or path not in view.by_path for path in paths):
+        return False
+    texts = [view.read(path) for path in paths if path is not None]
+    return not any(_REGISTERS.search(_COMMENT.sub(b"", text)) for text in texts)
 
 
 def _is_built(name: str, built: Iterable[str], text: str) -> bool:

@@ -12,6 +12,7 @@ from roslens.model.edit import Edit, edit_at
 from roslens.model.source import Language
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.shortened import shortened
+from roslens.source.distributions.known_distributions import OLDEST_SUPPORTED, is_at_least
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -55,12 +56,24 @@ def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
         certainty = None if b"__main__" in text else Certainty.HEURISTIC
         edits = _begun(text, b"", path) if is_read else ()
         yield Hit("package.program_shebang", message, 1, context="#!", path=path, certainty=certainty, edits=edits)
-    elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
+    elif _OLD.search(first) and one.name == "install" and _lacks_it(view):
         is_read = _is_python_3(text)
         expected = _EXPECTED if is_read else f"Python 3, which cannot read this one, and {_EXPECTED}"
-        message = f"distributions of ROS 2 have no program for {first!r}; expected {expected}"
+        where = "distributions of ROS 2 have"
+        if 1 in view.ros:
+            where = f"Noetic has (install() keeps the line, {one.path}:{one.command.line})"
+            expected += ", or catkin_install_python(), which writes the line" if is_read else ""
+        message = f"{where} no program for {first!r}; expected {expected}"
         edits = _begun(text, first.encode(), path) if is_read else ()
         yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+
+
+def _lacks_it(view: PackageView) -> bool:
+    """Return whether what a package is built for has Python 3 alone; a package for both generations is left."""
+    if view.ros == frozenset({1}):
+        names = view.around.target.of(1) or (OLDEST_SUPPORTED[1],)
+        return all(is_at_least(one, "noetic") for one in names)
+    return view.ros == frozenset({2})
 
 
 def _is_python_3(content: bytes) -> bool:
@@ -85,7 +98,9 @@ RULE = PackageRule(
     id="package.program_shebang",
     title="Script that the system cannot start",
     finds="A Python file that `install(PROGRAMS …)` or `catkin_install_python` installs and that has no `#!` line; "
-    "in packages for ROS 2 also one whose line names `python` or `python2`.",
+    "where `install(PROGRAMS …)` keeps it, also one whose line names `python` or `python2`, in packages for ROS 2 and "
+    "for Noetic: what a package for ROS 1 is built for where no file says an earlier distribution. "
+    "`catkin_install_python` writes the line anew.",
     why='The kernel takes it for nothing it can run ("Exec format error"), or a shell reads Python: the node does '
     "not start.",
     consequence=Consequence.STOPS_START,

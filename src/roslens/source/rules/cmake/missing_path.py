@@ -23,7 +23,7 @@ _ENDS = frozenset({
 })  # fmt: skip
 """Words after which no path follows; ``DIRECTORY`` of ``add_message_files`` is one too."""
 _DEFINING = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
-_GENERATING = "rosidl_generate_interfaces"
+_ENDINGS = (".msg", ".srv", ".action", ".idl")
 _SETTING = frozenset({"set", "list", "foreach"})
 _READING = frozenset({
     "install", "catkin_install_python", "include_directories", "target_include_directories", "catkin_package",
@@ -43,28 +43,30 @@ def found(view: PackageView) -> Iterator[Hit]:
         if one.defined or one.for_tests or "OPTIONAL" in one.words:
             continue
         for word in dict.fromkeys(_needed(one, cmake)):
-            path = cmake.inside(word, one)
-            if path is None or "<" in word or _is_there(path, view) or _is_made(path, one, cmake):
-                continue
-            yield _hit(one, word, path, view)
+            path = cmake.inside(word, one) if "<" not in word else None
+            if path is not None and not _is_there(path, view) and not _is_made(path, one, cmake):
+                yield _hit(one, word, path, view)
 
 
 def _needed(one: Written, cmake: CmakeView) -> Iterator[str]:
     """Yield the paths below the sources that a command cannot do without."""
     words = list(_known(one, cmake))
-    if one.name in ("install", "catkin_install_python") and words and words[0] in _WORDS:
-        yield from _until_end(words[1:])
-    elif one.name in _DEFINING:
-        folder = words[words.index("DIRECTORY") + 1] if "DIRECTORY" in words[:-1] else _DEFINING[one.name]
-        listed = words[words.index("FILES") + 1 :] if "FILES" in words else ()
-        yield from (f"{folder}/{word}" for word in _until_end(listed))
-    elif one.name == _GENERATING:
-        yield from (word for word in _until_end(words[1:]) if word.endswith((".msg", ".srv", ".action", ".idl")))
-    elif one.name == "generate_dynamic_reconfigure_options":
-        yield from _until_end(words)
-    elif one.name == "catkin_package" and "INCLUDE_DIRS" in words:
-        listed = words[words.index("INCLUDE_DIRS") + 1 :]
-        yield from _until_end(word if not word.isupper() else "ARGS" for word in listed)
+    match one.name:
+        case "install" | "catkin_install_python" if words and words[0] in _WORDS:
+            yield from _until_end(words[1:])
+        case "rosidl_generate_interfaces":
+            yield from (word for word in _until_end(words[1:]) if word.endswith(_ENDINGS))
+        case "generate_dynamic_reconfigure_options":
+            yield from _until_end(words)
+        case "catkin_package":
+            yield from _until_end("ARGS" if word.isupper() else word for word in _behind("INCLUDE_DIRS", words))
+        case name if name in _DEFINING:
+            folder = next(iter(_behind("DIRECTORY", words)), _DEFINING[name])
+            yield from (f"{folder}/{word}" for word in _until_end(_behind("FILES", words)))
+
+
+def _behind(word: str, words: list[str]) -> list[str]:
+    return words[words.index(word) + 1 :] if word in words else []
 
 
 def _until_end(words: Iterable[str]) -> Iterator[str]:
@@ -81,31 +83,36 @@ def _known(one: Written, cmake: CmakeView) -> Iterator[str]:
         if argument.kind == "paren":
             continue
         written = argument.literal if argument.literal is not None else argument.written.strip('"')
-        names = [name for name in _VARIABLE.findall(written) if not _FOLDERS.fullmatch(name)]
-        lists = [name for name in names if name not in _PROJECT]
-        if len(lists) > 1:
-            continue
-        values = _values(lists[0], cmake) if lists else ("",)
-        for value in values:
-            word = written.replace(f"${{{lists[0]}}}", value) if lists else written
-            for name in _PROJECT:
-                word = word.replace(f"${{{name}}}", cmake.project() or f"${{{name}}}")
+        for word in _meanings(written, cmake):
             yield from (word.split(";") if argument.kind == "bare" else (word,))
+
+
+def _meanings(written: str, cmake: CmakeView) -> Iterator[str]:
+    """Yield the words that an argument stands for; none where that is open."""
+    for name in _PROJECT:
+        written = written.replace(f"${{{name}}}", cmake.project() or f"${{{name}}}")
+    lists = [name for name in _VARIABLE.findall(written) if not _FOLDERS.fullmatch(name)]
+    if not lists:
+        yield written
+    elif len(lists) == 1 and lists[0] not in _PROJECT:
+        yield from (written.replace(f"${{{lists[0]}}}", value) for value in _values(lists[0], cmake))
 
 
 def _values(name: str, cmake: CmakeView) -> tuple[str, ...]:
     """Return what a variable is made of where every command that says it counts always; nothing otherwise."""
-    for one in cmake.commands:
-        if name not in one.words[:3] or one.name not in _SETTING:
-            if name in (argument.literal for argument in one.command.arguments) and one.name not in _READING:
-                return ()
-            continue
-        if one.conditions or one.defined or one.words[0] in ("FILTER", "TRANSFORM", "REMOVE_ITEM"):
-            return ()
-        if one.name == "foreach" and ("RANGE" in one.words or any(cmake.values(word) for word in one.words[1:])):
-            return ()
+    if not all(_is_plain(name, one, cmake) for one in cmake.commands):
+        return ()
     values = cmake.values(name)
     return values if not any("$" in value or value in ("IN", "LISTS", "ITEMS") for value in values) else ()
+
+
+def _is_plain(name: str, one: Written, cmake: CmakeView) -> bool:
+    """Return whether a command leaves a variable alone, or gives it words that are written out."""
+    if name not in one.words[:3] or one.name not in _SETTING:
+        return one.name in _READING or all(argument.literal != name for argument in one.command.arguments)
+    if one.conditions or one.defined or one.words[0] in ("FILTER", "TRANSFORM", "REMOVE_ITEM"):
+        return False
+    return one.name != "foreach" or not ("RANGE" in one.words or any(cmake.values(word) for word in one.words[1:]))
 
 
 def _is_there(path: str, view: PackageView) -> bool:

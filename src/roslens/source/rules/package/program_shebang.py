@@ -57,15 +57,21 @@ def _hits(path: str, one: Written, view: PackageView) -> Iterator[Hit]:
         edits = _begun(text, b"", path) if is_read else ()
         yield Hit("package.program_shebang", message, 1, context="#!", path=path, certainty=certainty, edits=edits)
     elif _OLD.search(first) and one.name == "install" and _lacks_it(view):
-        is_read = _is_python_3(text)
-        expected = _EXPECTED if is_read else f"Python 3, which cannot read this one, and {_EXPECTED}"
-        where = "distributions of ROS 2 have"
-        if 1 in view.ros:
-            where = f"Noetic has (install() keeps the line, {one.path}:{one.command.line})"
-            expected += ", or catkin_install_python(), which writes the line" if is_read else ""
-        message = f"{where} no program for {first!r}; expected {expected}"
-        edits = _begun(text, first.encode(), path) if is_read else ()
-        yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+        yield _old(first, path, one, view)
+
+
+def _old(first: str, path: str, one: Written, view: PackageView) -> Hit:
+    """Return the hit at a first line that names a Python which the distribution does not have."""
+    text = view.read(path)
+    is_read = _is_python_3(text)
+    expected = _EXPECTED if is_read else f"Python 3, which cannot read this one, and {_EXPECTED}"
+    where = "distributions of ROS 2 have"
+    if 1 in view.ros:
+        where = f"Noetic has (install() keeps the line, {one.path}:{one.command.line})"
+        expected += ", or catkin_install_python(), which writes the line" if is_read else ""
+    message = f"{where} no program for {first!r}; expected {expected}"
+    edits = _begun(text, first.encode(), path) if is_read else ()
+    return Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
 
 
 def _lacks_it(view: PackageView) -> bool:

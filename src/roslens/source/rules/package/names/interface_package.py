@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from posixpath import basename
+from typing import TYPE_CHECKING
 
 from roslens.model.source import Language, Role, SourceFile
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -11,6 +12,9 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import CmakeView, Written
+
+if TYPE_CHECKING:
+    from roslens.source.extract.interfaces.interface import FieldType
 
 _ID = "package.interface_package"
 _LANGUAGES = (Language.MSG, Language.SRV, Language.ACTION)
@@ -95,32 +99,37 @@ def _with_brought(packages: set[str]) -> set[str] | None:
 
 
 def _unknown_types(call: Written, given: tuple[str, ...], generation: int, view: PackageView) -> Iterator[Hit]:
-    from roslens.source.extract.interfaces.interface_file import read_interface
-
     words = {basename(word) for one in view.cmake.commands for word in one.words if word.endswith(_ENDINGS)}
     files = [one for one in view.of_language(*_LANGUAGES, roles=(Role.OWN,)) if basename(one.path) in words]
-    brought = {"action_msgs", "service_msgs"} if generation == 2 else {"actionlib_msgs", "std_msgs"}
-    implied = {"action_msgs"} if generation == 2 else set()
-    of_actions = any(file.language is Language.ACTION for file in files)
-    if generation == 2 and any(file.language is Language.SRV for file in files):
-        implied = brought
-    known = _with_brought({*given, *(brought if of_actions and generation == 2 else implied)})
-    own = {basename(one).rpartition(".")[0] for one in view.listing if one.endswith(_ENDINGS)} | {
-        word.rpartition(".")[0] for word in words
-    }
+    known = _with_brought({*given, *(_implied(files) if generation == 2 else ())})
+    names = (*words, *(basename(one) for one in view.listing if one.endswith(_ENDINGS)))
+    own = {name.rpartition(".")[0] for name in names}
     for file in files:
-        interface, failures = read_interface(view.read(file.path), file.path, view.package.name, generation)
-        said: set[str] = set()
-        for part in interface.parts if not failures else ():
-            for field in part.fields:
-                package = field.type.package
-                if not package or field.type.written in said:
-                    continue
-                said.add(field.type.written)
-                if package == view.package.name and field.type.name not in own and generation == 2:
-                    yield _unknown_here(file, field.type.name, field.line, view)
-                elif package != view.package.name and known is not None and package not in known:
-                    yield _not_given(file, (package, field.type.written), field.line, call)
+        for type_, line in _types(file, generation, view):
+            if type_.package == view.package.name:
+                if generation == 2 and type_.name not in own:
+                    yield _unknown_here(file, type_.name, line, view)
+            elif known is not None and type_.package not in known:
+                yield _not_given(file, type_, line, call)
+
+
+def _implied(files: Sequence[SourceFile]) -> set[str]:
+    """Return what rosidl itself adds; some distributions add less for services."""
+    with_action = any(file.language is Language.ACTION for file in files)
+    with_service = any(file.language is Language.SRV for file in files)
+    return {"action_msgs", "service_msgs"} if with_action or with_service else set()
+
+
+def _types(file: SourceFile, generation: int, view: PackageView) -> Iterator[tuple[FieldType, int]]:
+    """Yield the types of packages in a definition that is understood, each once, with its line."""
+    from roslens.source.extract.interfaces.interface_file import read_interface
+
+    interface, failures = read_interface(view.read(file.path), file.path, view.package.name, generation)
+    said: set[str] = set()
+    for field in (field for part in interface.parts for field in part.fields if not failures):
+        if field.type.package and field.type.written not in said:
+            said.add(field.type.written)
+            yield field.type, field.line
 
 
 def _unknown_here(file: SourceFile, name: str, line: int, view: PackageView) -> Hit:
@@ -137,13 +146,10 @@ def _publishes(package: str, name: str) -> bool:
     return published_interface(2, f"{package}/msg/{name}") is not None
 
 
-def _not_given(file: SourceFile, used: tuple[str, str], line: int, call: Written) -> Hit:
-    package, written = used
-    where = f"{call.path}:{call.command.line}"
-    message = (
-        f"{written!r} is of {package}, which {call.name}() ({where}) is not given; expected DEPENDENCIES {package}"
-    )
-    return Hit(_ID, message, line, context=written, path=file.path)
+def _not_given(file: SourceFile, used: FieldType, line: int, call: Written) -> Hit:
+    where = f"{call.name}() ({call.path}:{call.command.line})"
+    message = f"{used.written!r} is of {used.package}, which {where} is not given; expected DEPENDENCIES {used.package}"
+    return Hit(_ID, message, line, context=used.written, path=file.path)
 
 
 RULE = PackageRule(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
@@ -33,12 +33,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     if any("$" in name for _, name in built) or any(one.defined for one in view.cmake.named(*_COMMANDS)):
         return
     if complete:
-        for command, name in built:
-            if not any(same_class(name, each.name) for each in components) and (
-                components or _is_all_known(command, view)
-            ):
-                message = f"no source registers {name!r}; expected RCLCPP_COMPONENTS_REGISTER_NODE({name})"
-                yield command.hit("cmake.component_class", message, name)
+        yield from _unregistered(built, [one.name for one in components], view)
     for each in components:
         # What is not ported yet lies there and is built by nothing.
         if view.cmake.may_build(each.path) and not _is_built(each.name, [name for _, name in built], view.cmake.text):
@@ -46,6 +41,14 @@ def found(view: PackageView) -> Iterator[Hit]:
                 f"component {each.name!r} is registered by no command of CMakeLists.txt; expected {_COMMANDS[0]}()"
             )
             yield Hit("cmake.component_class", message, each.line, context=each.name, path=each.path)
+
+
+def _unregistered(built: Iterable[tuple[Written, str]], registered: Sequence[str], view: PackageView) -> Iterator[Hit]:
+    for command, name in built:
+        if any(same_class(name, each) for each in registered) or not (registered or _is_all_known(command, view)):
+            continue
+        message = f"no source registers {name!r}; expected RCLCPP_COMPONENTS_REGISTER_NODE({name})"
+        yield command.hit("cmake.component_class", message, name)
 
 
 def _is_all_known(command: Written, view: PackageView) -> bool:

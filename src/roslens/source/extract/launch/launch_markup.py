@@ -16,9 +16,12 @@ from roslens.source.extract.facts.files import Files
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.substitution_text import parse, words
 from roslens.source.extract.launch_python.deferred import Value
+from roslens.source.extract.launch_python.known_actions import KnownActions
 from roslens.source.extract.launch_python.launch_action import Action, Condition, FileChange, Parameter
 from roslens.source.extract.parameters.parameter_file import written as yaml_written
 from roslens.source.workspace.elements import Document, Element, read_elements
+
+_KNOWN = KnownActions()
 
 
 class Entity(msgspec.Struct, frozen=True):
@@ -44,6 +47,10 @@ def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[A
     Raises:
         DocumentError: it cannot be read at all.
     """
+    return _KNOWN.of(path, content, files, lambda noted: _read(path, content, noted))
+
+
+def _read(path: str, content: bytes, files: Files | None) -> tuple[Action, ...]:
     if path.endswith(".py"):
         from roslens.source.extract.launch_python.launch_python import python_actions
 

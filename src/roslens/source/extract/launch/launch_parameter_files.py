@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 
 import msgspec
 
@@ -24,6 +25,8 @@ from roslens.source.extract.parameters.ros2_values import type_when_written
 from roslens.source.extract.symbolic.reason import RewrittenFile
 from roslens.source.extract.symbolic.text import Hole, Text
 
+MOST_KEPT_BYTES = 200_000
+"""Of files whose parameters are known when another launch file gives them to its nodes."""
 _ROS = "ros__parameters"
 _UNKNOWN = b""
 _HOLE = re.compile("\ue000([0-9]+)\ue001")
@@ -37,6 +40,7 @@ class ParameterFiles:
         """Read from ``files``."""
         self._files = files
         self._read: dict[tuple[str, bytes], list[Setting] | DocumentError] = {}
+        self._rewritten: dict[object, list[Setting]] = {}
 
     def settings(self, path: str, changes: Iterable[FileChange], scope: Scope) -> list[Setting] | None:
         """Return the parameters of a file, changes made in their order; None where there is no such file.
@@ -52,16 +56,33 @@ class ParameterFiles:
         while rest and rest[0].kind in _IN_TEXT:
             content = _IN_TEXT[rest[0].kind](content, rest[0], scope, holes)
             rest.pop(0)
-        found = [_with_holes(one, holes) if holes else one for one in self._parsed(path, content)]
+        found = self._parsed(path, content)
+        if holes:
+            found = [_with_holes(one, holes) for one in found]
+        # All nodes of a launch file are given the same file with the same changes, as a rule.
+        source: object = None if holes else (path, content)
         for change in rest:
             if change.kind in _IN_TEXT:
-                found = [_substituted(one, change, scope) for one in found]
+                found, source = [_substituted(one, change, scope) for one in found], None
             elif change.kind == "root":
-                found = _below(found, resolve(change.value, scope))
+                found, source = _below(found, resolve(change.value, scope)), None
             elif change.kind == "keys":
-                found = _renamed(found, change, scope)
+                found, source = _renamed(found, change, scope), None
             else:
-                found = _rewritten(found, change, scope)
+                pairs = tuple((resolve(key, scope), resolve(value, scope)) for key, value in change.pairs)
+                source = None if source is None else (source, change.kind, change.numbers, pairs)
+                found = self._changed(source, found, change, pairs)
+        return found
+
+    def _changed(
+        self, source: object, settings: list[Setting], change: FileChange, pairs: tuple[tuple[Text, Text], ...]
+    ) -> list[Setting]:
+        """Return rewritten parameters; ``source`` tells which these are, None where that is not known."""
+        found = None if source is None else self._rewritten.get(source)
+        if found is None:
+            found = _rewritten(settings, change, pairs)
+            if source is not None:
+                self._rewritten[source] = found
         return found
 
     def of_copy(self, path: Text, changes: Iterable[FileChange], scope: Scope) -> tuple[Text, tuple[FileChange, ...]]:
@@ -78,13 +99,20 @@ class ParameterFiles:
         if known is None:
             try:
                 with file_budget(path, size=len(content)):
-                    known = ros2_parameters(content, path)
+                    known = (
+                        _parsed(content, path) if len(content) <= MOST_KEPT_BYTES else ros2_parameters(content, path)
+                    )
             except DocumentError as error:
                 known = error
             self._read[path, content] = known
         if isinstance(known, DocumentError):
             raise known
         return known
+
+
+@lru_cache(16)
+def _parsed(content: bytes, path: str) -> list[Setting]:
+    return ros2_parameters(content, path)
 
 
 def _replaced(content: bytes, change: FileChange, scope: Scope, holes: list[Hole]) -> bytes:
@@ -174,32 +202,40 @@ def _below(settings: list[Setting], root: Text) -> list[Setting]:
     return [msgspec.structs.replace(one, node=f"/{known}{one.node}") for one in settings] if known else settings
 
 
-def _rewritten(settings: list[Setting], change: FileChange, scope: Scope) -> list[Setting]:
+def _rewritten(settings: list[Setting], change: FileChange, pairs: tuple[tuple[Text, Text], ...]) -> list[Setting]:
     """Return parameters with other values: by name or path of them (``names``), or by what they were (``values``)."""
-    pairs = [(resolve(key, scope), resolve(value, scope)) for key, value in change.pairs]
     known = {key.known: value for key, value in pairs if key.known is not None}
     open_ = next((value for key, value in pairs if key.known is None), None)
     if not pairs:
         return settings
+    has_paths = any(f".{_ROS}." in key for key in known)
     found = []
     for one in settings:
-        value = known.get(one.value.known or "") if change.kind == "values" else _value_by_name(one, known)
+        if change.kind == "values":
+            value = known.get(one.value.known or "")
+        else:
+            value = _value_by_name(one, known, has_paths=has_paths)
         # What is replaced by an unknown name may be any of them.
         value = open_ if value is None and open_ is not None else value
         found.append(one if value is None else _set(one, value, numbers=change.numbers))
-    return found if change.kind == "values" else [*found, *_added(settings, known, change)]
+    return [*found, *_added(settings, known, change)] if has_paths and change.kind != "values" else found
 
 
-def _value_by_name(setting: Setting, known: dict[str, Text]) -> Text | None:
+def _path(setting: Setting) -> str:
+    """Return the path of a parameter in its file."""
+    return ".".join([*setting.node.strip("/").split("/"), _ROS, setting.name.known or ""])
+
+
+def _value_by_name(setting: Setting, known: dict[str, Text], *, has_paths: bool) -> Text | None:
     """Return what a value becomes: by its path in the file, which counts more, or its own name."""
     name = setting.name.known or ""
-    path = ".".join([*setting.node.strip("/").split("/"), _ROS, name])
-    return known.get(path, known.get(name, known.get(name.rpartition(".")[2])))
+    found = known.get(_path(setting)) if has_paths else None
+    return known.get(name, known.get(name.rpartition(".")[2])) if found is None else found
 
 
 def _added(settings: list[Setting], known: dict[str, Text], change: FileChange) -> list[Setting]:
     """Return the parameters of paths that the file does not have: they are added to it."""
-    there = {".".join([*one.node.strip("/").split("/"), _ROS, one.name.known or ""]) for one in settings}
+    there = set(map(_path, settings))
     found: list[Setting] = []
     for path, value in known.items():
         node, separator, name = path.partition(f".{_ROS}.")

@@ -9,6 +9,7 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
+from functools import lru_cache
 
 from roslens.source.extract.facts.files import Files, joined
 from roslens.source.extract.ir.program import Expression, Program
@@ -17,6 +18,10 @@ from roslens.source.extract.symbolic.text import Condition, Written
 from roslens.source.extract.symbols.memo import Memo
 
 MOST_MODULES = 20
+MOST_KEPT = 64
+"""Files whose programs are known: many launch files include the same ones, each of which is evaluated anew."""
+MOST_KEPT_BYTES = 50_000
+"""Of each of them."""
 _KNOWN = frozenset(
     {"launch", "launch_ros", "launch_xml", "launch_yaml", "launch_param_builder", "launch_testing", "nav2_common",
      "moveit_configs_utils", "ament_index_python", "rclpy", "xacro", "yaml"}
@@ -38,16 +43,30 @@ def programs_of(path: str, content: bytes, files: Files | None) -> tuple[dict[st
         files: of the workspace; None finds no modules.
     """
     places = Places()
-    found = {path: located_program(content, places, handlers=False)[0]}
+    found = {path: _program(content, places)}
     waiting = [path] if files is not None else []
     while waiting and files is not None:
         one = waiting.pop(0)
         for other in _imported(found[one], one, files):
             inside = files.content(other) if other not in found and len(found) <= MOST_MODULES else None
             if inside is not None:
-                found[other] = located_program(inside, places, handlers=False)[0]
+                found[other] = _program(inside, places)
                 waiting.append(other)
     return found, places
+
+
+def _program(content: bytes, places: Places) -> Program:
+    """Return the program of a file; where its expressions stand is added to ``places``."""
+    program, found = (_lowered if len(content) <= MOST_KEPT_BYTES else _lowered_now)(content)
+    places.take(found)
+    return program
+
+
+def _lowered_now(content: bytes) -> tuple[Program, Places]:
+    return located_program(content, handlers=False)
+
+
+_lowered = lru_cache(MOST_KEPT)(_lowered_now)
 
 
 def _imported(program: Program, path: str, files: Files) -> Iterator[str]:

@@ -52,6 +52,10 @@ class Places:
         """Keep where an expression stands."""
         self._found[id(expression)] = (expression, place)
 
+    def take(self, places: Places) -> None:
+        """Take over where the expressions of other programs stand."""
+        self._found |= places._found
+
     def of(self, expression: Expression) -> Written | None:
         """Return where an expression stands; None where it was made while the program was."""
         found = self._found.get(id(expression))

@@ -14,6 +14,7 @@ from roslens.source.workspace.dependents import Dependents, dependents_of
 
 _SOURCES = "src/"
 _STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
+_CONFIGURING = (Language.YAML, Language.XACRO, Language.URDF)
 _DEFINITIONS = (Language.MSG, Language.SRV, Language.ACTION)
 
 
@@ -45,6 +46,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
             distribution has.
         dependents: names of the packages that depend on it, also through others, sorted; with each, whether one of the
             dependencies on the way is of a build or a test.
+        declared: what any package of the workspace declares, sorted, where it has files that may name plug-ins.
     """
 
     inside: str = ""
@@ -56,6 +58,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     target: Target = Target()
     own: tuple[str, ...] = ()
     dependents: Dependents = ()
+    declared: tuple[str, ...] = ()
 
 
 def surroundings_of(
@@ -74,6 +77,7 @@ def surroundings_of(
     folders = frozenset(one.path for one in own)
     names = frozenset(one.name for one in own)
     dependents = dependents_of(own)
+    declared = tuple(sorted({dependency.name for one in own for dependency in one.dependencies}))
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
         for dependency in one.dependencies:
@@ -98,6 +102,7 @@ def surroundings_of(
             targets.get(one.id, Target()),
             tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
             dependents[one.name],
+            declared if any(file.language in _CONFIGURING for file in files.get(one.id, ())) else (),
         )
     return found
 

@@ -3,7 +3,8 @@
 A line is ``name type quality if condition``; the last two may be missing. The quality of service is ``sensor_data``,
 ``latched`` (transient local, one message), ``tf``, ``tf_static``, ``default`` or the depth of a reliable one; in ROS 1
 it is ``latched`` or the size of the queue. ``{parameter=default}`` in a name is what a parameter says, ``{1}`` the
-first word of the command line. ``*`` is a type that only runs can tell.
+first word of the command line. ``*`` is a type that only runs can tell. A condition ``parameter is set``,
+``parameter=default is true`` or ``parameter=default is false`` is decided by what the node is given.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.facts.node_facts import EndpointFact, Evidence
 from roslens.source.extract.symbolic.reason import OfParameter
-from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, Text, Written, unknown
+from roslens.source.extract.symbolic.text import Condition, Hole, IsSet, IsTrue, Not, Text, Written, unknown
 from roslens.source.settings import NodeHint
 
 _RELIABLE = ("reliable", "volatile", "keep_last")
@@ -39,6 +40,7 @@ ROLES = {
 _PIECES = re.compile(r"\{([^{}=]+)(?:=([^{}]*))?\}")
 _TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Za-z]\w*|\*")
 _IS_SET = " is set"
+_IS_TRUE = re.compile(r"([\w.]+)=(true|false) is (true|false)")
 _EXPECTED = 'a text "name package/msg/Type", with "latched", "sensor_data" or a depth after it where it is known'
 
 
@@ -61,6 +63,7 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
     qos = None
     if generation == "ros2" and topic:
         qos = Qos(*_RELIABLE, int(quality)) if number else _QUALITIES[quality or "unknown"]
+    stated = _condition(condition) if condition else None
     return EndpointFact(
         role,
         text_of(name, words),
@@ -70,7 +73,8 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
         qos_unknown="" if qos is None or qos.reliability else "it is not stated",
         queue=int(quality) if generation == "ros1" and number else -1,
         latched=generation == "ros1" and quality == "latched",
-        conditions=(_condition(condition),) if condition else (),
+        conditions=(stated,) if stated is not None else (),
+        asked=((stated, stated),) if stated is not None and _IS_TRUE.fullmatch(condition) else (),
     )
 
 
@@ -90,7 +94,10 @@ def _parted(line: str) -> tuple[str, str, str, str]:
 
 
 def _condition(written: str) -> Condition:
-    """Return a condition of a line; that a parameter is set is what decides it."""
+    """Return a condition of a line; that a parameter is set, or its value, is what decides it."""
+    if match := _IS_TRUE.fullmatch(written):
+        holds = IsTrue(Text.of(Hole(OfParameter(match[1]), match[1], match[2])))
+        return holds if match[3] == "true" else Not(holds)
     name, ending, rest = written.partition(_IS_SET)
     return IsSet(Text.of(name)) if ending and not rest else Written(written)
 

@@ -245,13 +245,11 @@ class _Node:
     def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
         private = "~" if self.given.generation == "ros1" else ""
-        known = (
-            (one for fact in facts if (one := as_decided(fact, self.values)) is not None)
-            if self.origin is not Origin.CATALOGUE
-            else (one for f in facts for one in each_item(f, self.values))
-        )
-        for fact in known:
-            asks = [one for one in fact.conditions if type(one) is IsSet] if self.origin is Origin.CATALOGUE else []
+        outside = self.origin is Origin.CATALOGUE
+        each = (one for fact in facts for one in (each_item(fact, self.values) if outside else (fact,)))
+        decided = (as_decided(one, self.values, by_default=outside) for one in each)
+        for fact in (one for one in decided if one is not None):
+            asks = [one for one in fact.conditions if type(one) is IsSet] if outside else []
             if not asks:
                 yield fact
             elif all(self.values.value(Text.of(private, one.text)) is not None for one in asks):

@@ -108,12 +108,19 @@ def chosen_of(fact: EndpointFact, one: Alternative, name: Text) -> EndpointFact:
     return msgspec.structs.replace(fact, name=name, evidence=evidence, conditions=conditions)
 
 
-def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
-    """Return an endpoint without the conditions that what is set for its node fulfils; None where it forbids one."""
+def as_decided(fact: EndpointFact, values: Values, *, by_default: bool = False) -> EndpointFact | None:
+    """Return an endpoint without the conditions that what is set for its node fulfils; None where it forbids one.
+
+    Args:
+        fact: the endpoint.
+        values: of the parameters of its node.
+        by_default: defaults of parameters that nothing sets decide as well.
+    """
+    enough = (Sure.CERTAIN, Sure.LIKELY) if by_default else (Sure.CERTAIN,)
     met: set[Condition] = set()
     for condition, asked in fact.asked:
         decided = _decided(asked, values)
-        if decided.holds is None or decided.sure is not Sure.CERTAIN:
+        if decided.holds is None or decided.sure not in enough:
             continue
         if not decided.holds:
             return None

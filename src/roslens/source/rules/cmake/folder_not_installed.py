@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 
@@ -52,15 +53,17 @@ def found(view: PackageView) -> Iterator[Hit]:
             continue
         if _is_asked_for(folder, inside, view):
             amount = plural(len(inside), "file")
+            line = place[1]
             message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
             if named:
                 message = f"no file of folder {folder!r} ({amount}) is installed: what setup.py looks for matches none"
+                line = _installing(folder, view) or line
             # Configuration that is only named may be left over; whoever starts a launch file needs it.
             sure = folder == "launch" and 2 in view.ros
             yield Hit(
                 "cmake.folder_not_installed",
                 message,
-                place[1],
+                line,
                 context=folder,
                 path=place[0],
                 certainty=None if sure else Certainty.HEURISTIC,
@@ -75,6 +78,23 @@ def _matches_nothing(folder: str, view: PackageView) -> bool:
     places = [files for place, files in setup.data if place.rstrip("/").endswith(f"/{folder}")]
     installed = {view.inside(path) for _, files in setup.data for path in files}
     return bool(places) and not any(places) and not any(path.startswith(f"{folder}/") for path in installed)
+
+
+def _installing(folder: str, view: PackageView) -> int:
+    """Return the line of the item of ``data_files`` that names a folder and looks for files; 0 where none does."""
+    call = view.setup_call
+    items = [
+        item
+        for keyword in (call.keywords if call is not None else ())
+        if keyword.arg == "data_files"
+        for item in ast.walk(keyword.value)
+        if isinstance(item, ast.Tuple) and len(item.elts) == 2
+    ]
+    for item in items:
+        words = [one.value for one in ast.walk(item.elts[0]) if isinstance(one, ast.Constant)]
+        if any(isinstance(one, str) and folder in one.split("/") for one in words):
+            return item.lineno
+    return 0
 
 
 def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:

@@ -30,6 +30,7 @@ from roslens.source.rules.graph.parameters import (
     parameter_topic,
     parameter_type,
     parameter_undeclared,
+    stamped_command,
 )
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.timing import deadlock, latched, qos, queue, sim_time
@@ -40,7 +41,7 @@ _MODULES = (
     qos, latched, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range,
     parameter_file, parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic,
     transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
-    lifecycle_manager,
+    lifecycle_manager, stamped_command,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""

@@ -13,6 +13,7 @@ from roslens.source.extract.facts.launched import Launch, Unresolved
 from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.ir.program import Program
 from roslens.source.rules.graph.parameters.ignored_files import ignored_files
+from roslens.source.rules.graph.parameters.stamped_command import controllers
 from roslens.source.rules.graph.private_data import Content, mentioned
 from roslens.source.rules.graph.static_transforms import static_transforms
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -81,7 +82,11 @@ def surroundings_of(
     if content is None:
         return found
     every = sorted({path for named in (paths or {}).values() for path in named})
-    return msgspec.structs.replace(found, mentioned=mentioned(configuration, found, every, content))
+    return msgspec.structs.replace(
+        found,
+        mentioned=mentioned(configuration, found, every, content),
+        controllers=tuple(controllers(configuration, every, content)),
+    )
 
 
 def _is_in(path: str, package: Package) -> bool:

@@ -69,6 +69,22 @@ class Wait(msgspec.Struct, frozen=True, omit_defaults=True):
     how: str = "call()"
 
 
+class Commanded(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A controller that takes commands on a topic below its name.
+
+    Attributes:
+        name: of it.
+        type: by which its manager loads it.
+        topic: the last part of the topic.
+        proof: where a file of parameters gives it its type.
+    """
+
+    name: str
+    type: str
+    topic: str
+    proof: Proof
+
+
 class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that a rule may know besides the configuration.
 
@@ -84,6 +100,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         ignored: files of parameters that are not for the node they are given to.
         transforms: that are published all the time.
         waits: places that wait for the answer of a service.
+        controllers: that take stamped commands, of all parameter files of the workspace.
         mentioned: last parts of names, of those that one node alone uses, that other files of the workspace hold.
         command_topics: patterns of topics that move something.
         external: patterns of names whose other end is elsewhere.
@@ -100,6 +117,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     transforms: tuple[Transform, ...] = ()
     waits: tuple[Wait, ...] = ()
     mentioned: frozenset[str] = frozenset()
+    controllers: tuple[Commanded, ...] = ()
     command_topics: tuple[str, ...] = COMMAND_TOPICS
     external: tuple[str, ...] = EXTERNAL
     fast_hz: float = FAST_HZ

@@ -19,11 +19,14 @@ from roslens.source.rules.system_packages import (
     stands_for,
 )
 from roslens.source.rules.views.dependency_uses import BUILD, RUN, TEST, Use
+from roslens.source.rules.views.library_uses import LIBRARIES
 
 _WHAT = {
     "#include": "headers are included of packages",
     "import": "modules are imported of packages",
     "launch": "launch files need packages",
+    "library": "libraries are imported",
+    "plug-in": "plug-ins are named of packages",
 }
 _TAGS_OF_FORMAT_1 = {BUILD: ("build_depend", "run_depend"), RUN: ("run_depend",), TEST: ("test_depend",)}
 _TAGS_OF_FORMAT_2 = {BUILD: ("depend",), RUN: ("exec_depend",), TEST: ("test_depend",)}
@@ -34,7 +37,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each package that is found and not declared, and at once those that are included, or imported."""
     declared = {one.name for one in (*view.package.dependencies, *view.package.member_of_groups)}
     reported: set[str] = set()
-    gathered: dict[str, dict[str, Use]] = {"#include": {}, "import": {}, "launch": {}}
+    gathered: dict[str, dict[str, Use]] = {how: {} for how in _WHAT}
     for use in view.uses:
         if use.name in reported or not _expected(use, view) or any(_is_said(key, use) for key in declared):
             continue
@@ -56,11 +59,14 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
     first = uses[0]
-    names = ", ".join(repr(use.name) for use in uses)
+    names = ", ".join(_named(use) for use in uses)
     tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
     message = f"{_WHAT[how]} that package.xml does not declare: {names}; expected {tags}"
     # What is included was found in the build: another dependency brings it.
-    certainty = Certainty.HEURISTIC if how == "#include" else None
+    is_brought = how == "#include" or (
+        how in ("plug-in", "library") and all(_is_said_elsewhere(use, view) for use in uses)
+    )
+    certainty = Certainty.HEURISTIC if is_brought else None
     return Hit(
         "package.undeclared_dependency",
         message,
@@ -70,6 +76,11 @@ def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
         certainty=certainty,
         edits=_declared(uses, view),
     )
+
+
+def _is_said_elsewhere(use: Use, view: PackageView) -> bool:
+    """Return whether another package of the workspace declares it: it is installed with that one."""
+    return any(_is_said(key, use) for key in view.around.declared)
 
 
 def _closes_cycle(use: Use, view: PackageView) -> bool:
@@ -93,13 +104,23 @@ def _cyclic(use: Use, view: PackageView) -> Hit:
 def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
     """Return what declares all of some packages; nothing where the key of one, or its condition, is not certain."""
     manifest = view.manifest_edits
-    if not manifest.format or len(view.ros) > 1 or not all(is_ros_package(use.name) for use in uses):
+    known = all(is_ros_package(use.name) or use.how.startswith(("plug-in", "library")) for use in uses)
+    if not manifest.format or len(view.ros) > 1 or not known:
         return ()
     tags = _TAGS_OF_FORMAT_1 if manifest.format == 1 else _TAGS_OF_FORMAT_2
     return joined([manifest.added(tag, use.name) for use in uses for tag in tags[use.when]])
 
 
+def _named(use: Use) -> str:
+    """Return a package as messages name it; a library by its module too."""
+    how, _, module = use.how.partition(" ")
+    return f"{module!r} by the key {use.name!r}" if how == "library" else repr(use.name)
+
+
 def _is_said(key: str, use: Use) -> bool:
+    how, _, module = use.how.partition(" ")
+    if how == "library":
+        return any(sign in key.lower() for sign in LIBRARIES[module].signs)
     # What is built needs the package itself, because CMake looks for it.
     return stands_for(key, use.name) or (use.when == RUN and brings(key, use.name))
 
@@ -114,7 +135,7 @@ def _expected(use: Use, view: PackageView) -> bool:
         return False
     if name.startswith("ament_cmake"):
         return use.when == TEST and name.removeprefix("ament_cmake_") in ("gtest", "gmock", "pytest")
-    return use.how.startswith("launch") or name in KEYS or looks_like_ros_package(name)
+    return use.how.startswith(("launch", "plug-in", "library")) or name in KEYS or looks_like_ros_package(name)
 
 
 def _is_own_module(name: str, view: PackageView) -> bool:
@@ -126,11 +147,13 @@ def _is_own_module(name: str, view: PackageView) -> bool:
 RULE = PackageRule(
     id="package.undeclared_dependency",
     title="Package used and not declared",
-    finds="A package that CMakeLists.txt finds, that a launch file finds or starts nodes of, or, of ROS, that "
-    "sources include or import, and of which package.xml says nothing. What is imported is one finding for a "
-    "package, what launch files need another, what is included one note. A package that depends on this one itself is "
-    "a note as well: to declare it would close a cycle. Libraries are known by the keys of rosdep; modules of CMake "
-    "need none.",
+    finds="A package that CMakeLists.txt finds, that a launch file finds or starts nodes of, that has a plug-in which "
+    "parameters name (controllers of ros2_control, plug-ins of Nav2 and MoveIt), or, of ROS, that sources include or "
+    "import, and of which package.xml says nothing; also libraries of Python that only rosdep installs, such as "
+    "pyserial, where no list for pip or image installs them. What is imported is one finding for a package, what "
+    "launch files need another, libraries and plug-ins one each, what is included one note. A library or plug-in that "
+    "another package of the workspace declares is a note, and so is a package that depends on this one itself: to "
+    "declare it would close a cycle. Libraries of C++ are known by the keys of rosdep; modules of CMake need none.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
     consequence=Consequence.HARD_TO_MAINTAIN,

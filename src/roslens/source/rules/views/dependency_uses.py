@@ -12,7 +12,9 @@ from roslens.model.source import Language, Role, SourceFile
 from roslens.source.rules.system_packages import is_ros_package
 from roslens.source.rules.views.cmake_view import CmakeView, Written
 from roslens.source.rules.views.launch_view import LaunchXml
+from roslens.source.rules.views.library_uses import libraries_of
 from roslens.source.rules.views.package_files import PackageFiles
+from roslens.source.rules.views.plugin_uses import plugins_named
 from roslens.source.syntax.facts import FileFacts
 from roslens.source.workspace.elements import Element
 
@@ -57,7 +59,7 @@ class Use(msgspec.Struct, frozen=True):
 def uses_of(view: PackageFiles, cmake: CmakeView, launch: Sequence[LaunchXml]) -> tuple[Use, ...]:
     """Return where a package uses others, those in the build first; one for each package, way and time."""
     found: dict[tuple[str, str, bool], Use] = {}
-    for use in (*_of_build(cmake), *_of_sources(view), *_of_launch(view, launch)):
+    for use in (*_of_build(cmake), *_of_sources(view), *_of_launch(view, launch), *_by_name(view)):
         found.setdefault((use.name, use.when, use.how.startswith("find")), use)
         if len(found) >= MOST_USES:
             break
@@ -127,6 +129,14 @@ def _of_launch(view: PackageFiles, launch: Sequence[LaunchXml]) -> Iterator[Use]
             for name in filter(_is_literal, _named_by(element)):
                 yield Use(name, RUN, f"launch file {view.inside(file.path)}", file.path, file.line(element))
     yield from _of_launch_python(view)
+
+
+def _by_name(view: PackageFiles) -> Iterator[Use]:
+    """Yield what nothing of ROS is told by: plug-ins that parameters name, and libraries that sources import."""
+    for module, key, path, line in libraries_of(view):
+        yield Use(key, RUN, f"library {module}", path, line)
+    for name, written, path, line in plugins_named(view):
+        yield Use(name, RUN, f"plug-in {written}", path, line)
 
 
 def _named_by(element: Element) -> list[str]:

@@ -1,0 +1,125 @@
+"""Rule ``graph.stamped_command``: commands without a stamp, where a controller of ros2_control takes stamped ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredNode, Origin, Proof
+from roslens.model.errors import DocumentError
+from roslens.model.finding import Finding
+from roslens.model.graph import Role
+from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.extract.parameters.parameter_file import ros2_parameters
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import End, ends
+from roslens.source.rules.graph.occurrence import graph_rule, occurrence
+from roslens.source.rules.graph.surroundings import Commanded, Surroundings
+
+Content = Callable[[str], bytes | None]
+
+_PLAIN = "geometry_msgs/msg/Twist"
+_TOPICS = {
+    "diff_drive_controller/DiffDriveController": "cmd_vel",
+    "omni_wheel_drive_controller/OmniWheelDriveController": "cmd_vel",
+    "mecanum_drive_controller/MecanumDriveController": "reference",
+    "ackermann_steering_controller/AckermannSteeringController": "reference",
+    "bicycle_steering_controller/BicycleSteeringController": "reference",
+    "tricycle_steering_controller/TricycleSteeringController": "reference",
+}
+"""By type of controller, the topic on which it takes TwistStamped, whatever its parameters, in Humble, Jazzy and
+Lyrical (ros-controls/ros2_controllers). Commands without a stamp have another topic in Humble, and none later."""
+_MANAGER = "controller_manager"
+_STAMPS = {
+    "teleop_twist_keyboard": "stamped",
+    "teleop_twist_joy": "publish_stamped_twist",
+    "twist_mux": "use_stamped",
+    "nav2_controller": "enable_stamped_cmd_vel",
+    "nav2_behaviors": "enable_stamped_cmd_vel",
+}
+"""By package, the parameter with which a node sends stamped commands."""
+_OF_NAV2 = "enable_stamped_cmd_vel"
+
+RULE = graph_rule(
+    "graph.stamped_command",
+    "Commands without a stamp for a controller",
+    "A node publishes geometry_msgs/Twist on the topic of a controller of ros2_control that takes TwistStamped there: "
+    "diff_drive_controller, omni_wheel_drive_controller, mecanum_drive_controller and those of steering. Publish "
+    "TwistStamped, or set the parameter of the node that does (`stamped` of teleop_twist_keyboard, "
+    "`publish_stamped_twist` of teleop_twist_joy, `use_stamped` of twist_mux, `enable_stamped_cmd_vel` of Nav2). "
+    "Controllers are those of the parameter files of the workspace.",
+    Consequence.WRONG,
+    Certainty.LIKELY,
+    ("ros", "graph", "type", "connectivity"),
+    "Ends of different types are never connected: the robot does not move, and nothing says so.",
+    url="https://control.ros.org/jazzy/doc/ros2_controllers/doc/migration.html",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each publisher whose commands a controller cannot receive."""
+    moved = _moved(configuration.nodes)
+    for end in ends(configuration):
+        if end.role is not Role.PUBLISHER or end.type != _PLAIN or not _is_decided(end.node):
+            continue
+        for one in surroundings.controllers:
+            if end.name in (f"/{one.name}/{one.topic}", moved.get(f"/{one.name}/{one.topic}")):
+                yield _told(end, one)
+                break
+
+
+def controllers(configuration: Configuration, paths: Iterable[str], content: Content) -> Iterator[Commanded]:
+    """Yield the controllers that take stamped commands, where anything of a configuration publishes others.
+
+    Args:
+        configuration: what would run together.
+        paths: of all files of the workspace.
+        content: of a file; None where it cannot be read.
+    """
+    if configuration.generation != "ros2":
+        return
+    if not any(end.role is Role.PUBLISHER and end.type == _PLAIN for end in ends(configuration)):
+        return
+    for path in paths:
+        text = content(path) if path.endswith((".yaml", ".yml")) else None
+        if not text or b"ros__parameters" not in text or not any(one.encode() in text for one in _TOPICS):
+            continue
+        try:
+            settings = ros2_parameters(text, path)
+        except DocumentError:
+            continue  # Why it cannot be read is a finding of the launch file that gives it to a node.
+        for one in settings:
+            name, _, last = str(one.name).rpartition(".")
+            if last == "type" and str(one.value) in _TOPICS and one.node.rpartition("/")[2] == _MANAGER:
+                kind = str(one.value)
+                proof = Proof(path, one.evidence.line)
+                yield Commanded(name, kind, _TOPICS[kind], proof)
+
+
+def _moved(nodes: Iterable[ConfiguredNode]) -> dict[str, str]:
+    """Return what remappings of the node with the manager call the topics of controllers: they count for these too."""
+    return {
+        re.sub(r"^(?!/)", "/", one.source): one.target
+        for node in nodes
+        if node.package == _MANAGER
+        for one in node.remaps
+        if not one.uncertain
+    }
+
+
+def _is_decided(node: ConfiguredNode) -> bool:
+    """Return whether a node certainly sends what it is known to: from Kilted on, Nav2 sends stamped commands."""
+    return _STAMPS.get(node.package) != _OF_NAV2 or any(one.name == _OF_NAV2 for one in node.parameters if one.set_by)
+
+
+def _told(end: End, one: Commanded) -> Finding:
+    parameter = _STAMPS.get(end.node.package, "")
+    meant = f"set its parameter `{parameter}` to true" if parameter else "publish TwistStamped"
+    message = (
+        f"{end.node.name} publishes {end.name} as {_PLAIN}, and controller '{one.name}' ({one.type}, "
+        f"{one.proof.place}) takes geometry_msgs/msg/TwistStamped there: they are never connected. Expected stamped "
+        f"commands: {meant}."
+    )
+    proof = end.one.proof if end.one.proof.origin is Origin.CODE else end.node.proof
+    certainty, doubt = weighed(RULE.certainty, (proof,), end.conditions)
+    return occurrence(RULE, message, proof, entity=end.entity, certainty=certainty, context=end.node.name, doubt=doubt)

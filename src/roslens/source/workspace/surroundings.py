@@ -14,7 +14,7 @@ from roslens.source.workspace.dependents import Dependents, dependents_of
 
 _SOURCES = "src/"
 _STARTING = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
-_CONFIGURING = (Language.YAML, Language.XACRO, Language.URDF)
+_NAMING = (Language.YAML, Language.XACRO, Language.URDF, Language.PYTHON)
 _DEFINITIONS = (Language.MSG, Language.SRV, Language.ACTION)
 
 
@@ -46,7 +46,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
             distribution has.
         dependents: names of the packages that depend on it, also through others, sorted; with each, whether one of the
             dependencies on the way is of a build or a test.
-        declared: what any package of the workspace declares, sorted, where it has files that may name plug-ins.
+        declared: what any package of the workspace declares, sorted, where it may name plug-ins or libraries.
     """
 
     inside: str = ""
@@ -102,7 +102,7 @@ def surroundings_of(
             targets.get(one.id, Target()),
             tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
             dependents[one.name],
-            declared if any(file.language in _CONFIGURING for file in files.get(one.id, ())) else (),
+            declared if _may_name(files.get(one.id, ())) else (),
         )
     return found
 
@@ -111,6 +111,11 @@ def _started(files: Sequence[SourceFile]) -> Started:
     read = sorted((file.path, file.content_hash) for file in files if file.language in (*_STARTING, Language.YAML))
     paths = tuple(sorted(file.path for file in files if file.language in _STARTING))
     return Started(paths, sha256(repr(read).encode()).hexdigest()[:32])
+
+
+def _may_name(files: Sequence[SourceFile]) -> bool:
+    """Return whether files may name plug-ins, or import libraries."""
+    return any(file.language in _NAMING for file in files)
 
 
 def _is_launched(file: SourceFile) -> bool:

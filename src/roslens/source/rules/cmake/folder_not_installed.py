@@ -53,17 +53,15 @@ def found(view: PackageView) -> Iterator[Hit]:
             continue
         if _is_asked_for(folder, inside, view):
             amount = plural(len(inside), "file")
-            line = place[1]
             message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
             if named:
                 message = f"no file of folder {folder!r} ({amount}) is installed: what setup.py looks for matches none"
-                line = _installing(folder, view) or line
             # Configuration that is only named may be left over; whoever starts a launch file needs it.
             sure = folder == "launch" and 2 in view.ros
             yield Hit(
                 "cmake.folder_not_installed",
                 message,
-                line,
+                _installing(folder, view) or place[1],
                 context=folder,
                 path=place[0],
                 certainty=None if sure else Certainty.HEURISTIC,
@@ -82,7 +80,7 @@ def _matches_nothing(folder: str, view: PackageView) -> bool:
 
 def _installing(folder: str, view: PackageView) -> int:
     """Return the line of the item of ``data_files`` that names a folder and looks for files; 0 where none does."""
-    call = view.setup_call
+    call = view.setup_call if view.package.build_type == "ament_python" else None
     items = [
         item
         for keyword in (call.keywords if call is not None else ())

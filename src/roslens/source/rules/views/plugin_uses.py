@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import cache
 from posixpath import dirname
 
-from roslens.model.source import Language, Role
+from roslens.model.source import Language, Role, SourceFile
 from roslens.source.rules.views.package_files import PackageFiles
 
 _LIKE_THEMSELVES = """
@@ -59,17 +59,20 @@ def plugins_named(view: PackageFiles) -> Iterator[tuple[str, str, str, int]]:
     for file in view.of_language(Language.YAML, *_DESCRIPTIONS, roles=(Role.OWN,)):
         if _ASIDE.search(view.inside(dirname(file.path))):
             continue
-        content = view.read(file.path)
-        if b"::" not in content and b"/" not in content:
+        yield from _named_in(view.read(file.path), file, 2 if 2 in view.ros else 1)
+
+
+def _named_in(content: bytes, file: SourceFile, ros: int) -> Iterator[tuple[str, str, str, int]]:
+    if b"::" not in content and b"/" not in content:
+        return
+    is_yaml = file.language is Language.YAML
+    for match in (_in_parameters() if is_yaml else _in_description()).finditer(content):
+        space, name = match[1].decode(), match[3].decode()
+        start = match.start(1)
+        if is_yaml and b"#" in content[content.rfind(b"\n", 0, start) + 1 : start]:
             continue
-        pattern = _in_description() if file.language in _DESCRIPTIONS else _in_parameters()
-        for match in pattern.finditer(content):
-            space, name = match[1].decode(), match[3].decode()
-            start = match.start(1)
-            if file.language is Language.YAML and b"#" in content[content.rfind(b"\n", 0, start) + 1 : start]:
-                continue
-            found = _package_of(space, name, 2 if 2 in view.ros else 1)
-            yield found, f"{space}{match[2].decode()}{name}", file.path, content.count(b"\n", 0, start) + 1
+        line = content.count(b"\n", 0, start) + 1
+        yield _package_of(space, name, ros), f"{space}{match[2].decode()}{name}", file.path, line
 
 
 def _package_of(space: str, name: str, ros: int) -> str:

@@ -82,18 +82,20 @@ def controllers(configuration: Configuration, paths: Iterable[str], content: Con
         return
     for path in paths:
         text = content(path) if path.endswith((".yaml", ".yml")) else None
-        if not text or b"ros__parameters" not in text or not any(one.encode() in text for one in _TOPICS):
-            continue
-        try:
-            settings = ros2_parameters(text, path)
-        except DocumentError:
-            continue  # Why it cannot be read is a finding of the launch file that gives it to a node.
-        for one in settings:
-            name, _, last = str(one.name).rpartition(".")
-            if last == "type" and str(one.value) in _TOPICS and one.node.rpartition("/")[2] == _MANAGER:
-                kind = str(one.value)
-                proof = Proof(path, one.evidence.line)
-                yield Commanded(name, kind, _TOPICS[kind], proof)
+        if text and b"ros__parameters" in text and any(one.encode() in text for one in _TOPICS):
+            yield from _commanded(text, path)
+
+
+def _commanded(text: bytes, path: str) -> Iterator[Commanded]:
+    try:
+        settings = ros2_parameters(text, path)
+    except DocumentError:
+        return  # Why it cannot be read is a finding of the launch file that gives it to a node.
+    for one in settings:
+        name, _, last = str(one.name).rpartition(".")
+        kind = str(one.value)
+        if last == "type" and kind in _TOPICS and one.node.rpartition("/")[2] == _MANAGER:
+            yield Commanded(name, kind, _TOPICS[kind], Proof(path, one.evidence.line))
 
 
 def _moved(nodes: Iterable[ConfiguredNode]) -> dict[str, str]:

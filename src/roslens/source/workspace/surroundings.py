@@ -77,7 +77,7 @@ def surroundings_of(
     folders = frozenset(one.path for one in own)
     names = frozenset(one.name for one in own)
     dependents = dependents_of(own)
-    declared = tuple(sorted({dependency.name for one in own for dependency in one.dependencies}))
+    declared = _declared(own)
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
         for dependency in one.dependencies:
@@ -102,7 +102,7 @@ def surroundings_of(
             targets.get(one.id, Target()),
             tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
             dependents[one.name],
-            declared if _may_name(files.get(one.id, ())) else (),
+            _named_among(declared, files.get(one.id, ())),
         )
     return found
 
@@ -113,9 +113,13 @@ def _started(files: Sequence[SourceFile]) -> Started:
     return Started(paths, sha256(repr(read).encode()).hexdigest()[:32])
 
 
-def _may_name(files: Sequence[SourceFile]) -> bool:
-    """Return whether files may name plug-ins, or import libraries."""
-    return any(file.language in _NAMING for file in files)
+def _declared(packages: Sequence[Package]) -> tuple[str, ...]:
+    return tuple(sorted({dependency.name for one in packages for dependency in one.dependencies}))
+
+
+def _named_among(declared: tuple[str, ...], files: Sequence[SourceFile]) -> tuple[str, ...]:
+    """Return what is declared, where files may name plug-ins or import libraries."""
+    return declared if any(file.language in _NAMING for file in files) else ()
 
 
 def _is_launched(file: SourceFile) -> bool:

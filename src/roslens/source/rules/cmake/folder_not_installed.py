@@ -52,20 +52,22 @@ def found(view: PackageView) -> Iterator[Hit]:
         if not inside or (named and not _matches_nothing(folder, view)):
             continue
         if _is_asked_for(folder, inside, view):
-            amount = plural(len(inside), "file")
-            message = f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
-            if named:
-                message = f"no file of folder {folder!r} ({amount}) is installed: what setup.py looks for matches none"
             # Configuration that is only named may be left over; whoever starts a launch file needs it.
             sure = folder == "launch" and 2 in view.ros
             yield Hit(
                 "cmake.folder_not_installed",
-                message,
+                _message(folder, plural(len(inside), "file"), matches_none=bool(named)),
                 _installing(folder, view) or place[1],
                 context=folder,
                 path=place[0],
                 certainty=None if sure else Certainty.HEURISTIC,
             )
+
+
+def _message(folder: str, amount: str, *, matches_none: bool) -> str:
+    if matches_none:
+        return f"no file of folder {folder!r} ({amount}) is installed: what setup.py looks for matches none"
+    return f"folder {folder!r} ({amount}) is installed by nothing; expected a rule that installs it"
 
 
 def _matches_nothing(folder: str, view: PackageView) -> bool:

@@ -23,6 +23,7 @@ SETTINGS = WorkspaceSettings()
         "arm_3rd_party/a.h",
         "external/lib_ros/src/a.cpp",
         "p/vendor/a.py",
+        "src/upstream/driver/a.py",
         "p/Third-Party/a.cpp",
         "p/include/catch.hpp",
         "p/src/detail/ordered_map.hpp",

@@ -105,7 +105,7 @@ _FOLDERS = (
     (
         Role.VENDORED,
         re.compile(
-            r"(?:\w+[-_])?(?:3rd|third)[-_]?part(?:y|ies)?(?:[-_]?libs?)?|externals?|extern|vendor|vendored|vendors|googletest"
+            r"(?:\w+[-_])?(?:3rd|third)[-_]?part(?:y|ies)?(?:[-_]?libs?)?|externals?|extern|upstream|vendor|vendored|vendors|googletest"
             r"|googlemock|ros_lib|node_modules|bower_components"
         ),
     ),

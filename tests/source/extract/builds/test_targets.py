@@ -101,6 +101,16 @@ def test_the_plural_registers_what_stands_behind_a_word_of_the_singular():
     assert "a_node" not in of(found, TargetKind.EXECUTABLE), "it makes no program"
 
 
+def test_what_another_build_type_makes_is_unknown():
+    listing = ["pkg/package.xml", "pkg/Cargo.toml", "pkg/src/main.rs"]
+    assert targets_of("pkg", "pkg", "cmake", Written({}), listing) == ((), ())
+    targets, unresolved = targets_of("pkg", "pkg", "ament_cargo", Written({}), listing)
+    assert targets == ()
+    assert [(one.evidence.path, one.reason) for one in unresolved] == [
+        ("pkg/package.xml", "nothing is known of what the build type ament_cargo makes")
+    ]
+
+
 def test_tests_are_not_installed():
     found = build(
         "if(BUILD_TESTING)\nament_add_gtest(t t.cpp TIMEOUT 30 ENV A=b.cpp)\nendif()\n"

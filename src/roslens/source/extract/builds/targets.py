@@ -76,6 +76,9 @@ def build_of(package: str, folder: str, build_type: str, files: Files, listing: 
         return Build(unresolved=(Unresolved("CMakeLists.txt", Evidence(error.subject or path, 1), reason, opens=True),))
 
 
+_KNOWN_TYPES = frozenset(("", "catkin", "ament_cmake", "ament_python", "cmake"))
+
+
 class _Reading:
     def __init__(self, package: str, folder: str, build_type: str, files: Files, listing: frozenset[str]) -> None:
         self._package = package
@@ -101,6 +104,10 @@ class _Reading:
         if not has_cmake or self._collected.python_setup or self._collected.script_folder:
             installed.extend(self._read_setup())
         self._read_plugins()
+        if self._build_type not in _KNOWN_TYPES:
+            what = f"nothing is known of what the build type {self._build_type} makes"
+            manifest = Evidence(joined(self._folder, "package.xml"), 1)
+            self._unresolved.append(Unresolved("build_type", manifest, what))
         interfaces = self._linking.interfaces()
         return Build(
             tuple(merged(self._targets)),

@@ -30,7 +30,8 @@ def found(view: PackageView) -> Iterator[Hit]:
         if kinds and any("include" in word or "$" in word or "HEADERS" in word for word in one.words):
             return
     is_plugin = cmake.first("pluginlib_export_plugin_description_file") is not None
-    is_read = 2 in view.ros and not (is_plugin and not view.around.asked_by)
+    is_built_on = any(is_of_build for _, is_of_build in view.around.dependents)
+    is_read = 2 in view.ros and not (is_plugin and not is_built_on)
     certainty = None if is_read else Certainty.HEURISTIC
     message = f"folder 'include' ({len(headers)} headers) is exported and installed by nothing"
     hit = command.hit("cmake.header_not_installed", f"{message}; expected install(DIRECTORY include/ …)", "include")
@@ -55,8 +56,8 @@ RULE = PackageRule(
     title="Headers that are exported and not installed",
     finds="`ament_export_include_directories(include)` or `catkin_package(INCLUDE_DIRS include)` in a package "
     "whose folder `include` no `install` command names. In ROS 1 it is a note: the devel space finds it. So it is "
-    "where the package exports plug-ins, which are loaded and not included, and no package of the workspace depends on "
-    "it.",
+    "where the package exports plug-ins, which are loaded and not included, and no package of the workspace is built "
+    "with it.",
     why="Packages that use it build beside its source and nowhere else: against the installation, or the released "
     "package, the header is missing.",
     consequence=Consequence.STOPS_BUILD,

@@ -195,7 +195,9 @@ def called_names(node: Node, view: FileView) -> set[str]:
 
 def number_of(node: Node | None, view: FileView) -> float | None:
     """Return the value of a literal number, with its sign, None for anything else."""
-    text = view.text(node).replace("'", "").rstrip("fFlLuU")
+    text = view.text(node).replace("'", "")
+    # In a hexadecimal number an F is a digit.
+    text = text.rstrip("lLuU" if text.startswith(("0x", "0X", "-0x", "-0X")) else "fFlLuU")
     try:
         return float(int(text, 0))
     except ValueError:

@@ -10,6 +10,7 @@ from tree_sitter import Node
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, loop_around
+from roslens.source.rules.cpp_flow.callback_chain import Chain, chain_to
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -17,6 +18,7 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 _ITSELF = re.compile(r"^\*?(?:this->)?(?:shared_from_this|get_node_base_interface)\(\)|^this\b")
 _FIRST_NAME = re.compile(r"^\*?(?:this->)?(\w+)(?:->get_node_base_interface\(\))?$")
 
+_ADDS = "add_node"
 _OWN_SUBSCRIBER = re.compile(rb"\bSubscriber\s+\w+\s*=\s*[^;]*\bsubscribe\b")
 
 _OF_A_SERVICE = re.compile(rb"Request\s*&")
@@ -24,26 +26,37 @@ _OF_A_SERVICE = re.compile(rb"Request\s*&")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a call that spins in a callback; an executor of its own may."""
+    """Yield a call that spins in a callback; an executor of its own may spin another node."""
     call = call_at(node)
     if call is None:
         return
-    text = view.text(call.child_by_field_name("function"))
-    is_ros2 = text.startswith("rclcpp::")
+    text = view.text(call.child_by_field_name("function")).partition("<")[0]
+    is_ros2 = text.startswith("rclcpp::") or view.text(node) == _ADDS
     if not is_ros2 and text not in ("ros::spin", "ros::spinOnce"):
         return
     if is_ros2 and not _is_own_node(call, view):
         return
-    callback = callback_around(call, view)
-    if callback is not None and (is_ros2 or not _is_waited_for(call, view)):
+    chain = chain_to(call, view) if is_ros2 else _direct(call, view)
+    if chain is not None and (is_ros2 or not _is_waited_for(call, view)):
+        expected = "`async_send_request` with a callback" if is_ros2 else "the callback to return"
         yield view.hit(
             "node.spin_in_callback",
             call,
-            f"`{text}` in {spoken(callback)}, which an executor is running already; expected "
-            + ("`async_send_request` with a callback" if is_ros2 else "the callback to return"),
-            callback=callback,
+            f"`{text}` in {spoken(chain.callback)}{chain.through}, {_problem(node, view)}; expected {expected}",
+            callback=chain.callback,
             certainty=None if is_ros2 else _certainty(call, text),
         )
+
+
+def _problem(node: Node, view: FileView) -> str:
+    if view.text(node) == _ADDS:
+        return "whose node is in an executor already, so that it throws"
+    return "which an executor is running already"
+
+
+def _direct(call: Node, view: FileView) -> Chain | None:
+    callback = callback_around(call, view)
+    return Chain(callback) if callback is not None else None
 
 
 def _certainty(call: Node, text: str) -> Certainty:
@@ -89,7 +102,8 @@ RULE = FileRule(
     id="node.spin_in_callback",
     title="Spinning in a callback",
     finds="`rclcpp::spin_until_future_complete`, `rclcpp::spin_some`, `rclcpp::spin`, `ros::spinOnce` or `ros::spin` "
-    "in a callback. Give the request a callback of its own instead, or return. In ROS 1 a callback that begins with "
+    "in a callback, or in a function of the file that it calls; in ROS 2 also a node that adds itself to an executor "
+    "there. Give the request a callback of its own instead, or return. In ROS 1 a callback that begins with "
     "`ros::spinOnce` is a note: nothing of it can change under it yet.",
     why="In ROS 2 the node already belongs to the executor that runs the callback, and adding it to another throws "
     "«Node has already been added to an executor»: the process ends. In ROS 1 callbacks run inside each other, in an "
@@ -107,7 +121,7 @@ void Arm::tick() { client_->async_send_request(r_, [this](Client::SharedFuture f
 void Arm::start() { timer_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }
 """,
     syntax="cpp",
-    anchors=("spin_until_future_complete", "spin_some", "spin", "spinOnce"),
+    anchors=(_ADDS, "spin_until_future_complete", "spin_some", "spin", "spinOnce"),
     mentions=ROS_CPP,
     found=found,
 )

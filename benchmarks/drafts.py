@@ -54,7 +54,7 @@ SILENCE_S = 1.0
 RECENT_S = 10.0
 FASTEST_S = 0.5
 """A topic on which one message in twenty comes later than that is not asked for a silence of a second."""
-HELD_OUT = 1000
+HELD_OUT = 3000
 """Number of the first robot that nothing was tuned to."""
 LEAST_LEFT = 10
 """Messages that a fault which lasts must have to spoil."""
@@ -179,7 +179,7 @@ def measured(traffic: Traffic, *, each: bool) -> Outcome | None:
         return None
     text = draft_text("draft", drafts, observed.left_out(), traffic.name)
     reference = load_reference([GivenText("draft.yaml", text.encode())], BY_KEY)
-    rated = {name for one in drafts if one.lines for name in one.names}
+    rated = {name for one in drafts if one.rated for name in one.names}
     plain = alarms_of(reference, Stretch(traffic, middle, end))
     asked: Counter[str] = Counter()
     reported: Counter[str] = Counter()

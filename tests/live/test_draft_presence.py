@@ -8,7 +8,7 @@ import pytest
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.drafting.draft_presence import Attendance, There, there_in, types_in
 from roslens.live.drafting.draft_session import DraftSession
-from roslens.live.drafting.draft_text import draft_text
+from roslens.live.drafting.draft_text import Beside, draft_text
 from roslens.live.window.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.traffic.tally import BY_GID, Moments, Tally
@@ -78,7 +78,7 @@ def test_a_watch_becomes_a_document():
         session.look(second + 1.0)
     assert session.looked == 59.0
     there, observed = session.attendance.drafted(session.looked), session.observed
-    text = draft_text("mine", observed.drafted(), observed.left_out(), "a script", there, ("/x\n",))
+    text = draft_text("mine", observed.drafted(), observed.left_out(), "a script", Beside(there), ("/x\n",))
     reference = load_reference([GivenText("draft.yaml", text.encode())], BY_KEY)
     assert {one.quantity for one in reference.expectations} == {"rate", "largest_gap"}
     assert [(one.selector.name, one.selector.type) for one in reference.presences] == [

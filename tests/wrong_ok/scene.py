@@ -34,9 +34,10 @@ def free_port() -> int:
 class Scene:
     """Nodes, watches and reactors of one case; all of them end with it."""
 
-    def __init__(self, folder: Path, python: str) -> None:
+    def __init__(self, folder: Path, python: str, program: Path = NODES) -> None:
         self.folder = folder
         self.python = python
+        self.program = program
         self.domain = own_domain()
         self._environment = {
             **os.environ, "HOME": str(folder), "ROS_LOG_DIR": str(folder), "ROS_DOMAIN_ID": self.domain,
@@ -48,7 +49,7 @@ class Scene:
 
     def node(self, *role: str, counts: bool = True, **environment: str) -> Printed:
         """Start a node, by default one that counts its traffic, and wait until it is up."""
-        return self._node([self.python, str(NODES), *role], counts, environment)
+        return self._node([self.python, str(self.program), *role], counts, environment)
 
     def node_ros1(self, *role: str) -> Printed:
         """Start a node of ROS 1 that counts its traffic, and wait until it is up."""
@@ -107,8 +108,22 @@ class Scene:
 
     def watch(self, reference: str, *words: str, **environment: str) -> Lines:
         """Watch with a reference."""
-        command = ["watch", "--reference", str(self._document(reference)), *self._options, "--format", "json", *words]
+        return self.watch_file(self._document(reference), *words, **environment)
+
+    def watch_file(self, reference: Path, *words: str, **environment: str) -> Lines:
+        """Watch with the reference in a file."""
+        command = ["watch", "--reference", str(reference), *self._options, "--format", "json", *words]
         return self._lines(command, environment)
+
+    def draft(self, seconds: float) -> Path:
+        """Draft a reference from what runs for so many seconds, and return its file."""
+        file = self.folder / "draft.yaml"
+        words = ["reference", "draft", *self._options, "--live", f"{seconds:g} s", "-o", str(file)]
+        ended = subprocess.run(
+            [ROSLENS, *words], env=self._environment, cwd=self.folder, capture_output=True, text=True, check=False
+        )
+        assert ended.returncode == 0, ended.stderr
+        return file
 
     def react(self, reference: str) -> Lines:
         """React to a reference, and wait until it would."""

@@ -120,22 +120,22 @@ def _raised(text: str, bag: Bag) -> list[str]:
 def _of_graph(options: argparse.Namespace) -> str:
     from roslens.cli.graph.run_graph import graph_of_run, names_run
     from roslens.live.drafting.draft_presence import there_in
-    from roslens.live.drafting.draft_text import draft_text
+    from roslens.live.drafting.draft_text import Beside, draft_text
     from roslens.live.observe.read_rosgraph import read_rosgraph
 
     if names_run(options.graph):
         found = graph_of_run(options.graph)
-        return draft_text(options.name, (), (), found.source, there_in(found.graph), found.unsure)
+        return draft_text(options.name, (), (), found.source, Beside(there_in(found.graph)), found.unsure)
     path = Path(options.graph)
     graph = read_rosgraph(path)
     topics = len({end.name for end in graph.endpoints})
     source = f"{path.name} ({len(graph.nodes)} nodes, {topics} topics, services and actions)"
-    return draft_text(options.name, (), (), source, there_in(graph))
+    return draft_text(options.name, (), (), source, Beside(there_in(graph)))
 
 
 def _of_what_runs(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
     from roslens.live.drafting.draft_groups import grouped
-    from roslens.live.drafting.draft_text import draft_text
+    from roslens.live.drafting.draft_text import Beside, draft_text
 
     begun = time.time()
     session = _watched(options)
@@ -144,8 +144,10 @@ def _of_what_runs(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]
     messages = sum(one.messages for one in drafts)
     started = time.strftime("%Y-%m-%d %H:%M", time.localtime(begun))
     source = f"what ran at {started} for {seconds:.0f} s ({messages:,} messages)"
-    there = session.attendance.drafted(session.looked or seconds)
-    text = draft_text(options.name, drafts, observed.left_out(), source, there, session.attendance.left_out())
+    looked = session.looked or seconds
+    there = session.attendance.drafted(looked)
+    beside = Beside(there, session.values.drafted(), session.states.drafted(looked))
+    text = draft_text(options.name, drafts, observed.left_out(), source, beside, session.attendance.left_out())
     if not drafts and there:
         said = "no traffic was observed, only the graph; start nodes through `roslens run`, or give --tap '**'"
         print(f"roslens: {said}", file=sys.stderr)

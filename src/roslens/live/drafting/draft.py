@@ -12,6 +12,7 @@ from itertools import pairwise
 
 import msgspec
 
+from roslens.live.drafting.draft_commands import WHY, is_command
 from roslens.live.drafting.draft_lines import Line, proposed
 from roslens.live.drafting.draft_presence import PLUMBING
 from roslens.live.drafting.draft_steps import Steps
@@ -34,7 +35,7 @@ class Drafted(msgspec.Struct, frozen=True):
         seconds: from the first of them on.
         lines: ranges; none of what comes with events rather than at a rate.
         window: seconds over which these are judged.
-        unsteady: of what comes with events, what its rate was.
+        unsteady: of what comes with events, what its rate was, or why it is none in spite of its steady rate.
     """
 
     names: tuple[str, ...]
@@ -44,6 +45,11 @@ class Drafted(msgspec.Struct, frozen=True):
     lines: tuple[Line, ...]
     window: float = 0.0
     unsteady: str = ""
+
+    @property
+    def rated(self) -> bool:
+        """Whether its lines are required."""
+        return bool(self.lines) and not self.unsteady
 
 
 _View = tuple[int, bool, str]
@@ -107,8 +113,8 @@ class Observed:
             if proposal is not None:
                 messages, seconds = sum(one.messages for one in best), (self._number - first) * self.step_s
                 type_ = self._types.get(topic, "")
-                lines = proposal.lines
-                found.append(Drafted((topic,), type_, messages, seconds, lines, proposal.window, proposal.unsteady))
+                unsteady = proposal.unsteady or (WHY if is_command(topic, type_) else "")
+                found.append(Drafted((topic,), type_, messages, seconds, proposal.lines, proposal.window, unsteady))
         return tuple(found)
 
     def left_out(self) -> tuple[str, ...]:

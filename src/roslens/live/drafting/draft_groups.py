@@ -19,7 +19,7 @@ def grouped(drafts: Iterable[Drafted]) -> tuple[Drafted, ...]:
     found: list[Drafted] = []
     buckets: dict[tuple[object, ...], list[Drafted]] = defaultdict(list)
     for one in waiting:
-        if not one.lines:
+        if not one.rated:
             continue
         segments = one.names[0].split("/")
         for place in range(1, len(segments)):

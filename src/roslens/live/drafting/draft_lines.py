@@ -4,8 +4,9 @@ Rates are taken as they are judged: times between messages by their sum, in wind
 whichever is longer, or of twice or four times that where only they are steady. A window before the first message is
 none. A topic that leaves its band oftener than `alarms_allowed` comes with events rather than at a rate.
 
-- ``rate``: from three quarters to nine fifths of the median of the windows. Without a third of its messages, or with
-  twice as many, a topic is outside.
+- ``rate``: around the median of the windows, by as much as a silence that the other line lets pass can change a window,
+  and as windows differ. Where that is a quarter or more, or windows differ by more, from three quarters to nine fifths:
+  without a third of its messages, or with twice as many, a topic is outside even so.
 - ``largest_gap``: a little more than the longest gap that may well come again, which is the one after as many as
   `alarms_allowed`: what comes once is what one wants to hear of. Never less than four periods, nor than a hiccup:
   eight times that gap, but at least a quarter of a second and at most so long that a second of silence is reported.
@@ -32,12 +33,18 @@ STRETCHED = (1, 2, 4)
 """How many times as long windows are tried."""
 LEAST_WINDOWS = 2
 LESS, MORE = 0.75, 1.8
-"""Of the median: the bounds of the band."""
+"""Of the median: the bounds of the widest band."""
+LEAST_WIDTH = 0.1
+"""Of the median: a band is no narrower to either side, since timers of a busy machine differ by some percent."""
 SPREADS = 3.0
 """Standard deviations of the windows, by their quartiles, that have to fit between the median and the lower bound."""
 GAP_PERIODS, GAP_SHARE = 4.0, 1.15
 FEW, CHANCE = 200, 0.5
 """Messages in a window up to which is asked whether they come by chance, and from which share of its variance on."""
+LEAST_SINGLES = 10
+IRREGULAR = 0.6
+"""Standard deviation of single times between messages, as share of their mean, from which on they are events: those of
+events that come by chance have 1, those of a timer that loses a fifth of its messages 0.4."""
 HICCUP_S, HICCUP_SHARE = (0.25, 0.95), 8.0
 """Between which times a hiccup is taken to be none, and how many times as long as what may well come again it is."""
 ALARMS_AN_HOUR = 2.0
@@ -62,11 +69,16 @@ class Line(msgspec.Struct, frozen=True):
 
     @property
     def alarms_per_hour(self) -> float:
-        """Expected alarms an hour: those seen, or where there are none the most that 95 % confidence allows.
+        """Expected alarms an hour."""
+        return expected_alarms(self.outside, self.hours)
 
-        Of an event that did not happen in n trials the probability is below 3/n (rule of three, Hanley 1983).
-        """
-        return (self.outside or 3.0) / self.hours
+
+def expected_alarms(times: int, hours: float) -> float:
+    """Return alarms an hour: those seen, or where there are none the most that 95 % confidence allows.
+
+    Of an event that did not happen in n trials the probability is below 3/n (rule of three, Hanley 1983).
+    """
+    return (times or 3.0) / hours
 
 
 class Proposed(msgspec.Struct, frozen=True):
@@ -92,24 +104,33 @@ def proposed(tracks: Sequence[Track], step_s: float) -> Proposed | None:
     if usual * step_s > LONGEST_S:
         return Proposed(unsteady=f"a message in {period:.3g} s")
     hours = steps * step_s / 3600
-    allowed = alarms_allowed(hours)
-    why, chance = "", False
+    why, chance = "", _irregular(tracks, step_s)
     for times in STRETCHED:
         size = usual * times
         if size * step_s > LONGEST_S or steps < size * (1 if times == 1 else 2):
             break
         rates = list(_rates(tracks, size, step_s))
-        typical = statistics.median(rates)
-        band = Range(rounded(LESS * typical, up=False), rounded(MORE * typical, up=True))
-        outside = _times_outside(rates, band)
-        spread = _spread(rates)
         # Longer windows overlap too much to show it.
-        chance = chance or (times == 1 and _by_chance(typical, spread, size * step_s))
-        if typical and outside <= allowed and SPREADS * spread <= (1 - LESS) * typical and not chance:
-            gaps = _gaps(tracks, allowed, hours)
-            return Proposed((Line("rate", band, typical, outside, hours), gaps), size * step_s)
+        chance = chance or (times == 1 and _by_chance(rates, size * step_s))
+        lines = () if chance else _steady(tracks, rates, size * step_s, hours)
+        if lines:
+            return Proposed(lines, size * step_s)
         why = why or f"{min(rates):.3g} to {max(rates):.3g} Hz in windows of {size * step_s:g} s"
     return Proposed(unsteady=why)
+
+
+def _steady(tracks: Sequence[Track], rates: Sequence[float], window: float, hours: float) -> tuple[Line, ...]:
+    """Return the lines of a topic with these rates in windows of so many seconds; none where they are not steady."""
+    allowed, typical, spread = alarms_allowed(hours), statistics.median(rates), _spread(rates)
+    band = Range(rounded(LESS * typical, up=False), rounded(MORE * typical, up=True))
+    outside = _times_outside(rates, band)
+    if not typical or outside > allowed or SPREADS * spread > (1 - LESS) * typical:
+        return ()
+    gaps = _gaps(tracks, allowed, hours)
+    narrow = _narrow(typical, spread, (gaps.range.maximum or 0.0) / window)
+    if narrow is not None and _times_outside(rates, narrow) <= outside:
+        band = narrow
+    return Line("rate", band, typical, outside, hours), gaps
 
 
 def _rates(tracks: Sequence[Track], size: int, step_s: float) -> Iterator[float]:
@@ -125,10 +146,30 @@ def _rates(tracks: Sequence[Track], size: int, step_s: float) -> Iterator[float]
         yield total
 
 
-def _by_chance(typical: float, spread: float, seconds: float) -> bool:
+def _narrow(typical: float, spread: float, silent: float) -> Range | None:
+    """Return the band that a silence of so large a share of a window stays in; None where that is no narrower."""
+    width = max(silent + SPREADS * spread / typical, LEAST_WIDTH)
+    if width >= 1 - LESS:
+        return None
+    return Range(rounded((1 - width) * typical, up=False), rounded((1 + width) * typical, up=True))
+
+
+def _by_chance(rates: Sequence[float], seconds: float) -> bool:
     """Whether rates waver as those of events do that come by chance: the variance of their number is its mean."""
-    count = typical * seconds
-    return count <= FEW and (spread * seconds) ** 2 > CHANCE * count
+    count = statistics.median(rates) * seconds
+    return count <= FEW and (_spread(rates) * seconds) ** 2 > CHANCE * count
+
+
+def _irregular(tracks: Sequence[Track], step_s: float) -> bool:
+    """Whether the messages of a slow topic come by chance: so slow that each time between two of them is known."""
+    singles = [
+        span
+        for track in tracks
+        if track.period >= 2 * step_s
+        for count, span in zip(track.intervals, track.spans, strict=True)
+        if count == 1
+    ]
+    return len(singles) >= LEAST_SINGLES and statistics.pstdev(singles) > IRREGULAR * statistics.fmean(singles)
 
 
 def _spread(values: Sequence[float]) -> float:

@@ -1,4 +1,4 @@
-"""What a reference could require to be present: nodes and topics of a graph, or of every second of a watch."""
+"""What a reference could require to be present: nodes, topics and services of a graph, or of a watch, by the second."""
 
 from __future__ import annotations
 
@@ -7,19 +7,26 @@ from collections.abc import Iterable, Mapping
 
 import msgspec
 
+from roslens.live.drafting.draft_lines import expected_alarms
 from roslens.model.graph import Graph, Role
 
 PLUMBING = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 """Topics that every node has."""
-_MADE_UP = re.compile(r"[0-9]{4,}|(^|/)_")
+MADE_UP = re.compile(r"[0-9]{4,}|(^|/)_")
 """Names with the number of a process or the time in them, and hidden ones: the next start makes others."""
+OF_MANY_NODES = re.compile(
+    r"/(describe_parameters|get_parameters|get_parameter_types|list_parameters|set_parameters|set_parameters_atomically"
+    r"|get_type_description|get_state|change_state|get_available_states|get_available_transitions"
+    r"|get_transition_graph|get_loggers|set_logger_level|_action/[a-z_]+)\Z"
+)
+"""Services that many nodes have, and that tools call."""
 
 
 class There(msgspec.Struct, frozen=True, order=True):
     """Something that could always be there.
 
     Attributes:
-        kind: ``node`` or ``topic``.
+        kind: ``node``, ``topic`` or ``service``.
         name: of it.
         type: of a topic, where there is only one.
         looks: how often it could have been seen; 0 of a graph that was given.
@@ -38,8 +45,8 @@ class There(msgspec.Struct, frozen=True, order=True):
 
     @property
     def alarms_per_hour(self) -> float:
-        """Expected alarms an hour: those seen, or where there are none the most that 95 % confidence allows."""
-        return (self.losses or 3.0) / self.hours
+        """Expected alarms an hour."""
+        return expected_alarms(self.losses, self.hours)
 
 
 class Attendance:
@@ -63,7 +70,7 @@ class Attendance:
         return tuple(
             There(kind, name, _only(self._types.get(name, ())), self._looks, seen, losses, hours)
             for (kind, name), (seen, last, losses) in sorted(self._seen.items())
-            if last == self._looks and 2 * seen >= self._looks and not _MADE_UP.search(name)
+            if last == self._looks and 2 * seen >= self._looks and not MADE_UP.search(name)
         )
 
     def left_out(self) -> tuple[str, ...]:
@@ -73,12 +80,12 @@ class Attendance:
 
 
 def there_in(graph: Graph) -> tuple[There, ...]:
-    """Return nodes and topics of a graph that was written down."""
+    """Return nodes, topics and services of a graph that was written down."""
     types: dict[str, set[str]] = {}
     return tuple(
         There(kind, name, _only(types.get(name, ())) if kind == "topic" else "")
         for kind, name in sorted(_present(graph, types))
-        if not _MADE_UP.search(name)
+        if not MADE_UP.search(name)
     )
 
 
@@ -89,6 +96,8 @@ def _present(graph: Graph, types: dict[str, set[str]]) -> set[tuple[str, str]]:
             found.add(("topic", end.name))
             if end.type:
                 types.setdefault(end.name, set()).add(end.type)
+        elif end.role is Role.SERVICE_SERVER and not OF_MANY_NODES.search(end.name):
+            found.add(("service", end.name))
     return found
 
 

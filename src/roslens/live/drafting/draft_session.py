@@ -6,7 +6,9 @@ from collections.abc import Iterable
 
 from roslens.judge.reference.expectation import Reference
 from roslens.live.drafting.draft import Observed
+from roslens.live.drafting.draft_bounds import Values
 from roslens.live.drafting.draft_presence import Attendance, types_in
+from roslens.live.drafting.draft_states import States
 from roslens.live.join.session import Session, Step
 from roslens.live.window.observer_status import ObserverStatus
 from roslens.model.traffic.tally import Tally
@@ -20,6 +22,8 @@ class DraftSession(Session):
     Attributes:
         observed: the traffic.
         attendance: who was there.
+        values: what was measured beside rates and gaps.
+        states: what nodes reported of themselves.
         looked: seconds from the first look at what is there to the last.
     """
 
@@ -28,6 +32,8 @@ class DraftSession(Session):
         super().__init__(Reference("nothing"), start=start)
         self.observed = Observed()
         self.attendance = Attendance()
+        self.values = Values(LOOK_S)
+        self.states = States()
         self.looked = 0.0
         self._first: float | None = None
         self._next = start
@@ -47,5 +53,7 @@ class DraftSession(Session):
             self.looked = now - self._first
             graph = self.graph()
             self.attendance.look(graph)
+            self.states.look(graph)
+            self.values.look(now, self.readings(now))
             self.observed.add_types(types_in(graph).items())
         return step

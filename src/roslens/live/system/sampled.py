@@ -125,6 +125,9 @@ class Sampled(Measured):
         if not window and not percentile:
             return kept[-1][1]
         values = [value for time, value in kept if time > self._newest - (window or self._window)]
+        if not values:
+            # A process that was started again is sampled before its load is known.
+            return None
         return percentile_of(values, percentile) if percentile else sum(values) / len(values)
 
     def newest(self, key: str) -> float | None:

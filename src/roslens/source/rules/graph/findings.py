@@ -21,6 +21,7 @@ from roslens.source.rules.graph import (
     transform,
     type,  # noqa: A004 - the rule is called so
 )
+from roslens.source.rules.graph.names import remap_namespace
 from roslens.source.rules.graph.parameters import (
     lifecycle_manager,
     parameter_elsewhere,
@@ -41,12 +42,16 @@ _MODULES = (
     qos, latched, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range,
     parameter_file, parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic,
     transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
-    lifecycle_manager, stamped_command,
+    lifecycle_manager, stamped_command, remap_namespace,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""
 _OF_A_SYSTEM = frozenset(
-    one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time, latched, lifecycle_manager)
+    one.RULE.id
+    for one in (
+        *(node_name, shared_output, command_topic, transform, sim_time, latched, lifecycle_manager),
+        remap_namespace,
+    )
 )
 """Rules that say nothing of nodes of which nobody knows whether they run together."""
 

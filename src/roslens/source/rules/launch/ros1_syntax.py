@@ -19,7 +19,8 @@ def found(view: PackageView) -> Iterator[Hit]:
     if view.ros != frozenset({2}) or _is_for_both(view):
         return
     for file in markup_files(view):
-        certainty = Certainty.HEURISTIC if _is_left_over(file, view) else None
+        # What has something of ROS 2 in it is no file that was left over.
+        certainty = Certainty.HEURISTIC if file.is_of_ros1 and _is_left_over(file, view) else None
         for entity, what, instead in file.of_ros1[:1] if file.is_of_ros1 else file.of_ros1:
             hit = file.hit("launch.ros1_syntax", entity, _message(file, what, instead), what)
             yield msgspec.structs.replace(hit, certainty=certainty)

@@ -57,8 +57,18 @@ def _hits(file: LaunchXml, element: Element, name: str, passing: Passing) -> Ite
         what = f"$(arg {name}) is used, and the file has no <arg name={name!r}>"
         message = f"{what}; expected it, unless it is passed by pass_all_args or on the command line"
     hit = file.hit("launch.undeclared_argument", element, message, name)
-    is_meant = not passing.is_included(file) or passing.is_on_a_command_line(file, name)
+    is_meant = not passing.is_included(file) and not _has_default(file, name)
+    is_meant = is_meant or passing.is_on_a_command_line(file, name)
     yield msgspec.structs.replace(hit, certainty=Certainty.HEURISTIC) if is_meant else hit
+
+
+def _has_default(file: LaunchXml, name: str) -> bool:
+    """Return whether a file gives an argument a value somewhere, so that nobody is meant to give it from outside."""
+    return any(
+        element.tag == "arg" and around != "include" and element.attributes.get("name") == name
+        and {"default", "value"} & set(element.attributes)
+        for element, around in file.elements
+    )  # fmt: skip
 
 
 def _used(element: Element) -> Iterator[str]:
@@ -75,7 +85,8 @@ RULE = PackageRule(
     finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
     "where there is one. The files of ROS 2 are left out: they inherit what the including file declares. So is "
     "what all files that include this one pass on by `pass_all_args`; where no launch file includes it, so that "
-    "whoever starts it may give the argument, or a script or README does so with `name:=`, it is a note.",
+    "whoever starts it may give the argument, or a script or README does so with `name:=`, it is a note. An argument "
+    "that the file declares with a default too late, or in a `<group>` that ended, nobody is meant to give.",
     why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
     consequence=Consequence.STOPS_START,
     certainty=Certainty.LIKELY,

@@ -7,12 +7,15 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.distributions.known_distributions import is_at_least
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.launch_places import keyword_place
 
 if TYPE_CHECKING:
     from roslens.source.extract.facts.launched import Launched
+    from roslens.source.extract.facts.node_facts import Evidence
 
 _PROGRAM = "static_transform_publisher"
 _TRANSLATION = ("--x", "--y", "--z")
@@ -24,24 +27,75 @@ _NUMBER = re.compile(r"\s*[-+]?(?:\d|\.\d|inf|nan)", re.IGNORECASE)
 """What ``std::stod`` takes, whatever comes behind."""
 _BY_ANGLES, _BY_QUATERNION = 8, 9
 """Words of the older form: a position, a rotation and two frames."""
+_OF_ROS_1 = {"tf": frozenset({9, 10}), "tf2_ros": frozenset({1, 8, 9})}
+"""How many words the programs of ROS 1 take; that of tf2_ros takes the name of a parameter as well."""
+_EXPECTED = {"tf": "9 or 10", "tf2_ros": "8 or 9"}
+_DEPRECATED, _REMOVED = "humble", "lyrical"
 _Words = Sequence[str | None]
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each static_transform_publisher whose words are known and refused, once for each place."""
+    yield from _of_ros1(view)
     said: set[tuple[str, int]] = set()
     for run in view.launch_runs:
         for node in run.launch.nodes if _PROGRAM.encode() in run.content else ():
             at = node.evidence
             if at.path not in view.by_path or (at.path, at.line) in said or not _is_publisher(node):
                 continue
-            if reason := refused(_own([one.known for one in node.arguments])):
+            words = _own([one.known for one in node.arguments])
+            if reason := refused(words):
                 said.add((at.path, at.line))
                 message = (
                     f"{_PROGRAM} ends at once: {reason}; expected --x, --y, --z, --roll, --pitch, --yaw (or "
                     "--qx … --qw), --frame-id and --child-frame-id, each with a value"
                 )
-                yield Hit("launch.transform_arguments", message, at.line, at.column, context=reason, path=at.path)
+                line, column = keyword_place(view, at, "arguments")
+                yield Hit("launch.transform_arguments", message, line, column, context=reason, path=at.path)
+            elif by_position := _by_position(words, at, view):
+                said.add((at.path, at.line))
+                yield by_position
+
+
+def _by_position(words: _Words, at: Evidence, view: PackageView) -> Hit | None:
+    """Return a hit at words by position, which Humble deprecated and Lyrical removed (ros2/geometry2#790)."""
+    is_whole = len(words) in (_BY_ANGLES, _BY_QUATERNION) and not any((one or "").startswith("--") for one in words)
+    target = view.around.target
+    names = target.of(2)
+    if not is_whole or (names and not any(is_at_least(one, _DEPRECATED) for one in names)):
+        return None
+    is_gone = any(is_at_least(one, _REMOVED) for one in names)
+    because = f"this package is built for it, as {target.said_by} says; " if is_gone else ""
+    message = (
+        f"{_PROGRAM} takes {len(words)} words by position: deprecated since Humble and removed in Lyrical, where it "
+        f"ends at once; {because}expected --x … --yaw, --frame-id and --child-frame-id, each with a value"
+    )
+    certainty = Certainty.HEURISTIC
+    if is_gone:
+        certainty = Certainty.PROVEN if target.given else Certainty.LIKELY
+    line, column = keyword_place(view, at, "arguments")
+    return Hit(
+        "launch.transform_arguments", message, line, column, context="by position", path=at.path,
+        certainty=certainty, consequence=None if is_gone else Consequence.HARD_TO_MAINTAIN,
+    )  # fmt: skip
+
+
+def _of_ros1(view: PackageView) -> Iterator[Hit]:
+    """Yield each start in a launch file of ROS 1 with too few or too many words; what is substituted is let be."""
+    for file in view.launch if view.ros == frozenset({1}) else ():
+        for element, _ in file.elements:
+            attributes = element.attributes
+            numbers = _OF_ROS_1.get(attributes.get("pkg", "")) if attributes.get("type") == _PROGRAM else None
+            given = attributes.get("args", "")
+            words = [word for word in given.split() if ":=" not in word]
+            if numbers is None or "$(" in given or len(words) in numbers or file.is_test:
+                continue
+            expected, end = _EXPECTED[attributes["pkg"]], " and a period in ms" if attributes["pkg"] == "tf" else ""
+            message = (
+                f"{_PROGRAM} of {attributes['pkg']} ends at once: it is given {len(words)} words; expected {expected}: "
+                f"a position, three angles or a quaternion, two frames{end}"
+            )
+            yield file.hit("launch.transform_arguments", element, message, given[:80])
 
 
 def _is_publisher(node: Launched) -> bool:
@@ -111,11 +165,13 @@ RULE = PackageRule(
     finds="A launch file of ROS 2 that starts `static_transform_publisher` of tf2_ros with words that it does not "
     "take: an option that it does not have, a value that is missing or no number, angles beside a quaternion, the "
     "older form with a word too many or too few (as with the period of ROS 1), no frame. Launch files are evaluated "
-    "with the defaults of their arguments; unknown words are let be.",
+    "with the defaults of their arguments; unknown words are let be. Words by position are reported where the package "
+    "is built for a distribution that has them no more, and are a note elsewhere. In launch files of ROS 1 the number "
+    "of words is asked: the program of tf takes a period at the end, that of tf2_ros none.",
     why="The program ends at once, and every transform through its frames is missing.",
     consequence=Consequence.WRONG,
     certainty=Certainty.PROVEN,
-    profiles=("ros2",),
+    profiles=("ros2", "ros1"),
     tags=("launch", "transform"),
     bad='<node pkg="tf2_ros" exec="static_transform_publisher" args="0 0 1 0 0 0 base_link camera 100"/>',
     good='<node pkg="tf2_ros" exec="static_transform_publisher"\n'

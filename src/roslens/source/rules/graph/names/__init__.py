@@ -1,0 +1,1 @@
+"""Rules of the computation graph on names and namespaces."""

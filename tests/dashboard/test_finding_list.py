@@ -14,6 +14,7 @@ from roslens.dashboard.tables.finding_list import FindingList, filter_of, list_f
 from roslens.dashboard.view import Limits, Query, Request
 from roslens.model.finding import Finding, Severity
 from roslens.model.weight.consequence import Consequence
+from roslens.report.run.fix_first import gravity
 
 Listed = Callable[..., FindingList]
 
@@ -76,11 +77,12 @@ def test_exactly_what_is_meant_is_counted_and_selected(
     assert sorted(found.fingerprint for found in selected) == sorted(found.fingerprint for found in expected)
 
 
-def test_groups_by_rule_come_most_severe_first_and_say_how_many_there_are(site: Site, listed: Listed) -> None:
+def test_groups_by_rule_come_gravest_first_and_say_how_many_there_are(site: Site, listed: Listed) -> None:
     found = listed()
     assert found.total == len(everything(site))
-    severities = [group.findings[0].finding.severity.rank for group in found.groups]
-    assert severities == sorted(severities, reverse=True)
+    order = [gravity(group.findings[0].finding) for group in found.groups]
+    assert order == sorted(order)
+    assert order[0][0] < order[-1][0], "limits of metrics come last"
     for group in found.groups:
         assert group.total == sum(one.rule == group.key for one in everything(site))
         assert {shown.finding.rule for shown in group.findings} == {group.key}

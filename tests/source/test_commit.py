@@ -6,7 +6,7 @@ import subprocess
 import pytest
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.commit import commit_of, last_change_of
+from roslens.source.commit import commit_of, committers_of, last_change_of
 from roslens.source.keys import content_hash
 
 
@@ -41,6 +41,14 @@ def test_the_month_of_the_last_commit_that_changed_the_folder(clone):
     assert last_change_of(str(clone)) == "2021-03"
     assert last_change_of(str(clone / "src")) > "2021-03"
     assert last_change_of(str(clone.parent / "none")) == ""
+
+
+def test_those_who_committed_are_known_where_the_past_is_there(clone, tmp_path_factory):
+    assert committers_of(str(clone)) == {"a", "a@example.org"}
+    assert committers_of(str(clone.parent / "none")) == frozenset()
+    other = tmp_path_factory.mktemp("other")
+    subprocess.run(["git", "clone", "-q", "--depth", "1", f"file://{clone}", "."], cwd=other, check=True)
+    assert committers_of(str(other)) == frozenset(), "who committed before is not known"
 
 
 @pytest.mark.parametrize(("content", "differs"), [(b"int c;\n", True), (b"int a;\r\nint b;\r\n", False)])

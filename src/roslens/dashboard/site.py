@@ -8,10 +8,12 @@ from functools import cached_property
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.review import Review
 from roslens.dashboard.sources.source_text import ReadSource, Sources
-from roslens.dashboard.totals import FilePlace, RuleTotal, by_rule
+from roslens.dashboard.totals import FilePlace, RuleTotal, by_rule, totals_of
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.quality.select import EVERY
 from roslens.judge.ranges.range import Range
@@ -24,6 +26,7 @@ from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.source import SourceFile, number_of_packages
 from roslens.model.tags import TagFilter
 from roslens.model.verdict import State
+from roslens.report.run.fix_first import counted
 
 if TYPE_CHECKING:
     from roslens.compare.conformance.disparity import Conformance
@@ -192,11 +195,14 @@ class Site:
     def workspace_counts(self) -> tuple[RuleCount, ...]:
         """Counts of the findings that belong to no package."""
         findings = self.view.workspace.findings
-        counted = Counter((finding.rule, finding.severity, finding.tags) for finding in findings)
-        gated = Counter((finding.rule, finding.severity, finding.tags) for finding in findings if finding.gated)
+        groups: dict[tuple[object, ...], list[Finding]] = defaultdict(list)
+        for one in findings:
+            groups[one.rule, one.severity, one.consequence, one.certainty, one.tags].append(one)
         return tuple(
-            RuleCount(rule, severity, count, gated[rule, severity, tags], tags=tags)
-            for (rule, severity, tags), count in counted.items()
+            msgspec.structs.replace(
+                counted(found[0]), count=len(found), gated=sum(one.gated for one in found), example="", path="", line=0
+            )
+            for found in groups.values()
         )
 
     def counts(self, package: str | None = None) -> Iterable[tuple[str, RuleCount]]:
@@ -216,27 +222,13 @@ class Site:
         tags: TagFilter | None = None,
         severities: frozenset[Severity] | None = None,
     ) -> tuple[RuleTotal, ...]:
-        """Return the rules broken under these conditions: most severe first, then most frequent in own code."""
+        """Return the rules broken under these conditions: the gravest first, then the most frequent in own code."""
         wanted = tags or TagFilter()
-        sums: dict[tuple[str, Severity], list[int]] = defaultdict(lambda: [0, 0])
-        packages: dict[tuple[str, Severity], set[str]] = defaultdict(set)
-        held: dict[tuple[str, Severity], dict[str, None]] = defaultdict(dict)
-        for owner, count in self.counts(package):
-            if (severities and count.severity not in severities) or not wanted.matches(count.tags):
-                continue
-            key = (count.rule, count.severity)
-            sums[key][0] += count.count
-            sums[key][1] += count.gated
-            packages[key].add(owner)
-            held[key].update(dict.fromkeys(count.tags))
-        totals = [
-            RuleTotal(
-                key[0], key[1], tuple(held[key]), count=count, gated=gated, packages=number_of_packages(packages[key])
-            )
-            for key, (count, gated) in sums.items()
-        ]
-        totals.sort(key=lambda total: (-total.severity.rank, -total.gated, -total.count, total.rule))
-        return tuple(totals)
+        return totals_of(
+            (owner, count)
+            for owner, count in self.counts(package)
+            if (not severities or count.severity in severities) and wanted.matches(count.tags)
+        )
 
     def broken_rules(self) -> tuple[RuleTotal, ...]:
         """Return each rule that is broken once, with the gravest severity that its findings have, in the same order."""

@@ -12,6 +12,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import SourceFile
 
 _LIMIT_S = 20.0
+_MOST_COMMITS = 10_000
 
 
 def commit_of(root: str, files: Iterable[SourceFile] = ()) -> str:
@@ -39,6 +40,15 @@ def last_change_of(root: str) -> str:
         return ""
     said = _git(root, "log", "-1", "--format=%cd", "--date=format:%Y-%m", "--", ".")
     return said.decode("ascii", "replace").strip()
+
+
+def committers_of(root: str) -> frozenset[str]:
+    """Return names and addresses of those who wrote commits, in lower case; none where the past is not all there."""
+    shallow = _git(root, "rev-parse", "--is-shallow-repository").strip() if not looks_bare(root) else b"true"
+    if shallow != b"false":
+        return frozenset()
+    said = _git(root, "log", f"-{_MOST_COMMITS}", "--format=%an%n%ae").decode("utf-8", "replace")
+    return frozenset(line.strip().lower() for line in said.splitlines()) - {""}
 
 
 def _tracked(root: str) -> dict[str, str]:

@@ -40,13 +40,6 @@ _decode_rules = msgspec.json.Decoder(tuple[RuleInfo, ...]).decode
 _decode_quantities = msgspec.json.Decoder(tuple[Quantity, ...]).decode
 
 
-_EXCESS = (
-    "CASE WHEN finding.value IS NULL OR finding.bound IS NULL THEN 0 ELSE max(finding.value, finding.bound) / "
-    "CASE WHEN min(finding.value, finding.bound) > 0 THEN 1.0 * min(finding.value, finding.bound) ELSE 1.0 END END DESC"
-)
-"""SQL that orders by :attr:`roslens.model.finding.Finding.excess`."""
-
-
 class RunView:
     """One complete run.
 
@@ -238,13 +231,13 @@ class RunView:
             severity: exactly this one, or one of these.
             limit: at most so many.
             offset: without the first so many.
-            worst_first: those first that count for gates, of these those whose value is furthest beyond its bound, see
-                :attr:`Finding.excess`.
+            worst_first: those first that count for gates, of these the gravest and surest, of these those whose value
+                is furthest beyond its bound, see :attr:`Finding.excess`.
         """
         where = self._finding_conditions(package, rule, path, severity)
         known = self._tag_sets()
         where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
-        first = f"finding.gated DESC, {_EXCESS}" if worst_first else ""
+        first = rows.WORST_FIRST if worst_first else ""
         for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset, first=first):
             yield rows.to_finding(row, known)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from enum import Enum
 from typing import Any
 
 import msgspec
@@ -48,6 +49,24 @@ _NONE = "[]"
 
 _KINDS = {kind.value: kind for kind in EntityKind}
 _SEVERITIES = {severity.value: severity for severity in Severity}
+_EXCESS = (
+    "CASE WHEN finding.value IS NULL OR finding.bound IS NULL THEN 0 ELSE max(finding.value, finding.bound) / "
+    "CASE WHEN min(finding.value, finding.bound) > 0 THEN 1.0 * min(finding.value, finding.bound) ELSE 1.0 END END DESC"
+)
+"""SQL that orders by :attr:`roslens.model.finding.Finding.excess`."""
+
+
+def _in_order(column: str, kind: Iterable[Enum]) -> str:
+    """Return SQL that orders by a column as an enumeration does; what declares none comes last."""
+    places = " ".join(f"WHEN '{one.value}' THEN {place}" for place, one in enumerate(kind))
+    return f"CASE finding.{column} {places} ELSE 99 END"
+
+
+WORST_FIRST = ", ".join(
+    ("finding.gated DESC", _in_order("consequence", Consequence), _in_order("certainty", Certainty), _EXCESS)
+)
+"""Those that count for gates first, of these the gravest and surest, then those furthest beyond their bound."""
+
 _CONSEQUENCES = {consequence.value: consequence for consequence in Consequence}
 _CERTAINTIES = {certainty.value: certainty for certainty in Certainty}
 _LANGUAGES = {language.value: language for language in Language}

@@ -35,10 +35,14 @@ def found(rule, view):
     [
         (PLUGINS, "", Severity.NOTE),
         (PLUGINS, "<depend>p</depend>", Severity.WARNING),
+        (PLUGINS, "<exec_depend>p</exec_depend>", Severity.NOTE),
         ("", "", Severity.WARNING),
+        ("add_executable(a a.cpp)\n", "", Severity.NOTE),
+        ("add_executable(a a.cpp)\n", "<depend>p</depend>", Severity.WARNING),
+        ("add_library(a a.cpp)\nament_export_libraries(a)\n", "", Severity.WARNING),
     ],
 )
-def test_headers_of_plugins_that_nobody_asks_for_need_not_be_installed(plugins, asks, severity, package_view, tmp_path):
+def test_headers_that_nobody_is_built_with_need_not_be_installed(plugins, asks, severity, package_view, tmp_path):
     build = f"project(p)\n{plugins}ament_export_include_directories(include)\nament_package()\n"
     package(tmp_path, "p", CMakeLists_dot_txt=build, include__a_dot_hpp="int a;\n")
     package(tmp_path, "q", asks)

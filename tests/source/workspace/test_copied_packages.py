@@ -74,22 +74,54 @@ def test_a_package_of_a_maker_of_drivers_is_a_copy(tree: Tree) -> None:
     assert copied(root) == {"laser": "laser 2.1.4"}
 
 
-def test_a_package_of_strangers_in_an_unpacked_archive_is_a_copy(tree: Tree) -> None:
-    root = tree({**OWN, "src/laser-noetic-devel/laser/package.xml": manifest("laser", "2.1.4", STRANGER)})
-    assert copied(root) == {"laser": "laser 2.1.4"}
+@pytest.fixture
+def committed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+    """Make some people those who committed to the repository."""
+
+    def by(*people: str) -> None:
+        monkeypatch.setattr("roslens.source.workspace.find.committers_of", lambda _root: frozenset(people))
+
+    return by
 
 
-def test_an_archive_of_ones_own_people_or_repository_is_at_home(tree: Tree) -> None:
-    ours = {"src/laser-master/package.xml": manifest("laser", who="Ada L|ada@gmail.com")}
-    assert copied(tree({**OWN, **ours})) == {}
+PROJECT = {"src/laser-sdk/README.md": "", "src/laser-sdk/LICENSE": ""}
+LASER = {"src/laser-noetic-devel/laser/package.xml": manifest("laser", "2.1.4", STRANGER)}
+SDK = {**PROJECT, "src/laser-sdk/ros/package.xml": manifest("laser", "2.1.4", STRANGER)}
+
+
+@pytest.mark.parametrize("files", [LASER, SDK])
+def test_a_package_of_strangers_in_a_project_that_was_put_there_is_a_copy(files, tree: Tree, committed) -> None:
+    committed("ada l", "ada@gmail.com")
+    assert copied(tree({**OWN, **files})) == {"laser": "laser 2.1.4"}
+
+
+@pytest.mark.parametrize("files", [LASER, SDK])
+@pytest.mark.parametrize("people", [(), ("bbot", "bot@users.noreply.github.com"), ("ada", "ben@uni.edu")])
+def test_it_is_at_home_where_its_people_may_have_committed_it(files, people, tree: Tree, committed) -> None:
+    committed(*people)
+    assert copied(tree({**OWN, **files})) == {}
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"src/laser-master/package.xml": manifest("laser", who="Ada L|ada@gmail.com")},
+        {"src/laser-master/package.xml": manifest("laser", who="TODO|todo@todo.todo")},
+        {"src/laser-sdk/README.md": "", "src/laser-sdk/ros/package.xml": manifest("laser", who=STRANGER)},
+        {"src/laser/README": "", "src/laser/LICENSE": "", "src/laser/package.xml": manifest("laser", who=STRANGER)},
+        {"README.md": "", "LICENSE": "", "src/laser/package.xml": manifest("laser", who=STRANGER)},
+    ],
+)
+def test_what_merely_looks_like_a_project_that_was_put_there_is_at_home(files, tree: Tree, committed) -> None:
+    committed("ada l", "ada@gmail.com")
+    assert copied(tree({**OWN, **files})) == {}
+
+
+def test_an_archive_of_the_repository_itself_is_at_home(tree: Tree, committed) -> None:
+    committed("ada l")
     config = '[remote "origin"]\n\turl = https://github.com/uni/laser.git\n'
     theirs = {"src/laser-master/package.xml": manifest("laser", who=STRANGER), ".git/config": config}
     assert copied(tree({**OWN, **theirs})) == {}
-
-
-def test_an_archive_is_at_home_beside_packages_that_name_nobody(tree: Tree) -> None:
-    own = {".git/HEAD": "", "src/robot/package.xml": manifest("robot", who="TODO|todo@todo.todo")}
-    assert copied(tree({**own, "src/laser-master/package.xml": manifest("laser", who=STRANGER)})) == {}
 
 
 def test_packages_that_a_project_of_others_published_are_copies_however_many(tree: Tree) -> None:

@@ -12,6 +12,7 @@ from roslens.dashboard.tables.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.configuration import ConfiguredNode, ConfiguredParameter, Proof
 from roslens.model.graph import Role
+from roslens.report.run.fix_first import gravity
 
 _SECTIONS = (
     ("publishes", "Publishes", (Role.PUBLISHER,)),
@@ -134,7 +135,7 @@ def _view(
     shown: dict[str, object],
 ) -> View:
     page = "node" if element.kind is Kind.NODE else "topic"
-    findings = sorted(system.findings_on(element), key=lambda one: -one.severity.rank)
+    findings = sorted(system.findings_on(element), key=gravity)
     ordered = [
         sort_rows(table, request.query.get(f"sort_{table.name}"), None if request.complete else request.limits.rows)
         for table in tables

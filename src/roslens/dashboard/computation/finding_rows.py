@@ -7,6 +7,7 @@ from roslens.dashboard.computation.system import System
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.model.configuration import Proof
 from roslens.model.finding import Finding
+from roslens.report.run.fix_first import Gravity, gravity
 
 _COLUMNS = (
     Column("severity", "Severity", "mark"),
@@ -18,7 +19,7 @@ _COLUMNS = (
 
 
 def finding_tables(book: Book, system: System) -> tuple[Table, Table]:
-    """Return the findings that are sure and those in doubt: most severe first, then by rule and place.
+    """Return the findings that are sure and those in doubt: the gravest first, then by rule and place.
 
     Rows are identified by the place of the finding in ``system.findings``.
     """
@@ -31,8 +32,8 @@ def finding_tables(book: Book, system: System) -> tuple[Table, Table]:
     )
 
 
-def _order(finding: Finding) -> tuple[int, str, str, int]:
-    return (-finding.severity.rank, finding.rule, finding.path, finding.line)
+def _order(finding: Finding) -> tuple[Gravity, str, str, int]:
+    return (gravity(finding), finding.rule, finding.path, finding.line)
 
 
 def _table(book: Book, system: System, name: str, title: str, numbers: list[int]) -> Table:

@@ -14,6 +14,7 @@ from roslens.dashboard.tables.finding_list import file_ref
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.model.finding import Finding
+from roslens.report.run.fix_first import by_urgency
 
 SHOWN = ("loc", "functions", "cyclomatic_complexity.max", "cognitive_complexity.max", "duplication_ratio", "rqv", "rcv")
 
@@ -65,7 +66,7 @@ def build(site: Site, request: Request) -> View | None:
 def _findings(
     site: Site, past: Past, name: str, title: str, found: Sequence[Finding], limit: int | None, *, last: int
 ) -> Table:
-    ordered = sorted(found, key=lambda one: (-one.severity.rank, one.path, one.line, one.rule))
+    ordered = by_urgency(found)
     here = last == len(past.points) - 1
     rows = tuple(
         (

@@ -19,6 +19,7 @@ from roslens.model.source import Role
 from roslens.model.tags import TagFilter, tag_filter
 from roslens.model.weight.consequence import Consequence
 from roslens.report.run.finding_text import weight_of
+from roslens.report.run.fix_first import Gravity, gravity
 
 GROUPINGS = ("rule", "file", "function")
 STATUSES = ("new", "old")
@@ -267,21 +268,20 @@ def _more(request: Request, wanted: FindingFilter, total: RuleTotal, shown: int)
 
 
 def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
-    by_rule: dict[tuple[int, str], list[Finding]] = {}
+    by_rule: dict[tuple[Severity, str], list[Finding]] = {}
     total = own = 0
     for finding in select(site, wanted):
         total += 1
         own += finding.gated
-        by_rule.setdefault((-finding.severity.rank, finding.rule), []).append(finding)
+        by_rule.setdefault((finding.severity, finding.rule), []).append(finding)
     gated = {key: sum(one.gated for one in found) for key, found in by_rule.items()}
-    keys = sorted(by_rule, key=lambda key: (key[0], -gated[key], -len(by_rule[key]), key[1]))
-    ordered = [
-        finding for key in keys for finding in sorted(by_rule[key], key=lambda one: (not one.gated, -one.excess))
-    ]
+    gravest = {key: min(map(gravity, found)) for key, found in by_rule.items()}
+    keys = sorted(by_rule, key=lambda key: (gravest[key], -gated[key], -len(by_rule[key]), key[1]))
+    ordered = [finding for key in keys for finding in sorted(by_rule[key], key=_gravest_first)]
     page = ordered[start : start + request.limits.findings]
-    shown: dict[tuple[int, str], list[ShownFinding]] = {}
+    shown: dict[tuple[Severity, str], list[ShownFinding]] = {}
     for one in _shown(site, page, request):
-        shown.setdefault((-one.finding.severity.rank, one.finding.rule), []).append(one)
+        shown.setdefault((one.finding.severity, one.finding.rule), []).append(one)
     groups = tuple(
         FindingGroup(key[1], len(by_rule[key]), gated[key], tuple(found), found[0].finding.severity.value)
         for key, found in shown.items()
@@ -323,7 +323,7 @@ def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int
     for key in keys[start:]:
         if room <= 0:
             break
-        ordered = sorted(members[key], key=lambda one: (not one.gated, -one.severity.rank, -one.excess))
+        ordered = sorted(members[key], key=_gravest_first)
         shown = _shown(site, ordered[:room], request)
         room -= len(shown)
         groups.append(FindingGroup(key, len(ordered), sum(one.gated for one in ordered), shown))
@@ -331,10 +331,15 @@ def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int
     return FindingList(wanted, tuple(groups), total, len(keys), own, start, step)
 
 
-def _weight(key: str, found: Sequence[Finding]) -> tuple[int, int, float, str]:
+def _gravest_first(one: Finding) -> tuple[bool, Gravity, float]:
+    return not one.gated, gravity(one), -one.excess
+
+
+def _weight(key: str, found: Sequence[Finding]) -> tuple[bool, Gravity, int, float, str]:
     gated = [one for one in found if one.gated]
-    worst = max((one.severity.rank for one in gated), default=-1)
-    return -worst, -len({one.rule for one in gated}), -max((one.excess for one in gated), default=0.0), key
+    worst = min(map(gravity, gated or found))
+    rules = len({one.rule for one in gated})
+    return not gated, worst, -rules, -max((one.excess for one in gated), default=0.0), key
 
 
 def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[ShownFinding, ...]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Protocol
 
 import msgspec
 
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
-from roslens.model.weight.consequence import Consequence
+from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.store.summary import example_of
 
 MOST = 10
@@ -31,6 +32,7 @@ _OF_PACKAGE = re.compile(r"`([\w-]+)")
 """A name, up to what parts it from that of its package."""
 _FOLDERS = re.compile(r"(?:[\w.+-]+/)+")
 
+Gravity = tuple[int, int, int, int]
 Urgency = tuple[int, int, int, int, int, float, int, str, str]
 
 
@@ -85,6 +87,25 @@ def is_listed(one: RuleCount) -> bool:
     return METRICS not in one.tags or (one.excess >= FURTHEST and not one.rule.endswith(".min"))
 
 
+class Weighed(Protocol):
+    """A finding, or several of a rule, of which it is known what follows from them."""
+
+    @property
+    def tags(self) -> tuple[str, ...]: ...  # noqa: D102 - as findings have them
+
+    @property
+    def severity(self) -> Severity: ...  # noqa: D102
+
+    @property
+    def weight(self) -> tuple[Consequence, Certainty]: ...  # noqa: D102
+
+
+def gravity(one: Weighed) -> Gravity:
+    """Return a key that sorts by consequence, certainty and severity, the gravest first, limits of metrics last."""
+    consequence, certainty = one.weight
+    return METRICS in one.tags, -consequence.rank, -certainty.rank, -one.severity.rank
+
+
 def urgency(one: RuleCount, rule: RuleInfo | None = None, commits: int = 0) -> Urgency:
     """Return a key that sorts by consequence, certainty, severity, recent commits and precision, limits last.
 
@@ -93,16 +114,12 @@ def urgency(one: RuleCount, rule: RuleInfo | None = None, commits: int = 0) -> U
         rule: what the rule is about.
         commits: to the file of the example in the last year.
     """
-    consequence, certainty = one.weight
     is_limit = METRICS in one.tags
     # What is too little cannot be less than nothing: the ratio is not informative.
     excess = 0.0 if one.rule.endswith(".min") else one.excess
     precision = rule.precision if rule is not None and rule.precision else 0.0
     return (
-        is_limit,
-        -consequence.rank,
-        -certainty.rank,
-        -one.severity.rank,
+        *gravity(one),
         -commits,
         -excess if is_limit else -precision,
         -one.count,

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.compare.run_difference import RunDifference, ValueChange
 from roslens.model.finding import Finding, Severity
+from roslens.report.run.fix_first import by_urgency
 from roslens.report.writing.numbers import plain
 from roslens.report.writing.terminal import printable
 
@@ -28,7 +29,7 @@ def difference_lines(found: RunDifference, before: str, after: str) -> str:
     lines += [f"= package {one.package}: {one.after}, was in {one.before}" for one in found.moved]
     lines.append(_count(found))
     for sign, side in (("+", found.findings.new), ("-", found.findings.gone)):
-        ordered = _worst_first(side)
+        ordered = by_urgency(side)
         lines += [f"{sign} {_reported(one)}" for one in ordered[:MOST]]
         if len(ordered) > MOST:
             lines.append(f"{sign} {len(ordered) - MOST} more: --format json has all")
@@ -54,7 +55,7 @@ def difference_markdown(found: RunDifference, before: str, after: str) -> str:
     for title, side in (("New", found.findings.new), ("Resolved", found.findings.gone)):
         if side:
             rows = [f"| {one.severity.value} | {_code(_place(one))} | {_cell(one.message)} | {_code(one.rule)} |"
-                    for one in _worst_first(side)[:MOST]]  # fmt: skip
+                    for one in by_urgency(side)[:MOST]]  # fmt: skip
             more = [f"{len(side) - MOST} more."] if len(side) > MOST else []
             head = ["| severity | place | finding | rule |", "| --- | --- | --- | --- |"]
             lines += [
@@ -112,10 +113,6 @@ def _by_severity(found: Sequence[Finding]) -> str:
     counts = {one: sum(finding.severity is one for finding in found) for one in reversed(list(Severity))}
     reported = [f"{number} {one.value}{'s' if number != 1 else ''}" for one, number in counts.items() if number]
     return f"{len(found)} ({', '.join(reported)})" if reported else "0"
-
-
-def _worst_first(found: Sequence[Finding]) -> list[Finding]:
-    return sorted(found, key=lambda one: (-one.severity.rank, one.path, one.line, one.rule))
 
 
 def _place(one: Finding) -> str:

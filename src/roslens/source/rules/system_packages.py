@@ -56,6 +56,17 @@ KEYS = {
 }
 """By the name for ``find_package``: beginnings of the keys that stand for it, without regard to case and ``-``."""
 
+KEY_OF = {
+    "Boost": "boost", "Eigen3": "eigen", "Eigen": "eigen", "EIGEN": "eigen", "PCL": "libpcl-all-dev",
+    "OpenCV": "libopencv-dev", "yaml-cpp": "yaml-cpp", "YAML_CPP": "yaml-cpp", "TinyXML": "tinyxml",
+    "TinyXML2": "tinyxml2", "Qt5": "qtbase5-dev", "Qt5Widgets": "libqt5-widgets", "Qt5Core": "libqt5-core",
+    "SDL2": "sdl2", "CURL": "curl", "Ceres": "libceres-dev", "Protobuf": "protobuf-dev", "SQLite3": "libsqlite3-dev",
+    "ZLIB": "zlib", "BZip2": "bzip2", "LibXml2": "libxml2", "OpenSSL": "libssl-dev",
+    "nlohmann_json": "nlohmann-json-dev", "GeographicLib": "geographiclib", "octomap": "liboctomap-dev",
+    "fcl": "libfcl-dev", "assimp": "assimp-dev", "ASSIMP": "assimp-dev", "Bullet": "bullet", "CGAL": "libcgal-dev",
+}  # fmt: skip
+"""The key of rosdep that declares a library, by the name for ``find_package``, where it has another name."""
+
 OF_THE_CORE = frozenset({
     "ackermann_msgs", "actionlib", "actionlib_msgs", "ament_cmake_auto", "ament_cmake_python", "ament_cmake_ros",
     "ament_index_cpp", "ament_index_python", "angles", "behaviortree_cpp", "bond", "bondcpp", "builtin_interfaces",

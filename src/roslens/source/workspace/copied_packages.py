@@ -3,8 +3,9 @@
 The manifest and the change log keep where a package is from. A package came from elsewhere where it was released by
 itself (a ``CHANGELOG.rst`` of bloom with the date of a release), where its manifest names a repository that is named
 as the package or as a folder around it, where all its maintainers are of makers whose packages are often copied, where
-it has a name that a project of others published, or where it lies in an unpacked archive and names its people, as does
-a package that is at home. It is at home all the same
+it has a name that a project of others published, or where it lies in a project that was put there as a whole and names
+people who committed nothing to the repository: in an unpacked archive, or in a folder with a licence and a text to read
+first, beside packages that lie in none. It is at home all the same
 
 * at the root of the workspace, in a repository of that name, or in a checkout of its own;
 * where half of all packages or more have its version, name its repository or are of the same maker, unless its name is
@@ -19,7 +20,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import lru_cache
 
 import msgspec
@@ -53,6 +54,11 @@ _MAKERS = re.compile(
 )
 """Hosts of the addresses of makers of drivers, simulators and libraries: each was seen in repositories of others."""
 _HALF = 0.5
+_LEAST_WORD = 3
+_NOBODY = frozenset(
+    ("todo", "user", "root", "you", "your", "name", "email", "maintainer", "author", "none", "dev", "ros")
+)
+"""What templates write for somebody."""
 
 
 class Candidate(msgspec.Struct, frozen=True):
@@ -62,19 +68,24 @@ class Candidate(msgspec.Struct, frozen=True):
         package: as its manifest declares it.
         read_log: returns its change log; None where it has none.
         own_checkout: whether its folder, or one around it below the root, is a checkout by itself.
+        in_project: whether a folder around it, below the root, has a licence and a text to read first.
     """
 
     package: Package
     read_log: Callable[[], bytes] | None
     own_checkout: bool = False
+    in_project: bool = False
 
 
-def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping[str, str]:
+def copied_packages(
+    candidates: Sequence[Candidate], homes: Set[str], committers: Callable[[], Set[str]] = frozenset
+) -> Mapping[str, str]:
     """Return the packages that are copies, by id, with what each is a copy of.
 
     Args:
         candidates: all packages of the workspace.
         homes: names that the repository of the workspace itself has, in lower case.
+        committers: returns names and addresses of those who committed to it, in lower case; none where that is unknown.
     """
     named = {one.package.id: repositories_named(one.package) for one in candidates}
     released = {one.package.id for one in candidates if one.read_log is not None and _is_released(one)}
@@ -86,7 +97,7 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
         and (
             one.package.name in published
             or _is_from_elsewhere(one, released, named, homes)
-            or _is_in_an_archive(one.package, homes)
+            or _is_put_there(one, homes, committers)
         )
     ]
     if not elsewhere:
@@ -107,12 +118,6 @@ def copied_packages(candidates: Sequence[Candidate], homes: Set[str]) -> Mapping
     ids = {one.package.id for one in away}
     at_home = [one for one in candidates if one.package.id not in ids]
     people = {key for one in at_home for key in _people(one.package)}
-    if not people:
-        ids -= {
-            one.package.id
-            for one in away
-            if one.package.name not in published and not _is_from_elsewhere(one, released, named, homes)
-        }
     kept = [one for one in away if not people.isdisjoint(_people(one.package))]
     kept_versions = {one.package.version for one in kept if one.package.id in released}
     ids -= {one.package.id for one in kept}
@@ -161,10 +166,21 @@ def _is_from_elsewhere(
     return package.id in released or _is_in_its_folder(package, names) or bool(_makers(package))
 
 
-def _is_in_an_archive(package: Package, homes: Set[str]) -> bool:
-    """Return whether a package that names its people lies in an unpacked archive of another repository."""
-    projects = {unpacked_project(part) for part in package.path.lower().split("/")}
-    return bool(_people(package)) and bool(projects - {"", *homes})
+def _is_put_there(one: Candidate, homes: Set[str], committers: Callable[[], Set[str]]) -> bool:
+    """Return whether a package lies in a project that was put there as a whole by others than its people."""
+    projects = {unpacked_project(part) for part in one.package.path.lower().split("/")} - {"", *homes}
+    if not projects and not one.in_project:
+        return False
+    words = {word for person in (*one.package.maintainers, *one.package.authors) for word in _words(person)}
+    known = committers() if words else frozenset[str]()
+    return bool(known) and not any(word in other for word in words for other in known)
+
+
+def _words(person: Person) -> Iterator[str]:
+    """Yield what names somebody: the words of the name, and what stands before the host of the address."""
+    for word in re.split(r"[^\w-]+", f"{person.name} {person.email.rpartition('@')[0]}".lower()):
+        if len(word) >= _LEAST_WORD and word not in _NOBODY:
+            yield word
 
 
 def _makers(package: Package) -> Set[str]:

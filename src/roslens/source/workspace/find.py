@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence, Set
+from functools import cache, partial
 from operator import attrgetter
 from pathlib import Path
 from posixpath import basename, dirname
@@ -20,6 +21,7 @@ from roslens.intake.time_budget import OverBudgetError
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Package
+from roslens.source.commit import committers_of
 from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.copied_packages import CHANGE_LOG, Candidate, copied_packages
 from roslens.source.workspace.globs import compiled
@@ -84,7 +86,8 @@ def find_workspace(
     top = next((folder for folder in (Path(root), *Path(root).parents) if os.path.lexists(folder / ".git")), None)
     packages = _distinct(packages, failures)
     if top is not None:
-        packages = _with_copies(packages, root, seen.repositories, _names_of(top))
+        projects = _projects([*(file for one in packages for file in one.files), *seen.packages[0].files])
+        packages = _with_copies(packages, root, seen.repositories, _names_of(top), projects)
     if outside := _outside(seen.packages[0]):
         packages.append(outside)
     packages.sort(key=lambda found: (found.package.path, found.package.id))
@@ -223,24 +226,32 @@ def _distinct(packages: list[FoundPackage], failures: list[Failure]) -> list[Fou
 
 
 _MOST = 1 << 20
+_LICENCE = re.compile(r"(?:licen[cs]e|copying)(?:\.\w+)?$", re.IGNORECASE)
+_READ_FIRST = re.compile(r"readme(?:\.\w+)?$", re.IGNORECASE)
 _REMOTE = re.compile(rb"^\s*url\s*=.*?([\w.-]+?)(?:\.git)?/?\s*$", re.MULTILINE)
 _OWNER = re.compile(rb"^\s*url\s*=\s*(?:\w+://|[\w.-]+@)[\w.@-]+(?::\d+)?[/:]([\w.-]+)/[\w.-]+/?\s*$", re.MULTILINE)
 
 
 def _with_copies(
-    packages: list[FoundPackage], root: str, repositories: Set[str], names: Set[str]
+    packages: list[FoundPackage], root: str, repositories: Set[str], names: Set[str], projects: tuple[str, ...]
 ) -> list[FoundPackage]:
     """Return the packages, those named that were copied from elsewhere into the repository that the root is in.
 
-    ``names`` are those of the repository.
+    ``names`` are those of the repository, ``projects`` the folders that have all that a project has.
     """
     checkouts = tuple(f"{folder}/" for folder in repositories if folder)
     copied = copied_packages(
         [
-            Candidate(found.package, _log_of(found, root), own_checkout=f"{found.package.path}/".startswith(checkouts))
+            Candidate(
+                found.package,
+                _log_of(found, root),
+                own_checkout=f"{found.package.path}/".startswith(checkouts),
+                in_project=f"{dirname(found.package.path)}/".startswith(projects),
+            )
             for found in packages
         ],
         {basename(root).lower(), *names},
+        cache(partial(committers_of, root)),
     )
     return [
         msgspec.structs.replace(found, package=msgspec.structs.replace(found.package, copy_of=copied[found.package.id]))
@@ -248,6 +259,19 @@ def _with_copies(
         else found
         for found in packages
     ]
+
+
+def _projects(files: Sequence[FoundFile]) -> tuple[str, ...]:
+    """Return the folders below the root that have a licence and a text to read first, each with ``/`` at its end."""
+    licensed: set[str] = set()
+    described: set[str] = set()
+    for file in files:
+        folder, _, name = file.path.rpartition("/")
+        if folder and _LICENCE.match(name):
+            licensed.add(f"{folder}/")
+        elif folder and _READ_FIRST.match(name):
+            described.add(f"{folder}/")
+    return tuple(sorted(licensed & described))
 
 
 def _log_of(found: FoundPackage, root: str) -> Callable[[], bytes] | None:

@@ -12,6 +12,8 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
 
+_BUILDS = ("add_executable", "add_library")
+_EXPORTS = ("ament_export_libraries", "ament_export_targets", "ament_export_interfaces", "catkin_package")
 _AUTOMATIC = ("ament_auto_package", "autoware_package")
 
 
@@ -31,7 +33,8 @@ def found(view: PackageView) -> Iterator[Hit]:
             return
     is_plugin = cmake.first("pluginlib_export_plugin_description_file") is not None
     is_built_on = any(is_of_build for _, is_of_build in view.around.dependents)
-    is_read = 2 in view.ros and not (is_plugin and not is_built_on)
+    is_program = cmake.first(*_BUILDS) is not None and cmake.first(*_EXPORTS) is None
+    is_read = 2 in view.ros and (is_built_on or not (is_plugin or is_program))
     certainty = None if is_read else Certainty.HEURISTIC
     message = f"folder 'include' ({len(headers)} headers) is exported and installed by nothing"
     hit = command.hit("cmake.header_not_installed", f"{message}; expected install(DIRECTORY include/ …)", "include")
@@ -56,8 +59,8 @@ RULE = PackageRule(
     title="Headers that are exported and not installed",
     finds="`ament_export_include_directories(include)` or `catkin_package(INCLUDE_DIRS include)` in a package "
     "whose folder `include` no `install` command names. In ROS 1 it is a note: the devel space finds it. So it is "
-    "where the package exports plug-ins, which are loaded and not included, and no package of the workspace is built "
-    "with it.",
+    "where the package exports plug-ins, which are loaded and not included, or builds what it does not export, and no "
+    "package of the workspace is built with it.",
     why="Packages that use it build beside its source and nowhere else: against the installation, or the released "
     "package, the header is missing.",
     consequence=Consequence.STOPS_BUILD,

@@ -11,6 +11,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import (
+    KEY_OF,
     KEYS,
     NEEDS_NO_KEY,
     brings,
@@ -49,7 +50,9 @@ def found(view: PackageView) -> Iterator[Hit]:
         if how in gathered:
             gathered[how][use.name] = use
             continue
-        message = f"{use.how}: package.xml does not declare {use.name!r}; expected {_TAGS[use.when]}"
+        key = KEY_OF.get(use.name, use.name)
+        tag = _TAGS[use.when] if key == use.name else f"{_TAGS[use.when]}{key}{_TAGS[use.when].replace('<', '</')}"
+        message = f"{use.how}: package.xml does not declare {use.name!r}; expected {tag}"
         edits = _declared((use,), view)
         yield Hit("package.undeclared_dependency", message, use.line, context=use.name, path=use.path, edits=edits)
     for how, uses in gathered.items():

@@ -55,7 +55,7 @@ def _untyped(run: LaunchRun) -> Iterator[Parameter]:
 def _message(name: str, path: str) -> str:
     expected = "`ParameterValue(…, value_type=str)`" if path.endswith(".py") else 'type="str"'
     what = f"parameter {name!r} is the output of a command" if name else "a parameter is the output of a command"
-    return f"{what}, which launch reads as YAML: it fails at a `: ` in a comment of it; expected {expected}"
+    return f"{what}, which launch reads as YAML: it fails where that has a `: `, a ` #` or a tab; expected {expected}"
 
 
 def _may_be_yaml(value: Value, view: PackageView) -> bool:

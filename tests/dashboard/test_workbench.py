@@ -14,6 +14,7 @@ from roslens.dashboard.since_run import SinceRun
 from roslens.dashboard.site import Site
 from roslens.dashboard.tables.finding_list import filter_of, list_findings
 from roslens.dashboard.view import Limits, Query, Request
+from roslens.report.run.fix_first import gravity
 from roslens.store.runs import StoredRun
 
 
@@ -76,14 +77,14 @@ def test_by_function_one_row_has_all_that_it_breaks_the_worst_first(site: Site) 
     found = listed(site, group="function")
     assert found.total == listed(site).total
     assert sum(group.total for group in found.groups) == found.total
-    severities, rules = [], []
+    worst, rules = [], []
     for group in found.groups:
         assert len({one.finding.entity or one.finding.path for one in group.findings}) == 1
         gated = [one.finding for one in group.findings if one.finding.gated]
-        severities.append(max((one.severity.rank for one in gated), default=-1))
+        worst.append((not gated, min(gravity(one.finding) for one in group.findings if one.finding.gated or not gated)))
         rules.append(len({one.rule for one in gated}))
-    assert severities == sorted(severities, reverse=True)
-    first = [count for count, severity in zip(rules, severities, strict=True) if severity == severities[0]]
+    assert worst == sorted(worst)
+    first = [count for count, one in zip(rules, worst, strict=True) if one == worst[0]]
     assert first == sorted(first, reverse=True)
 
 

@@ -30,6 +30,10 @@ class Origin(str, Enum):
     IMPLICIT = "implicit"
 
 
+NAME_IS_GUESSED = "named after its executable, as its name in the code is unknown"
+"""How a node has its name of which neither a launch file nor code tells it."""
+
+
 class Proof(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """Where a fact comes from, how it was resolved and how sure it is.
 

@@ -49,6 +49,16 @@ def test_partial_and_lambda_hand_over_what_they_call():
     assert f"{STREAM}Arm.on_open" not in found
 
 
+def test_what_a_callback_hands_to_a_thread_is_no_callback():
+    code = (
+        "Arm::Arm() {{ s_ = rclcpp_action::create_server<A>(this, n, goal, cancel, [this](Handle h) {{ {0} }}); }}\n"
+        "void Arm::execute(Handle h) {{}}"
+    )
+    assert "Arm::execute" in callbacks_of(view_of(code.format("execute(h);")))
+    assert "Arm::execute" not in callbacks_of(view_of(code.format("std::thread([this, h] { execute(h); }).detach();")))
+    assert "Arm::execute" not in callbacks_of(view_of(code.format("auto run = [this, h] { execute(h); }; start(run);")))
+
+
 @pytest.mark.parametrize(
     ("text", "of_stream", "expected"),
     [

@@ -161,10 +161,13 @@ def _named_cpp(call: Node, view: FileView) -> Iterator[str]:
 
 
 def _called_by(function: Node, call: Node, view: FileView) -> Iterator[str]:
-    """Yield the methods of its own class that a lambda hands its message on to."""
+    """Yield the methods of its own class that a lambda hands its message on to.
+
+    Lambdas inside are run by whoever they are given to, such as a thread of their own for the goal of an action.
+    """
     around = above(call, *_CPP_FUNCTIONS)
     of_class = function_name(around, view).rpartition("::")[0] if around is not None else ""
-    for one in below(function, "call_expression"):
+    for one in below(function, "call_expression", inside=("lambda_expression",)):
         callee = one.child_by_field_name("function")
         text = view.text(callee)
         name = text.removeprefix("this->")

@@ -1,4 +1,6 @@
-from roslens.model.configuration import Proof
+import msgspec
+
+from roslens.model.configuration import NAME_IS_GUESSED, Proof
 from roslens.model.finding import Severity
 from roslens.model.source import Dependency, Location, Package
 from roslens.source.rules.graph.executable import found
@@ -18,6 +20,16 @@ def test_a_name_that_no_build_makes_is_told_with_what_was_meant():
         "no executable `slam_nod` in package robot, which launch/robot.launch.xml:4 starts as /slam; "
         "did you mean `slam_node`?"
     )
+
+
+def test_that_a_node_has_no_name_leaves_no_doubt_about_what_is_started():
+    guessed = launched(4, sure="likely")
+    (sure,) = findings(
+        node("/x", executable="x", known=False, proof=msgspec.structs.replace(guessed, how=NAME_IS_GUESSED))
+    )
+    (likely,) = findings(node("/x", executable="x", known=False, proof=guessed))
+    assert (sure.severity, likely.severity) == (Severity.ERROR, Severity.WARNING)
+    assert "In doubt" not in sure.message
 
 
 def test_what_is_installed_and_what_is_not_known_is_none():

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 import msgspec
 
 from roslens.model.configuration import (
+    NAME_IS_GUESSED,
     Configuration,
     ConfiguredArgument,
     ConfiguredNode,
@@ -303,7 +304,7 @@ class _Whole:
 def _nothing(launched: Launched, generation: str) -> NodeFacts:
     """Return facts of a node of which nothing is known; in ROS 2 its code names it where its launch file does not."""
     guessed = generation == "ros2" and launched.kind == "node" and not launched.name.parts
-    doubt = "named after its executable, as its name in the code is unknown" if guessed else ""
+    doubt = NAME_IS_GUESSED if guessed else ""
     evidence = launched.evidence
     return NodeFacts("", evidence.path, evidence.line, generation, name=launched.executable, doubt=doubt)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePath
 
-from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.model.configuration import NAME_IS_GUESSED, Configuration, ConfiguredNode
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
@@ -80,8 +80,9 @@ def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Su
     node = min(nodes, key=lambda one: (len(one.conditions), one.proof))
     near = _misspelt(package, name, node, surroundings)
     more = f"`{package}` may be installed on the target machine" if near else ""
-    # The name that a node is given without its code says nothing about the package that a launch file names.
-    certainty, doubt = weighed(RULE.certainty, () if near else (node.proof,), node.conditions, more=more)
+    # The name that a node is given without its code says nothing about what a launch file starts.
+    proofs = () if near or node.proof.how == NAME_IS_GUESSED else (node.proof,)
+    certainty, doubt = weighed(RULE.certainty, proofs, node.conditions, more=more)
     what = _WHAT.get(node.kind, "executable")
     if near:
         message = (

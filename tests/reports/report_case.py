@@ -10,7 +10,7 @@ import msgspec
 
 ROOT = Path(__file__).parents[2]
 CASES = ROOT / "tests" / "reports" / "cases"
-ROUNDS = ("first", "second")
+ROUNDS = ("first", "second", "third")
 
 Consequence = Literal[
     "stops the build",

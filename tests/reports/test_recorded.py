@@ -52,5 +52,5 @@ def test_a_file_that_is_no_table_is_named(tmp_path):
 
 
 def test_a_table_of_no_round_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="third"):
-        keep("third", "a", Table("a", "", []), tmp_path)
+    with pytest.raises(ValueError, match="fourth"):
+        keep("fourth", "a", Table("a", "", []), tmp_path)

@@ -1,0 +1,15 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(
+            package='barrow_pair',
+            executable='origin.py',
+            name='origin',
+            parameters=[
+                {'frame': 'map'},
+            ],
+        ),
+    ])

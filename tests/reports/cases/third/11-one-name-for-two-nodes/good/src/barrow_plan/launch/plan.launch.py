@@ -1,0 +1,11 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(
+            package='barrow_plan',
+            executable='plan',
+        ),
+    ])

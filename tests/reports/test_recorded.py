@@ -7,7 +7,7 @@ from reports.recorded import LATEST, RESULTS, Table, keep, tables
 from reports.report_case import ROUNDS, rebuilt
 from reports.scoring import Score
 
-BASELINE = "639fe4fc"
+BASELINE = {"first": "639fe4fc", "second": "639fe4fc", "third": "3ac20e7f"}
 """The revision that the reports were rebuilt on, before anything was changed for them."""
 
 
@@ -19,7 +19,7 @@ def test_the_page_is_that_of_the_tables():
 def test_tables_have_every_case_and_no_other(name):
     cases = {one.name: bool(one.case.bad) for one in rebuilt(name)}
     kept = tables(name)
-    assert kept[0].revision == BASELINE
+    assert kept[0].revision == BASELINE[name]
     for table in kept:
         assert {one.name: one.verdict is not None for one in table.scores} == cases, table.revision
         for one in table.scores:

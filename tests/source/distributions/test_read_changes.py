@@ -60,6 +60,8 @@ def test_what_people_are_told_may_be_older_than_the_code():
     assert effect_of(change, Target(("foxy",))) is Effect.NONE
     assert effect_of(change, Target(("foxy",), told=True)) is Effect.LATER
     assert effect_of(change, Target(("jazzy",), told=True)) is Effect.REMOVED
+    assert effect_of(change, Target(("humble", "jazzy"), told=True)) is Effect.LATER
+    assert effect_of(change, Target(("humble", "jazzy"))) is Effect.REMOVED
 
 
 def test_a_name_may_have_a_row_for_each_version_of_ros():

@@ -138,6 +138,12 @@ def test_all_files_of_a_kind_count_but_those_for_documentation(target):
         ("README.md", "ROS Noetic (Ubuntu 20.04)\n", ("noetic",)),
         (".vscode/c_cpp_properties.json", '{"includePath": ["/opt/ros/foxy/include/**"]}\n', ("foxy",)),
         ("README.md", "A humble robot with a jazzy arm.\n", ()),
+        ("README.md", "For ROS 2 Humble. It does not work on ROS 2 Jazzy yet.\n", ("humble",)),
+        ("README.md", "ROS 2 Humble (ROS 2 Jazzy is untested)\n", ()),
+        ("README.md", "This isn't compatible with ROS Noetic.\n", ()),
+        ("README.md", "Use ROS 2 Jazzy.\nFor ROS 2 Humble, see the `humble` branch.\n", ("jazzy",)),
+        ("README.md", "This branch is for ROS 2 Iron.\n", ("iron",)),
+        ("README.md", "Do not forget `source /opt/ros/humble/setup.bash`\n", ("humble",)),
         ("CHANGELOG.rst", "* Drop ROS Kinetic\n", ()),
     ],
 )

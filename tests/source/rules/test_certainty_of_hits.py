@@ -66,7 +66,10 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
             Certainty.HEURISTIC,
         ),
         ("node.spin_in_callback", Language.CPP, SPINS.format("ros::spinOnce(); take(a);"), Certainty.HEURISTIC),
-        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce();"), Certainty.LIKELY),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce();"), Certainty.HEURISTIC),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce(); return;"), Certainty.HEURISTIC),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spinOnce(); clear();"), Certainty.LIKELY),
+        ("node.spin_in_callback", Language.CPP, SPINS.format("take(a); ros::spin();"), Certainty.LIKELY),
         ("node.shared_in_constructor", Language.CPP, SHARED.format("take(shared_from_this());"), None),
         (
             "node.shared_in_constructor",

@@ -100,7 +100,9 @@ def effect_of(change: Change, target: Target) -> Effect:
         if change.removed:
             return Effect.REMOVED if is_at_least(oldest, change.removed) else Effect.LATER
         return Effect.DEPRECATED
-    if change.removed and any(is_at_least(one, change.removed) for one in names):
+    gone = [bool(change.removed) and is_at_least(one, change.removed) for one in names]
+    # Whoever reads that it is for several may be told of the past, too.
+    if all(gone) if target.told else any(gone):
         return Effect.REMOVED
     if change.deprecated and any(is_at_least(one, change.deprecated) for one in names):
         return Effect.DEPRECATED

@@ -41,6 +41,13 @@ _IN_DOCUMENT = re.compile(
     rf"(?i)/opt/ros/(?:{_NAMES})\b|\bros-(?:{_NAMES})-|--rosdistro[=\s]+(?:{_NAMES})\b"
     rf"|ROS_DISTRO\W{{1,3}}(?:{_NAMES})\b|\bros(?:\s?[12])?\W{{0,3}}(?:{_NAMES})\b"
 )
+_DENIED = re.compile(
+    r"(?i)(?:\bnot|n\Wt|\bno longer|\bnever|\bnor)\b[^\n]{0,40}\b(?:work|support|compatib|test|run|build|available)"
+    r"|\b(?:un(?:supported|tested)|incompatible|broken|fails?|end of life|eol)\b"
+    r"|\b(?:check ?out|see|switch(?: to)?|go to|use)\b[^\n]{0,60}\bbranch"
+)
+"""What a sentence has that names a distribution for which the workspace is not, or for which another branch is."""
+_STOP = re.compile(r"[.!?](?=\s)|\n")
 _VERSION = re.compile(rf"^\s*version\s*:\s*[\"']?(?:{_NAMES})(?:-devel)?[\"']?\s*$", re.MULTILINE | re.IGNORECASE)
 _NAME = re.compile(rf"(?i)(?<![A-Za-z])(?:{_NAMES})(?![A-Za-z])")
 
@@ -208,8 +215,18 @@ def _named(path: Path, expression: re.Pattern[str]) -> tuple[str, ...]:
         return ()
     # In a document a sign that begins comments elsewhere begins a title.
     code = text if expression is _IN_DOCUMENT else _without_comments(text)
-    found = {name.lower() for match in expression.finditer(code) for name in _NAME.findall(match[0])}
+    matches = expression.finditer(code)
+    if expression is _IN_DOCUMENT:
+        matches = (one for one in matches if not _DENIED.search(_sentence(code, one)))
+    found = {name.lower() for match in matches for name in _NAME.findall(match[0])}
     return tuple(name for name in distributions() if name in found)
+
+
+def _sentence(text: str, match: re.Match[str]) -> str:
+    """Return what stands around a match up to the ends of its sentence or line."""
+    start = max((one.end() for one in _STOP.finditer(text, 0, match.start())), default=0)
+    stop = _STOP.search(text, match.end())
+    return text[start : stop.start() if stop else len(text)]
 
 
 def _without_comments(text: str) -> str:

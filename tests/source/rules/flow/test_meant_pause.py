@@ -57,6 +57,9 @@ def meant(code: str, language: Language, **parts: str) -> bool:
         ({"before": "self.pub.publish(turn)", "after": "self.other.publish(stop)"}, False),
         ({"before": "self.pub.publish(turn)"}, False),
         ({"before": "self.halt()", "after": "self.pub.publish(a); self.pub.publish(b)"}, False),
+        ({"after": "os.system('sudo shutdown -h now')"}, True),
+        ({"after": "rclpy.shutdown()"}, True),
+        ({"after": "self.exit_code = 1"}, False),
         ({"name": "TimerExample"}, True),
         ({"name": "Sampler"}, False),
     ],
@@ -76,6 +79,8 @@ def test_what_tells_in_python(parts: dict[str, str], is_one: bool) -> None:
         ({"before": 'RCLCPP_INFO(get_logger(), "stopped");'}, False),
         ({"before": "pub_->publish(turn);", "after": "pub_->publish(stop);"}, True),
         ({"before": "pub_->publish(turn);", "after": "other_->publish(stop);"}, False),
+        ({"after": "rclcpp::shutdown();"}, True),
+        ({"after": "finish(1);"}, False),
         ({"name": "DeadLockNode"}, True),
     ],
 )

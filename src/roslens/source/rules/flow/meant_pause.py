@@ -1,8 +1,9 @@
 """Pauses that whoever wrote them says are meant.
 
 A comment beside a pause, or above it, says what is waited for, or that it stands for work; so does a message that is
-logged before it. A command that is published right before a pause holds as long as the pause is, where the function
-publishes by the same publisher again. In a class that is an example there is nothing that could be late.
+logged before it. So does what ends the process or the computer after it. A command that is published right before a
+pause holds as long as the pause is, where the function publishes by the same publisher again. In a class that is an
+example there is nothing that could be late.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ _COMMENT = re.compile(r"(?:#|//|/\*|^\s*\*)(.*)")
 _LOGS = re.compile(r"(?i)\b(?:\w*log\w*|ros_\w+|rclcpp_\w+|print\w*|info|warn\w*|debug|cout)\b")
 _PUBLISHES = re.compile(r"([\w.>-]+?)(?:\.|->)publish\s*\(")
 _EXAMPLE = re.compile(r"(?:[Ee]xample|[Dd]emo|[Tt]utorial|[Ss]ample|[Dd]ead_?[Ll]ock)(?![a-z])")
+_ENDS = re.compile(r"(?i)\b(?:\w*shut_?down|power_?off|halt|reboot|s?exit|quit|kill|terminate)\b")
+_ENDING = re.compile(r"(?i)shut_?down|power_?off|reboot")
 _BODIES = frozenset(("block", "compound_statement", "module", "translation_unit", "case_statement"))
 
 
@@ -33,6 +36,7 @@ def is_meant(call: Node, view: FileView) -> bool:
     return (
         _is_commented(call, view)
         or (before is not None and (_is_logged(before, view) or _is_held(before, call, view)))
+        or _is_before_the_end(call, view)
         or _is_of_an_example(call, view)
     )
 
@@ -77,6 +81,18 @@ def _is_held(before: Node, call: Node, view: FileView) -> bool:
     code = view.source[around.start_byte : around.end_byte].decode("utf-8", "replace")
     again: list[str] = _PUBLISHES.findall(code)
     return again.count(published[1]) > 1
+
+
+def _is_before_the_end(call: Node, view: FileView) -> bool:
+    """Return whether the function around a call ends the process or the computer behind it, or has the name of that."""
+    around = above(call, "function_definition")
+    if around is None:
+        return False
+    name = view.text(around.child_by_field_name("name") or around.child_by_field_name("declarator")).partition("(")[0]
+    if _ENDING.search(name):
+        return True
+    rest = view.code[call.end_byte : around.end_byte].decode("utf-8", "replace")
+    return any(_ENDS.search(line) and "(" in line for line in rest.splitlines())
 
 
 def _is_of_an_example(call: Node, view: FileView) -> bool:

@@ -60,12 +60,18 @@ def _direct(call: Node, view: FileView) -> Chain | None:
 
 
 def _certainty(call: Node, text: str) -> Certainty:
-    """Return how certain it is in ROS 1; what a callback takes in before it begins cannot change under it."""
+    """Return how certain it is in ROS 1.
+
+    What a callback takes in before it begins cannot change under it, nor what it takes in when it has ended: roscpp
+    allows to spin in callbacks.
+    """
     function, statement = function_around(call), call.parent
     body = body_of(function) if function is not None else None
-    first = next((one for one in body.named_children if one.type != "comment"), None) if body is not None else None
-    begins = statement is not None and statement == first
-    return Certainty.HEURISTIC if text == "ros::spinOnce" and begins else Certainty.LIKELY
+    steps = [one for one in body.named_children if one.type != "comment"] if body is not None else []
+    if steps and steps[-1].type == "return_statement" and not steps[-1].named_children:
+        steps.pop()
+    at_an_end = statement is not None and statement in (*steps[:1], *steps[-1:])
+    return Certainty.HEURISTIC if text == "ros::spinOnce" and at_an_end else Certainty.LIKELY
 
 
 def _is_waited_for(call: Node, view: FileView) -> bool:
@@ -103,8 +109,8 @@ RULE = FileRule(
     title="Spinning in a callback",
     finds="`rclcpp::spin_until_future_complete`, `rclcpp::spin_some`, `rclcpp::spin`, `ros::spinOnce` or `ros::spin` "
     "in a callback, or in a function of the file that it calls; in ROS 2 also a node that adds itself to an executor "
-    "there. Give the request a callback of its own instead, or return. In ROS 1 a callback that begins with "
-    "`ros::spinOnce` is a note: nothing of it can change under it yet.",
+    "there. Give the request a callback of its own instead, or return. In ROS 1 a callback that begins or "
+    "ends with `ros::spinOnce` is a note: nothing of it can change under it.",
     why="In ROS 2 the node already belongs to the executor that runs the callback, and adding it to another throws "
     "«Node has already been added to an executor»: the process ends. In ROS 1 callbacks run inside each other, in an "
     "order nobody meant.",

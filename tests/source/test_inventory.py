@@ -93,6 +93,16 @@ def test_the_home_of_a_library_has_no_copies_of_it(tmp_path: Path):
     assert set(roles(take_inventory(seen, WorkspaceSettings(), {})).values()) == {Role.OWN}
 
 
+def test_a_package_with_copies_of_several_libraries_is_the_home_of_none(tmp_path: Path):
+    miniz = "// miniz.c - public domain deflate\nint b;\n"
+    seen = workspace(tmp_path, a__cpp="int a;", b__cpp=TINYXML, c__cpp=miniz)
+    assert roles(take_inventory(seen, WorkspaceSettings(), {})) == {
+        "arm/a.cpp": Role.OWN,
+        "arm/b.cpp": Role.VENDORED,
+        "arm/c.cpp": Role.VENDORED,
+    }
+
+
 def test_a_header_is_c_only_among_c(tmp_path: Path):
     found = take_inventory(workspace(tmp_path, a__c="int a;", a__h="int a;"), WorkspaceSettings(), {})
     assert {file.language for file in found.files["arm"] if file.path.endswith(".h")} == {Language.C}

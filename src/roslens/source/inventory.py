@@ -5,6 +5,7 @@ Reading is the cost: a file whose size, time stamp and inode are those of the la
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
@@ -16,9 +17,10 @@ from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Role, SourceFile
 from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.copied_heads import library_of
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
-from roslens.source.workspace.roles import given_role, role_by_path
+from roslens.source.workspace.roles import HEAD, given_role, role_by_path
 from roslens.source.workspace.unpacked_projects import unpacked_projects
 from roslens.source.workspace.vendored import named_folders, vendored_folders
 from roslens.store.cache import FileStat
@@ -67,7 +69,7 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
             kept.append(SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash))
         others[found.package.id] = tuple(unnamed)
         files[found.package.id] = _with_headers(
-            _with_vendored(found, _with_libraries(kept, settings), settings, workspace)
+            _with_vendored(found, _with_libraries(kept, settings, workspace.root), settings, workspace)
         )
     return Inventory(files, tuple(failures), learned, others)
 
@@ -136,12 +138,15 @@ def _text_of(root: str, path: str) -> bytes:
         return b""
 
 
-def _with_libraries(files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:
-    """Return the files of a package whose heads are all of one library as its own: it is the home of that library."""
+def _with_libraries(files: list[SourceFile], settings: WorkspaceSettings, root: str) -> list[SourceFile]:
+    """Return the files of a package with those of a library as its own that most of them are of: it is its home."""
     copied = {file.path for file in files if file.role is Role.VENDORED and role_by_path(file.path, settings) is None}
-    if not copied or 2 * len(copied) <= sum(file.language.parsed_as != "" for file in files):
+    parsed = sum(file.language.parsed_as != "" for file in files)
+    if not copied or 2 * len(copied) <= parsed:
         return files
-    return [msgspec.structs.replace(file, role=Role.OWN) if file.path in copied else file for file in files]
+    library = {path: library_of(_text_of(root, path)[:HEAD]) for path in sorted(copied)}
+    home = {name for name, count in Counter(library.values()).items() if 2 * count > parsed}
+    return [msgspec.structs.replace(file, role=Role.OWN) if library.get(file.path) in home else file for file in files]
 
 
 def _with_headers(files: list[SourceFile]) -> tuple[SourceFile, ...]:

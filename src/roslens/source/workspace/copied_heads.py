@@ -59,7 +59,12 @@ _HEADS: dict[bytes, tuple[bytes, ...]] = {
 """Heads of libraries by a word of each: to split a head takes half as long as to look for all of them."""
 
 
+def library_of(comments: bytes) -> str:
+    """Return which library the comments that a file begins with are of, of those that projects copy; else nothing."""
+    words = [word for word in comments.split() if word in _HEADS]
+    return next((head.decode() for word in words for head in _HEADS[word] if head in comments), "")
+
+
 def is_copied(comments: bytes) -> bool:
     """Return whether the comments that a file begins with are those of a library that projects copy."""
-    words = [word for word in comments.split() if word in _HEADS]
-    return any(head in comments for word in words for head in _HEADS[word])
+    return bool(library_of(comments))

@@ -59,9 +59,10 @@ class Keeper(NamedTuple):
             function.type != "function_definition" or not _is_of_class(function, view)
         ):
             return False
-        return not any(_is_passed_on(use, view) for use in self._uses(view))
+        return not any(_is_passed_on(use, view) for use in self.uses(view))
 
-    def _uses(self, view: FileView) -> Iterator[Node]:
+    def uses(self, view: FileView) -> Iterator[Node]:
+        """Yield where the variable is named behind its declaration."""
         word = self.name.encode()
         for at in word_places(word, view, self.declaration.end_byte, self.block.end_byte):
             use = view.node_at(at, at + len(word))

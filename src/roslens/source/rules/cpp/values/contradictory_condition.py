@@ -18,7 +18,7 @@ from roslens.source.rules.rule import FileRule
 
 _AND, _OR = ("&&", "and"), ("||", "or")
 _MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "==": "==", "!=": "!="}
-_PURE = re.compile(r"(?:\w+|->|\.|::|\[\w+\]|\(\))+")
+_PURE = re.compile(r"(?:\w|->|\.|::|\[\w+\]|\(\))+")
 _CALLED = re.compile(r"\b(?:size|length|x|y|z|w|norm|seconds|nanoseconds|count)\(\)")
 _CONSTANT = re.compile(r"(?:\w+::)*(?:[A-Z][A-Z0-9_]+|k[A-Z]\w*)|(?:\w+::)+\w+")
 

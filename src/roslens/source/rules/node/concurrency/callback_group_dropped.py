@@ -9,7 +9,8 @@ from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name, function_name
-from roslens.source.rules.calls import arguments, body_of, call_at, function_around
+from roslens.source.rules.calls import arguments, call_at, function_around
+from roslens.source.rules.cpp_flow.keeper import keeper_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
@@ -21,26 +22,30 @@ _STAYS = re.compile(rb"spin|\bok\s*\(|add_callback_group|\bwait_for\b|\bwait\s*\
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a group in a local variable that is handed to timers, services and clients alone."""
     call, function = call_at(node), function_around(node)
-    body = body_of(function) if function is not None else None
-    declared = call.parent if call is not None else None
-    if call is None or function is None or body is None or declared is None or declared.type != "init_declarator":
+    keeper = keeper_of(call, view) if call is not None else None
+    if call is None or function is None or keeper is None:
         return
     if function.type != "function_definition" or any(view.text(one) == "false" for one in arguments(call)):
         return
-    name = view.text(declared.child_by_field_name("declarator"))
-    code = view.code[body.start_byte : body.end_byte]
-    if not name.isidentifier() or function_name(function, view) == "main" or _STAYS.search(code):
+    # What `main` keeps lasts as long as the program, but for that of a block in it.
+    is_of_main = function_name(function, view) == "main" and keeper.scope_kind == "function"
+    if is_of_main or _STAYS.search(view.code[keeper.block.start_byte : keeper.block.end_byte]):
         return
-    places = [match.start() for match in re.finditer(rb"\b" + name.encode() + rb"\b", code)][1:]
-    uses = [view.node_at(body.start_byte + at, body.start_byte + at + len(name)) for at in places]
-    if uses and all(_is_handed_over(use, view) for use in uses):
+    uses = [one for one in keeper.uses(view) if not call.start_byte <= one.start_byte < call.end_byte]
+    handed = [one for one in uses if not _is_set(one)]
+    if handed and all(_is_handed_over(use, view) for use in handed):
         yield view.hit(
             "node.callback_group_dropped",
             call,
-            f"`{name}` keeps its callback group only until this function ends: the node holds it weakly, and its "
-            "callbacks "
-            "never run afterwards; expected a member",
+            f"`{keeper.name}` keeps its callback group only until this {keeper.scope_kind} ends: the node holds it "
+            "weakly, and its callbacks never run afterwards; expected a member",
         )
+
+
+def _is_set(use: Node) -> bool:
+    around = use.parent
+    is_assigned = around is not None and around.type == "assignment_expression"
+    return around is not None and is_assigned and around.child_by_field_name("left") == use
 
 
 def _is_handed_over(use: Node | None, view: FileView) -> bool:
@@ -52,7 +57,8 @@ def _is_handed_over(use: Node | None, view: FileView) -> bool:
 RULE = FileRule(
     id="node.callback_group_dropped",
     title="Callback group not kept",
-    finds="A callback group in a local variable of a function that returns, used for subscriptions, timers, services "
+    finds="A callback group in a local variable of a function that returns, or of a block that "
+    "ends, used for subscriptions, timers, services "
     "or "
     "clients. Keep it in a member.",
     why="Node and executor hold groups weakly: when the variable is gone, so is the group, and no callback of it ever "

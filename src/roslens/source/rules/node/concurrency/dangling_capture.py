@@ -10,6 +10,7 @@ from tree_sitter import Node
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
+from roslens.source.rules.cpp_flow.local_lambda import local_lambda
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -25,13 +26,11 @@ _DECLARING = (
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a lambda handed over in a function that returns, which holds a local variable of it by reference."""
-    call, function = call_at(node), function_around(node)
+    call, function = call_at(node) or _kept(node), function_around(node)
     body = body_of(function) if function is not None else None
     if call is None or function is None or body is None or not _outlives(call, function, body, view):
         return
-    for one in arguments(call):
-        if one.type != "lambda_expression":
-            continue
+    for one in _lambdas(call, view):
         held = view.text(one.child_by_field_name("captures"))[1:-1]
         names = [part.strip() for part in held.split(",")]
         locals_ = _locals(body, one, view) & _used(one, view)
@@ -45,6 +44,26 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 f"callback captures local variable `{lost[0]}` by reference, which is gone when `{view.text(node)}`'s "
                 f"callback runs; expected `[{lost[0]}]`, or a member",
             )
+
+
+def _kept(node: Node) -> Node | None:
+    """Return the assignment of a callback to options of a goal."""
+    around = node.parent
+    assigned = around.parent if around is not None and around.type == "field_expression" else None
+    is_left = assigned is not None and assigned.type == "assignment_expression"
+    return assigned if assigned is not None and is_left and assigned.child_by_field_name("left") == around else None
+
+
+def _lambdas(call: Node, view: FileView) -> Iterator[Node]:
+    """Yield the lambdas that a call gets, themselves or by a variable, or an assignment keeps."""
+    right = call.child_by_field_name("right")
+    for one in [right] if right is not None else arguments(call):
+        if one.type == "lambda_expression":
+            yield one
+        elif one.type == "identifier":
+            kept = local_lambda(view.text(one), one, view)
+            if kept is not None:
+                yield kept
 
 
 def _outlives(call: Node, function: Node, body: Node, view: FileView) -> bool:
@@ -94,7 +113,8 @@ def _is_declared(name: Node) -> bool:
 RULE = FileRule(
     id="node.dangling_capture",
     title="Callback that captures a local variable by reference",
-    finds="A lambda that is handed to a subscription, timer or service and holds a local variable of the function by "
+    finds="A lambda that is handed to a subscription, timer, service, request or goal, itself or by a "
+    "variable, and holds a local variable of the function by "
     "reference, in a function that returns. Capture it by value, or make it a member.",
     why="The callback runs when the function has returned: it reads and writes memory that belongs to somebody else by "
     "then, and the robot does what stands there.",
@@ -110,7 +130,11 @@ void Arm::start() { int count = 0; timer_ = create_wall_timer(1s, [&] { move(++c
 void Arm::start() { int count = 0; timer_ = create_wall_timer(1s, [this, count]() mutable { move(++count); }); }
 """,
     syntax="cpp",
-    anchors=("create_subscription", "create_wall_timer", "create_timer", "create_service", "subscribe", "createTimer"),
+    anchors=(
+        *("create_subscription", "create_wall_timer", "create_timer", "create_service", "subscribe", "createTimer"),
+        *("create_generic_subscription", "add_on_set_parameters_callback", "createWallTimer", "advertiseService"),
+        *("async_send_request", "result_callback", "feedback_callback", "goal_response_callback"),
+    ),
     mentions=ROS_CPP,
     spares_tests=True,
     found=found,

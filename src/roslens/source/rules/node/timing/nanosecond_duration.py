@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.calls import arguments, constructed, number_of, whole_name
+from roslens.source.rules.calls import arguments, number_of, whole_name
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import name_node
+from roslens.source.rules.cpp_flow.declared_with import made_with
 from roslens.source.rules.cpp_flow.variable_type import class_around, type_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -61,7 +62,7 @@ def _ends(name: str) -> bool:
 
 def _made(name: Node, view: FileView) -> Iterator[Node]:
     """Yield the one argument that a duration gets: where it stands, in its pointer, as a member."""
-    given = constructed(name)
+    given = made_with(name)
     if given is not None and len(given) == 1:
         yield given[0]
         return

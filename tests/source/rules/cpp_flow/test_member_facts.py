@@ -10,6 +10,7 @@ from roslens.source.rules.table import native_rules
 from roslens.source.settings import MacroSettings
 
 HEADER = """
+#pragma once
 #include <rclcpp/rclcpp.hpp>
 namespace rover {
 class Arm : public rclcpp_lifecycle::LifecycleNode {
@@ -18,6 +19,7 @@ class Arm : public rclcpp_lifecycle::LifecycleNode {
   double limit_{0.5}, least_;
   uint8_t count_ = 3;
   std::string frame_;
+  rclcpp::Duration period_;
   rclcpp_lifecycle::LifecyclePublisher<std_msgs::msg::Float64>::SharedPtr level_;
   rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr plain_;
 };
@@ -54,12 +56,24 @@ def test_members_are_told_with_their_class_and_kind():
         "member Arm::least_ double",
         "member Arm::level_ LifecyclePublisher",
         "member Arm::limit_ double",
+        "member Arm::period_ Duration",
         "member Inner::inner_ bool",
     )
 
 
+def test_a_source_tells_nothing():
+    assert member_facts(view_of(HEADER.replace("#pragma once", ""))) == ()
+
+
+def test_a_duration_that_a_header_declares_is_made_of_a_number():
+    rule = "node.nanosecond_duration"
+    source = SOURCE.replace("{into}", "count_").replace('LifecycleNode("arm")', 'LifecycleNode("arm"), {made}(5)')
+    assert "takes 5 as nanoseconds" in found(source.replace("{made}", "period_"), rule)[0]
+    assert found(source.replace("{made}", "count_"), rule) == []
+
+
 def test_a_file_without_rclcpp_tells_nothing():
-    assert member_facts(view_of("class Arm { double limit_; };")) == ()
+    assert member_facts(view_of("#pragma once\nclass Arm { double limit_; };")) == ()
 
 
 def test_a_parameter_is_read_into_a_member_of_another_type():

@@ -53,8 +53,9 @@ def member_fact(of_class: str, name: str, kind: str) -> str:
 
 
 def member_facts(view: FileView) -> tuple[str, ...]:
-    """Return the members that a file declares in classes, of types that rules ask for, sorted."""
-    if view.syntax != "cpp" or not view.mentions((b"rclcpp",)):
+    """Return the members that a header declares in classes, of types that rules ask for, sorted."""
+    # What a source declares, no other file sees.
+    if view.syntax != "cpp" or not view.may_be_header or not view.mentions((b"rclcpp",)):
         return ()
     found: set[str] = set()
     for match in _MEMBER.finditer(view.code):

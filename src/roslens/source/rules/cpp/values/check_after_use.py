@@ -13,7 +13,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ASKED = re.compile(
-    rb"\(\s*(?:!\s*([A-Za-z_]\w*)|([A-Za-z_]\w*)\s*[!=]=\s*(?:nullptr|NULL)|(?:nullptr|NULL)\s*[!=]=\s*([A-Za-z_]\w*))"
+    rb"if\s*\(\s*(?:!\s*([A-Za-z_]\w*)|([A-Za-z_]\w*)\s*[!=]=\s*(?:nullptr|NULL)|(?:nullptr|NULL)\s*[!=]=\s*([A-Za-z_]\w*))"
     rb"\s*(?:\)|\|\||&&)"
 )
 _PLAIN = ("expression_statement", "declaration")
@@ -23,8 +23,8 @@ _MOST_STATEMENTS = 3
 def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each condition that asks whether a pointer is null that one of the last statements followed."""
     for node in nodes:
-        condition = node.child_by_field_name("condition")
-        asked = _ASKED.match(view.code, condition.start_byte, condition.end_byte) if condition is not None else None
+        asked = _ASKED.match(view.code, node.start_byte)
+        condition = node.child_by_field_name("condition") if asked is not None else None
         if condition is None or asked is None:
             continue
         name = next(one for one in asked.groups() if one is not None)

@@ -16,7 +16,8 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_AND, _OR = ("&&", "and"), ("||", "or")
+_AND, _OR = ("&&",), ("||",)
+_COMPARES = re.compile(rb"[<>=!]=?\s*-?[\d.]|[\d.)]\s*[<>=!]")
 _MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "==": "==", "!=": "!="}
 _PURE = re.compile(r"(?:\w|->|\.|::|\[\w+\]|\(\))+")
 _CALLED = re.compile(r"\b(?:size|length|x|y|z|w|norm|seconds|nanoseconds|count)\(\)")
@@ -34,13 +35,16 @@ def found_among(nodes: Sequence[Node], view: FileView) -> Iterator[Hit]:
     """Yield each chain of ``&&`` or ``||`` of comparisons that contradict each other, or cover everything."""
     code = view.code
     for node in nodes:
+        start, end = node.byte_range
+        text = code[start:end]
+        # Most are no chains: to look at the text costs less than to look at a node.
+        if (b"&&" not in text and b"||" not in text) or not _COMPARES.search(text):
+            continue
         sign = node.children[1] if node.child_count > 1 else None
-        if sign is None or sign.type not in ("&&", "||", "and", "or"):
+        if sign is None or sign.type not in (*_AND, *_OR):
             continue
         around = node.parent
         if around is not None and around.type == "binary_expression" and around.children[1].type == sign.type:
-            continue
-        if not any(one in code[node.start_byte : node.end_byte] for one in (b"<", b">", b"==", b"!=")):
             continue
         yield from _found(node, sign.type, view)
 

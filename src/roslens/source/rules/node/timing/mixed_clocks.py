@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.calls import constructed, function_around, number_of, whole_name
+from roslens.source.rules.cpp_flow.clock_of import clock_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
@@ -23,6 +24,9 @@ _ROS_TIME = re.compile(
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a time of the system's clock beside one of the node's."""
+    if node.parent is None:
+        yield from _of_two_clocks(view)
+        return
     yield from _of_member(node, view)
     given = constructed(node)
     made = whole_name(node).parent
@@ -47,6 +51,31 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         + f" of ROS time, so `{operator}` throws; expected `rclcpp::Time(0, 0, RCL_ROS_TIME)` or `nanoseconds() == 0`",
         certainty=None if certain else Certainty.HEURISTIC,
     )
+
+
+def _of_two_clocks(view: FileView) -> Iterator[Hit]:
+    """Yield where times of two clocks meet that the file makes and keeps in variables."""
+    for one in view.nodes("binary_expression"):
+        sign = one.children[1].type if one.child_count > 1 else ""
+        if sign not in _OPERATORS:
+            continue
+        left, right = one.child_by_field_name("left"), one.child_by_field_name("right")
+        of_left = clock_of(left, view)
+        of_right = clock_of(right, view) if of_left else ""
+        is_made_here = _is_literal(left, view) or _is_literal(right, view)
+        if of_right and of_left != of_right and not is_made_here:
+            yield view.hit(
+                "node.mixed_clocks",
+                one,
+                f"`{view.short(one)}`: the left side is of {of_left}, the right one of {of_right}, so `{sign}` throws; "
+                "expected times of one clock",
+                certainty=Certainty.LIKELY,
+            )
+
+
+def _is_literal(side: Node | None, view: FileView) -> bool:
+    """Return whether a side is a time that is made on the spot, which is asked about by its name."""
+    return view.text(side).startswith("rclcpp::Time")
 
 
 _BRANCHES = ("if_statement", "conditional_expression", "switch_statement", "while_statement")
@@ -97,7 +126,8 @@ RULE = FileRule(
     id="node.mixed_clocks",
     title="Times of different clocks compared",
     finds="`rclcpp::Time()` or `rclcpp::Time(0)` compared with, or subtracted from, a time of the node's clock; and "
-    "likewise a member that is declared without a value and not set before. Name the clock: "
+    "likewise a member that is declared without a value and not set before; and times of two clocks that a file makes, "
+    "such as `rclcpp::Clock(RCL_STEADY_TIME)`, also where variables keep them. Name the clock: "
     "`rclcpp::Time(0, 0, RCL_ROS_TIME)`.",
     why="A time without a clock type is of the system's clock, those of nodes and messages are of ROS time, and rclcpp "
     "throws «can't compare times with different time sources»: the process ends.",
@@ -109,6 +139,9 @@ RULE = FileRule(
     good="#include <rclcpp/rclcpp.hpp>\nbool Arm::is_new() { return now() > rclcpp::Time(0, 0, RCL_ROS_TIME); }\n",
     syntax="cpp",
     anchors=("rclcpp::Time",),
+    whole=True,
+    words=("Clock",),
+    gathers=("binary_expression",),
     mentions=RCLCPP,
     found=found,
 )

@@ -12,6 +12,7 @@ from roslens.source.rules.calls import arguments, number_of, whole_name
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.cpp_flow.declared_with import made_with
+from roslens.source.rules.cpp_flow.member_facts import member_fact
 from roslens.source.rules.cpp_flow.variable_type import class_around, type_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -29,18 +30,37 @@ _ARGUMENTS = ("argument_list", "initializer_list")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a duration that is made of one small number, or of a variable in seconds."""
+    if node.type == "field_initializer":
+        yield from _of_other_header(node, view)
+        return
     name = whole_name(node)
     if view.text(name) != _TYPE:
         return
     for given in _made(name, view):
-        text = view.text(given)
         if _is_meant_as_seconds(given, view):
-            yield view.hit(
-                "node.nanosecond_duration",
-                given,
-                f"`rclcpp::Duration({text})` takes {text} as nanoseconds; expected "
-                f"`rclcpp::Duration::from_seconds({text})`",
-            )
+            yield _hit(given, view)
+
+
+def _hit(given: Node, view: FileView, callback: str = "") -> Hit:
+    text = view.text(given)
+    return view.hit(
+        "node.nanosecond_duration",
+        given,
+        f"`rclcpp::Duration({text})` takes {text} as nanoseconds; expected `rclcpp::Duration::from_seconds({text})`",
+        callback=callback,
+    )
+
+
+def _of_other_header(initialiser: Node, view: FileView) -> Iterator[Hit]:
+    """Yield what a member is made with that only another file declares, and that counts if it is a duration."""
+    listed = arguments(initialiser.named_children[-1]) if initialiser.named_child_count > 1 else ()
+    value = number_of(listed[0], view) if len(listed) == 1 else None
+    member = view.text(initialiser.named_children[0])
+    if value is None or not 0 < abs(value) < _SHORTEST or not member.isidentifier():
+        return
+    of_class = class_around(initialiser, view)
+    if of_class and not type_of(f"this->{member}", initialiser, view):
+        yield _hit(listed[0], view, member_fact(of_class, member, "Duration"))
 
 
 def _is_meant_as_seconds(given: Node, view: FileView) -> bool:
@@ -118,6 +138,7 @@ RULE = FileRule(
     good="#include <rclcpp/rclcpp.hpp>\nauto limit = rclcpp::Duration::from_seconds(5);\n",
     syntax="cpp",
     anchors=("rclcpp::Duration",),
+    kinds=("field_initializer",),
     mentions=RCLCPP,
     found=found,
 )

@@ -89,6 +89,12 @@ def keeper_of(call: Node, view: FileView) -> Keeper | None:
     return None
 
 
+def declared_keeper(declaration: Node, view: FileView) -> Keeper | None:
+    """Return the variable of a declaration that makes an object itself: ``T name(value);``."""
+    name = name_node(declaration.child_by_field_name("declarator"))
+    return _keeper(view.text(name), declaration, declaration, view)
+
+
 def _keeper(name: str, declaration: Node | None, call: Node, view: FileView) -> Keeper | None:
     block = declaration.parent if declaration is not None else None
     if declaration is None or block is None or block.type != _BLOCK or not name.isidentifier():

@@ -37,7 +37,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     for name, line in _publishers(of_class, view).items():
         kind = type_of(f"this->{name}", body, view)
-        if _is_activated(name, view) or not _publishes(name, view) or (kind and _KIND not in kind):
+        if _is_activated(name, view) or not _publishes(name, view) or (kind and not _is_lifecycle(kind, view)):
             continue
         yield view.hit(
             "node.lifecycle_publisher_inactive",
@@ -50,6 +50,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if not kind:
             continue
         return
+
+
+def _is_lifecycle(kind: str, view: FileView) -> bool:
+    """Return whether a type is one of lifecycle publishers, by its name or that of which it is an alias."""
+    alias = re.escape(kind.partition("::")[0])
+    return _KIND in kind or view.has(re.compile(rf"\busing\s+{alias}\s*=[^;]*{_KIND}".encode()))
 
 
 def _is_transition(declarator: Node, view: FileView) -> bool:

@@ -1,5 +1,5 @@
 # The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, site, accuracy, lock, bench, testbed,
-# fuzz, mutants.
+# fuzz, mutants, lowest.
 PYTHON ?= python3
 WS ?= build/demo
 PORT ?= 8080
@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint style types rewritten parts docs known-mistakes graph-findings recall reports accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo site tour demo-live demo-ros2 testbed test nightly slow faults quick lint style types rewritten parts docs known-mistakes graph-findings recall reports accuracy same-facts fuzz mutants lowest lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -145,6 +145,10 @@ fuzz: .venv/stamp
 # Change source in one place and see whether tests notice: docs/mutants.md. ARGS="window --each 0" for all of a part.
 mutants: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m mutants $(ARGS)
+
+# The quick tests with the lowest version of each dependency that pyproject.toml permits: make lowest PYTHONS="3.10 3.13".
+lowest:
+	sh .ci/lowest $(PYTHONS)
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

@@ -79,3 +79,10 @@ def test_every_sign_has_an_ascii_one():
     for name in ("error", "warning", "note", "failed", "partly", "fine", "high", "none", "zero", "cut", "dot"):
         assert ASCII.glyph(name).isascii()
         assert columns(PLAIN.glyph(name)) == 1
+
+
+@pytest.mark.parametrize("unicode", [True, False])
+def test_a_shortened_text_fits_with_the_sign_for_what_is_missing(unicode):
+    terminal = Terminal(48, color=False, unicode=unicode)
+    for blank in range(40, 48):
+        assert columns(terminal.shorten("a" * blank + " " + "b" * 40, 48)) <= 48

@@ -1,5 +1,7 @@
 """A look at the files of a package that changed finds in them what a look at all of it finds."""
 
+from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -37,27 +39,33 @@ def arm(tmp_path):
     return tmp_path
 
 
-def look(root: Path, *changed: str):
-    """Return the view of a run in which these files changed; of a whole run without any."""
+@pytest.fixture
+def look():
+    """Return a function that returns the view of a run in which files changed; of a whole run without any."""
+    with ExitStack() as opened:
+        yield partial(_look, opened)
+
+
+def _look(opened: ExitStack, root: Path, *changed: str):
+    def analysed(**chosen):
+        store, cache = opened.enter_context(Store.open(None)), opened.enter_context(Cache.open(None))
+        answer = analyse([root], settings, store=store, cache=cache, clock=clock, base=root, jobs=1, **chosen)
+        return answer, store.view(answer.run)
+
     settings, clock = SourceSettings(models=("ros",)), Clock("2026-01-01T00:00:00+00:00", 0.0)
-    store, cache = Store.open(None), Cache.open(None)
-    whole = analyse([root], settings, store=store, cache=cache, clock=clock, base=root, jobs=1)
+    answer, view = analysed()
     if not changed:
-        return whole, store.view(whole.run)
-    hashes = {file.path: file.content_hash for _, file in store.view(whole.run).files()}
+        return answer, view
+    hashes = {file.path: file.content_hash for _, file in view.files()}
     unchanged = {path: hash_ for path, hash_ in hashes.items() if path.removeprefix("arm/") not in changed}
-    store = Store.open(None)
-    part = analyse(
-        [root], settings, store=store, cache=Cache.open(None), clock=clock, base=root, jobs=1, unchanged=unchanged
-    )
-    return part, store.view(part.run)
+    return analysed(unchanged=unchanged)
 
 
 def found_in(view, path):
     return {(one.rule, one.line, one.message) for one in view.findings() if one.path == f"arm/{path}"}
 
 
-def test_rules_say_of_a_changed_file_what_they_always_say(arm):
+def test_rules_say_of_a_changed_file_what_they_always_say(arm, look):
     _, whole = look(arm)
     answer, part = look(arm, "src/arm.cpp")
     assert answer.left_out == 2
@@ -67,7 +75,7 @@ def test_rules_say_of_a_changed_file_what_they_always_say(arm):
     assert not found_in(part, "src/other.cpp")
 
 
-def test_what_needs_the_whole_package_has_no_value(arm):
+def test_what_needs_the_whole_package_has_no_value(arm, look):
     _, part = look(arm, "src/arm.cpp")
     values = {one.id: one.values for one in part.entities()}
     assert not {"loc", "functions", "duplicated_lines"} & set(values["package:arm"])
@@ -78,7 +86,7 @@ def test_what_needs_the_whole_package_has_no_value(arm):
 
 
 @pytest.mark.parametrize("path", ["package.xml", "CMakeLists.txt"])
-def test_where_no_source_changed_all_of_the_package_is_looked_at(arm, path):
+def test_where_no_source_changed_all_of_the_package_is_looked_at(arm, look, path):
     _, whole = look(arm)
     answer, part = look(arm, path)
     assert answer.left_out == 0

@@ -93,7 +93,7 @@ class Terminal(msgspec.Struct, frozen=True):
         if columns(text) <= width:
             return text
         kept, end = self.cut(text, width), 0
-        for place in range(len(kept) - 1):
+        for place in range(len(kept) - len(self.glyph("cut"))):
             if text[place] == " " and text.count("`", 0, place) % 2 == 0:
                 end = place
         return f"{text[:end].rstrip(' ,;:')} {self.glyph('cut')}" if end else kept

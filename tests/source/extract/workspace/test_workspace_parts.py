@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
@@ -34,8 +35,14 @@ def root(tmp_path: Path) -> Path:
     return tmp_path / "ws"
 
 
-def test_of_two_packages_of_one_name_the_first_is_meant(root: Path):
-    parts = parts_of(root, Cache.open(None))
+@pytest.fixture
+def cache() -> Iterator[Cache]:
+    with Cache.open(None) as opened:
+        yield opened
+
+
+def test_of_two_packages_of_one_name_the_first_is_meant(root: Path, cache: Cache):
+    parts = parts_of(root, cache)
     assert parts.folders == {"arm": "a", "eye": "c"}
     assert {name: [one.name for one in build.targets] for name, build in parts.builds.builds.items()} == {
         "arm": ["a"],
@@ -48,7 +55,7 @@ def test_of_two_packages_of_one_name_the_first_is_meant(root: Path):
     )
 
 
-def test_one_build_that_breaks_does_not_lose_the_others(root: Path, monkeypatch: pytest.MonkeyPatch):
+def test_one_build_that_breaks_does_not_lose_the_others(root: Path, cache: Cache, monkeypatch: pytest.MonkeyPatch):
     build_of = workspace_parts.build_of
 
     def breaking(name: str, *rest: object) -> object:
@@ -57,7 +64,7 @@ def test_one_build_that_breaks_does_not_lose_the_others(root: Path, monkeypatch:
         return build_of(name, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr(workspace_parts, "build_of", breaking)
-    found = parts_of(root, Cache.open(None)).builds
+    found = parts_of(root, cache).builds
     assert [(one.package, one.what) for one in found.failures] == [("arm@a", "ValueError: no")]
     assert (len(found.builds["arm"].targets), len(found.builds["eye"].targets)) == (0, 1)
 
@@ -93,11 +100,11 @@ def test_what_cannot_be_read_is_made_again(root: Path, tmp_path: Path, kept: byt
         assert parts_of(root, cache).kept("x", "1", Builds, lambda: Builds({}, ())) == Builds({}, ())
 
 
-def test_what_is_declared_beside_code_changes_the_key_of_units(root: Path):
+def test_what_is_declared_beside_code_changes_the_key_of_units(root: Path, cache: Cache):
     cmake = root / "c" / "CMakeLists.txt"
     cmake.write_text(cmake.read_text() + "generate_parameter_library(eye_parameters eye.yaml)\n")
     (root / "c" / "eye.yaml").write_text("eye: {rate: {type: double}}\n")
-    parts = parts_of(root, Cache.open(None))
+    parts = parts_of(root, cache)
     (library,) = parts.libraries
     assert (library.namespace, library.package, [one.name for one in library.declarations]) == (
         "eye",
@@ -106,4 +113,4 @@ def test_what_is_declared_beside_code_changes_the_key_of_units(root: Path):
     )
     assert parts.index().parameter_libraries == parts.libraries
     (root / "c" / "eye.yaml").write_text("eye: {rate: {type: int}}\n")
-    assert parts_of(root, Cache.open(None)).programs_key != parts.programs_key
+    assert parts_of(root, cache).programs_key != parts.programs_key

@@ -7,6 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.compare.conformance.disparity import Conformance, Disparity
+from roslens.report.writing.document_schema import document_schema
 
 SCHEMA = "roslens-conformance/1"
 
@@ -39,5 +40,4 @@ def to_conformance_json(found: Conformance) -> str:
 
 def conformance_schema() -> dict[str, Any]:
     """Return the JSON Schema of the document."""
-    schema = msgspec.json.schema(ConformanceDocument)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **schema}
+    return document_schema(ConformanceDocument, SCHEMA)

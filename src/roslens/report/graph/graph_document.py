@@ -9,6 +9,7 @@ import msgspec
 from roslens.model.configuration import Configuration
 from roslens.model.errors import DocumentError
 from roslens.model.graphs.completeness import Completeness, completeness_of
+from roslens.report.writing.document_schema import document_schema
 
 SCHEMA = "roslens-graph/1"
 
@@ -50,5 +51,4 @@ def read_graph_json(content: bytes, shown: str) -> tuple[Configuration, ...]:
 
 def graph_schema() -> dict[str, Any]:
     """Return the JSON Schema of the document."""
-    schema = msgspec.json.schema(GraphDocument)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **schema}
+    return document_schema(GraphDocument, SCHEMA)

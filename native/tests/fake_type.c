@@ -3,8 +3,9 @@
 #include <string.h>
 
 #include "../rosidl_abi.h"
+#include "fake_layouts.h"
 
-enum { STRING = 16 };
+enum { UINT8 = 8, STRING = 16 };
 
 typedef struct {
   const char * space;
@@ -59,10 +60,42 @@ static const members_since_jazzy of_cpp = {"fake::msg", "Fake", 1, 24, true, hea
 static const members_of_humble of_headers = {"fake__msg", "Fake", 1, 24, many_headers, NULL};
 static const members_of_humble of_string = {"fake__msg", "Fake", 1, 24, text, NULL};
 
+// An image as each release describes it: a header, and bytes behind it; those of Lyrical are a rosidl::Buffer.
+#define IMAGE(header, ...) \
+  {.name_ = "header", .type_id_ = ROSIDL_TYPE_MESSAGE, .members_ = header}, \
+  {.name_ = "data", .type_id_ = UINT8, .is_array_ = true, .offset_ = 24, __VA_ARGS__}
+
+static const member_of_humble image_of_humble[] = {IMAGE(&header_in_c)};
+static const member_of_jazzy image_of_jazzy[] = {IMAGE(&header_in_cpp)};
+static const member_of_lyrical image_of_lyrical[] = {IMAGE(&header_in_cpp, .is_rosidl_buffer_ = true)};
+static const member_of_lyrical buffer_of_lyrical[] = {
+  {.name_ = "data", .type_id_ = UINT8, .is_array_ = true, .is_rosidl_buffer_ = true}};
+
+static const members_of_humble humble_image = {"fake__msg", "Fake", 2, 48, image_of_humble, NULL};
+static const members_since_jazzy jazzy_image = {"fake::msg", "Fake", 2, 48, false, image_of_jazzy, NULL};
+static const members_since_jazzy lyrical_image = {"fake::msg", "Fake", 2, 64, false, image_of_lyrical, NULL};
+static const members_since_jazzy lyrical_buffer = {"fake::msg", "Fake", 1, 40, false, buffer_of_lyrical, NULL};
+
+static const callbacks_of_lyrical with_buffers = {
+  .message_name_ = "Fake", .get_serialized_size = size, .has_buffer_fields = true};
+static const rosidl_type_support_t fastrtps_of_lyrical = {"rosidl_typesupport_fastrtps", &with_buffers, NULL};
+
 static const struct {
   const char * word;
   const void * members;
-} kinds[] = {{"header", &of_header}, {"jazzy", &of_jazzy}, {"cpp", &of_cpp}, {"headers", &of_headers}, {"string", &of_string}};
+  bool cpp;
+  bool lyrical;
+} kinds[] = {
+  {"header", &of_header, false, false},
+  {"jazzy", &of_jazzy, false, false},
+  {"cpp", &of_cpp, true, false},
+  {"headers", &of_headers, false, false},
+  {"string", &of_string, false, false},
+  {"humble_image", &humble_image, false, false},
+  {"jazzy_image", &jazzy_image, true, false},
+  {"lyrical_image", &lyrical_image, true, true},
+  {"lyrical_buffer", &lyrical_buffer, true, true},
+};
 
 enum { KINDS = sizeof(kinds) / sizeof(kinds[0]) };
 
@@ -74,7 +107,7 @@ static const rosidl_type_support_t * support(const rosidl_type_support_t * of, c
   const bool cpp = strstr(of->typesupport_identifier, "_cpp") != NULL;
   if (cpp == (strstr(kind, "_cpp") != NULL)) {
     if (strncmp(kind, "rosidl_typesupport_fastrtps", 27) == 0) {
-      return &fastrtps;
+      return kinds[of - supports].lyrical ? &fastrtps_of_lyrical : &fastrtps;
     }
     if (strncmp(kind, "rosidl_typesupport_introspection", 32) == 0) {
       return introspections + (of - supports);
@@ -100,7 +133,7 @@ const void * fake_type(const char * word)
     if (strcmp(word, kinds[at].word) == 0) {
       introspections[at] = (rosidl_type_support_t){"introspection", kinds[at].members, NULL};
       supports[at] = (rosidl_type_support_t){
-        strcmp(word, "cpp") == 0 ? "rosidl_typesupport_cpp" : "rosidl_typesupport_c", NULL, support};
+        kinds[at].cpp ? "rosidl_typesupport_cpp" : "rosidl_typesupport_c", NULL, support};
       return supports + at;
     }
   }

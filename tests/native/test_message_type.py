@@ -19,7 +19,11 @@ def message(number, received=START + 1000):
     return f"message {received - 500} {received} {number} {GID}"
 
 
-@pytest.mark.parametrize("word", ["header", "jazzy", "cpp", "string"])
+IMAGES = ["humble_image", "jazzy_image", "lyrical_image"]
+"""As each release describes it; Kilted describes it as Jazzy does."""
+
+
+@pytest.mark.parametrize("word", ["header", "jazzy", "cpp", "string", *IMAGES, "lyrical_buffer"])
 def test_messages_have_the_size_that_their_type_tells(either, word):
     """And the four bytes in front of each."""
     node = either()
@@ -31,7 +35,9 @@ def test_messages_have_the_size_that_their_type_tells(either, word):
 
 
 @pytest.mark.parametrize(
-    ("word", "stamped"), [("header", 2), ("jazzy", 2), ("cpp", 2), ("headers", 0), ("string", 0), ("bare", 0)]
+    ("word", "stamped"),
+    [("header", 2), ("jazzy", 2), ("cpp", 2), ("headers", 0), ("string", 0), ("bare", 0), ("lyrical_buffer", 0)]
+    + [(word, 2) for word in IMAGES],
 )
 def test_messages_that_begin_with_a_header_have_an_age(either, word, stamped):
     node = either()

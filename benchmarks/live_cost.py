@@ -11,6 +11,7 @@ who else uses the machine, and their resident memory at the beginning and at the
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import subprocess
@@ -64,9 +65,8 @@ def used(pid: int) -> tuple[float, float]:
 
 def judged(output: Path) -> set[str]:
     """Return the topics whose rate was judged."""
-    lines = output.read_text().splitlines() if output.exists() else []
-    rates = [line for line in lines if '"is": "verdict"' in line and '"quantity": "rate"' in line]
-    return {line.partition('"entity": "')[2].partition('"')[0] for line in rates}
+    lines = map(json.loads, output.read_text().rpartition("\n")[0].splitlines() if output.exists() else ())
+    return {one["entity"] for one in lines if one["is"] == "verdict" and one["quantity"] == "rate"}
 
 
 def main() -> int:

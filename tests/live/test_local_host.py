@@ -11,7 +11,7 @@ from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters, place_of
 from roslens.live.inside.slots import VARIABLE
 from roslens.live.observe.local_host import LocalHost
-from roslens.model.graph import Change
+from roslens.model.graph import Change, Event
 
 
 class Clock:
@@ -81,3 +81,25 @@ def test_who_counts_here_is_told_and_what_they_count_is_left_to_the_observer_of_
     assert others[0].samples == []
     local.close()
     file.close()
+
+
+@pytest.mark.parametrize("ended_after", [1, 2, 3])
+def test_processes_are_looked_for_every_second_sample_however_many_frames_go(tmp_path, clock, monkeypatch, ended_after):
+    """Where a process ended, another one begins: that one has to be found, as often as that happens."""
+    looked = []
+    processes = ProcessSampler("here")
+    monkeypatch.setattr(processes, "find", lambda now: looked.append(now) or [])
+    place = tmp_path / "counters"
+    CounterFile(str(place), 64).close()
+    counters = HostCounters("here", {VARIABLE: str(place)}, beside=True)
+    made = LocalHost("here", HostSampler("here"), processes, wall=clock, steady=clock, counters=counters)
+    ends = [[], [Event(0.0, Change.VANISHED, "process:here/1")]]
+    for second in range(12):
+        monkeypatch.setattr(made, "_ended", lambda _, at=second: ends[at == ended_after])
+        clock.now = 100.0 + second - (0.5 if second == ended_after else 0.0)
+        made.poll()
+        clock.now = 100.0 + second
+        monkeypatch.setattr(made, "_ended", lambda _: [])
+        made.poll()
+    made.close()
+    assert looked == [100.0 + second for second in range(0, 12, 2)]

@@ -50,6 +50,7 @@ class LocalHost:
         self._identities = identities
         self._due = 0.0
         self._sequence = 0
+        self._samples = 0
 
     def poll(self, seconds: float = 0.0) -> list[Frame]:
         """Return a frame where one is due, or where a process ended; waits for nothing but that."""
@@ -58,8 +59,10 @@ class LocalHost:
         frames: list[Frame] = []
         if self._is_due():
             wall = self._wall()
-            if self._sequence % 2 == 0:
+            # Frames are no measure of it: there are more of them where counters are read or a process ended.
+            if self._samples % 2 == 0:
                 events += self._processes.find(wall)
+            self._samples += 1
             samples = [_own_clock(self._host.sample(wall)), *self._processes.sample(wall)]
             if self._counters is not None:
                 frames = self._counted(self._counters, wall)

@@ -27,15 +27,13 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
     the current one, and import what lies there.
     """
     import multiprocessing
-    import multiprocessing.resource_tracker
 
     with elsewhere():
         _own_temporary_folder()
-        if method != "spawn":
-            multiprocessing.resource_tracker.ensure_running()
         if method == "forkserver":
-            from multiprocessing import forkserver
+            from multiprocessing import forkserver, resource_tracker
 
+            resource_tracker.ensure_running()
             # Only this one: the tracker sees to it itself, and lets interrupts through again.
             with _without_interrupts():
                 forkserver.ensure_running()

@@ -32,7 +32,7 @@ from roslens.source.owned_findings import owned_findings
 from roslens.source.packaging_files import packaging
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
-from roslens.source.run_inputs import Beyond, Clock, Run, Sight, among_changes
+from roslens.source.run_inputs import Beyond, Clock, Run, Sight, among_changes, seen_below
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.shaping import known_quantities, manifests_of, shaping_key
 from roslens.source.tools.running.stage_of_run import tool_stage
@@ -45,7 +45,6 @@ from roslens.source.workspace_result import header_of, workspace_result
 
 if TYPE_CHECKING:
     from roslens.model.finding import Finding
-    from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
@@ -56,6 +55,7 @@ if TYPE_CHECKING:
     from roslens.source.measure.analyse_package import MeasuredPackage
     from roslens.source.measure.finished_package import FinishedPackage, Finishing
     from roslens.store.cache import Cache
+    from roslens.store.configurations import PackedConfiguration
     from roslens.store.runs import Store
     from roslens.store.writing.write import RunWriter
 
@@ -114,6 +114,7 @@ def analyse(
     manifests = KnownManifests(cache)
     workspace = find_workspace(paths, settings.workspace, read=manifests.read)
     manifests.keep()
+    whole = workspace
     fetched, workspace = only_fetched(workspace, revision.root if revision else None)
     accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
@@ -125,6 +126,7 @@ def analyse(
         names = [found.package.id for found in workspace.packages]
         left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
         beyond = among_changes(beyond, names, key_of([one.package for one in everything], inventory.files))
+    seen = seen_below(paths, whole, inventory) if everything == whole.packages else None
     plugins = discover_plugins(settings, base, log)
     _check_settings(settings, plugins)
     shaping = shaping_key(settings, base, plugins)
@@ -198,6 +200,7 @@ def analyse(
             engine,
             left_out,
             around,
+            seen,
         ),
         store,
         cache,
@@ -282,10 +285,10 @@ def _run(run: Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             lost = lost or measured.lost
             writer.add(key, result, brief=run.revision is not None)
         seen |= _reused(run, store, writer, fresh={found.package.id for found in changed})
-        configurations: tuple[JudgedConfiguration, ...] = ()
+        configurations: tuple[PackedConfiguration, ...] = ()
         beside: tuple[Finding, ...] = ()
         if run.beyond is not None:
-            sight = run.beyond.look()
+            sight = run.beyond.look(run.seen)
             beside = sight.outcome.findings
             rest.append(msgspec.structs.replace(sight.outcome, findings=()))
             configurations = sight.configurations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,13 +20,13 @@ from roslens.source.workspace.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from roslens.model.finding import RuleInfo
-    from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
     from roslens.source.engines.cluster_ahead import ClusterAhead
     from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import Past
     from roslens.source.tools.running.tool_stage import ToolStage
+    from roslens.store.configurations import PackedConfiguration
 
 
 class Clock(msgspec.Struct, frozen=True):
@@ -39,11 +40,24 @@ class Clock(msgspec.Struct, frozen=True):
     elapsed_s: Callable[[], float] = lambda: 0.0
 
 
+class Seen(msgspec.Struct, frozen=True):
+    """The workspace as a run found it, all of it, and its files."""
+
+    workspace: Workspace
+    inventory: Inventory
+
+
+def seen_below(paths: Sequence[str | Path], workspace: Workspace, inventory: Inventory) -> Seen | None:
+    """Return what was found; None where not all below the root was looked for packages."""
+    is_all = len(paths) == 1 and os.path.realpath(paths[0]) == os.path.realpath(workspace.root)
+    return Seen(workspace, inventory) if is_all else None
+
+
 class Sight(msgspec.Struct, frozen=True):
     """What a further look found, the computation graphs that it looked at, and which these are; the run keeps all."""
 
     outcome: Outcome
-    configurations: tuple[JudgedConfiguration, ...] = ()
+    configurations: tuple[PackedConfiguration, ...] = ()
     graphs: GraphScope | None = None
 
 
@@ -53,12 +67,12 @@ class Beyond(msgspec.Struct, frozen=True):
     Attributes:
         key: of what shapes it besides files and settings.
         rules: that its findings may name.
-        look: returns what belongs to no package.
+        look: returns what belongs to no package; it is given what the run found, None where that is not all there is.
     """
 
     key: str
     rules: tuple[RuleInfo, ...]
-    look: Callable[[], Sight]
+    look: Callable[[Seen | None], Sight]
 
 
 def among_changes(beyond: Beyond | None, changed: Sequence[str], everything: str) -> Beyond | None:
@@ -95,6 +109,7 @@ class Run(msgspec.Struct, frozen=True):
     engine: str | ClusterAhead
     left_out: Mapping[str, frozenset[str]] = {}
     around: Mapping[str, Surroundings] = {}
+    seen: Seen | None = None
 
     def key_kept(self, key: str, *, lost: bool = False) -> str:
         """Return the key under which a result is kept: one of its own where it is tried again by the next run.

@@ -13,14 +13,30 @@ from roslens.model.judged_configuration import JudgedConfiguration
 from roslens.store.encodable import encodable
 
 
-def write_configurations(connection: sqlite3.Connection, run: int, found: Sequence[JudgedConfiguration]) -> None:
+class PackedConfiguration(msgspec.Struct, frozen=True, array_like=True):
+    """A configuration as a run keeps it: under its name, with a key of its content."""
+
+    name: str
+    digest: str
+    content: bytes
+
+
+def packed_configuration(one: JudgedConfiguration) -> PackedConfiguration:
+    """Return a configuration as a run keeps it."""
+    name, content = _encoded(one)
+    return PackedConfiguration(name, blake2b(content, digest_size=16).hexdigest(), zlib.compress(content))
+
+
+def write_configurations(
+    connection: sqlite3.Connection, run: int, found: Sequence[JudgedConfiguration | PackedConfiguration]
+) -> None:
     """Keep configurations with a run, in their order."""
     for position, one in enumerate(found):
-        name, content = _encoded(one)
-        digest = blake2b(content, digest_size=16).hexdigest()
+        packed = one if isinstance(one, PackedConfiguration) else packed_configuration(one)
+        name, digest = packed.name, packed.digest
         connection.execute(
             "INSERT INTO graph (digest, content) VALUES (?, ?) ON CONFLICT (digest) DO NOTHING",
-            (digest, zlib.compress(content)),
+            (digest, packed.content),
         )
         connection.execute(
             "INSERT INTO configuration (run, position, name, graph) SELECT ?, ?, ?, id FROM graph WHERE digest = ?",

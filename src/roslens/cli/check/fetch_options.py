@@ -159,7 +159,8 @@ def _check(options: argparse.Namespace, counted: bool) -> None:
 def _distribution(options: argparse.Namespace, read: Read, into: Path) -> Distribution:
     from roslens.source.fetch.distribution import distribution_of, index_url, read_distribution, read_mapping
     from roslens.source.fetch.document import is_url
-    from roslens.source.fetch.repos_file import LOCK, is_repos_file, repositories_of
+    from roslens.source.fetch.repos_file import is_repos_file, repositories_of
+    from roslens.source.fetch.taken import LOCK
 
     if options.distro:
         return read_distribution(read, options.distro, index_url())

@@ -50,7 +50,9 @@ def findings_of(
         paths={name: source.facts.paths(name) for name in names},
         programs=_calling(configuration, source),
         options=source.settings.options.get("graph", {}),
-        content=source.facts.files.content,
+        content=source.reads.files.content,
+        words=source.facts.files.content,
+        noted=source.reads.names,
         together=bool(launch),
         started=declared is not None or bool(given),
         whole=declared is not None and declared.whole,
@@ -59,12 +61,12 @@ def findings_of(
 
 
 def _counted(found: Sequence[Finding], source: GraphSource, roles: Sequence[str]) -> Iterator[Finding]:
-    from roslens.source.workspace.suppress import Suppression, suppressed, suppressions
+    from roslens.source.workspace.suppress import Suppression, suppressed
 
     hushed: dict[str, tuple[Suppression, ...]] = {}
     for finding in found:
         if finding.path not in hushed:
-            hushed[finding.path] = suppressions(source.facts.files.content(finding.path) or b"")
+            hushed[finding.path] = source.reads.suppressions(finding.path, source.facts.files.content(finding.path))
         if not suppressed(finding.rule, finding.tags, finding.line, hushed[finding.path]):
             counts = source.facts.role(finding.path).value in roles
             yield finding if counts else msgspec.structs.replace(finding, gated=False)
@@ -88,7 +90,7 @@ def _calling(configuration: Configuration, source: GraphSource) -> Mapping[str, 
         if (known := source.facts.program_of(path)) is not None:
             programs[path] = known
             continue
-        language, text = _CODE.get(Path(path).suffix), source.facts.files.content(path)
+        language, text = _CODE.get(Path(path).suffix), source.reads.files.content(path)
         if language is not None and text is not None:
             programs[path] = parse_file(text, Language(language), source.settings.macros).program()
     return programs

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.facts.launched import Unresolved as Missed
     from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
     from roslens.source.progress import Progress
+    from roslens.source.run_inputs import Seen
     from roslens.source.settings import SourceSettings
 
 
@@ -32,6 +33,7 @@ class GraphSource:
         jobs: int = 1,
         progress: Progress | None = None,
         elsewhere: bool = False,
+        seen: Seen | None = None,
     ) -> None:
         """Find the packages of a workspace.
 
@@ -44,12 +46,15 @@ class GraphSource:
             jobs: worker processes; 0 means one per processor.
             progress: who watches files being read.
             elsewhere: whether the files stand at another place than those that the cache knows by path.
+            seen: the workspace and its files, where they are known.
 
         Raises:
             UsageError: there is no such folder.
         """
         import time
 
+        from roslens.cli.graph.reads import Reads
+        from roslens.source.extract.facts.noted_files import NotedFiles
         from roslens.source.extract.workspace.known_launches import KnownLaunches
         from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
         from roslens.source.known_manifests import KnownManifests
@@ -63,17 +68,22 @@ class GraphSource:
         self._evaluated: dict[tuple[str, tuple[tuple[str, str], ...]], Launch] = {}
         now_s = time.time()
         self._cache = (ContentCache if elsewhere else Cache).open(cache, now_s=now_s)
-        manifests = KnownManifests(self._cache)
-        workspace = find_workspace([path], settings.workspace, read=manifests.read)
-        manifests.keep()
+        if seen is None:
+            manifests = KnownManifests(self._cache)
+            workspace = find_workspace([path], settings.workspace, read=manifests.read)
+            manifests.keep()
+        else:
+            workspace = seen.workspace
         self.root = Path(workspace.root)
         self.failures = workspace.failures
         self._hidden = workspace.hidden
         self.paths = frozenset(file.path for found in workspace.packages for file in found.files)
         self.facts: WorkspaceFacts = WorkspaceFacts(
-            workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress
-        )
-        self._launches = KnownLaunches(self._cache, self.facts.files)
+            workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress,
+            inventory=None if seen is None else seen.inventory,
+        )  # fmt: skip
+        self.reads = Reads(NotedFiles(self.facts.files))
+        self.launches = KnownLaunches(self._cache, self.facts.files)
 
     def __enter__(self) -> GraphSource:
         """Return the source itself."""
@@ -82,7 +92,7 @@ class GraphSource:
     def __exit__(self, *_: object) -> None:
         """Keep what was learned, and close the cache."""
         self.facts.keep()
-        self._launches.keep()
+        self.launches.keep()
         self._cache.close()
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
@@ -106,7 +116,7 @@ class GraphSource:
         result = msgspec.structs.replace(result, unresolved=(*result.unresolved, *missed))
         given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
-            result, facts, title=path + given, known=known_node, files=self.facts.files,
+            result, facts, title=path + given, known=known_node, files=self.reads.files,
             hints=self.settings.graph.hints, hinted_in=self._hinted_in,
         )  # fmt: skip
 
@@ -128,7 +138,7 @@ class GraphSource:
             version = launch_version(path, content, self.facts.versions(self.facts.package_names.get(path, "")))
             evaluate = evaluate_ros1 if version == "ros1" else evaluate_ros2
             environment = self.settings.workspace.environment
-            self._evaluated[key] = self._launches.launch(
+            self._evaluated[key] = self.launches.launch(
                 (version, *key, sorted(environment.items())),
                 lambda files: evaluate(path, files, arguments, environment),
             )
@@ -169,7 +179,7 @@ class GraphSource:
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
             made = assemble(
-                started, facts, title=title, known=known_node, files=facts.files,
+                started, facts, title=title, known=known_node, files=self.reads.files,
                 by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
             )  # fmt: skip
             found.append(with_roles(made, facts.roles))

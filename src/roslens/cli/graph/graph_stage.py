@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from roslens.cli.workplace.configuration import Configuration
     from roslens.source.pipeline import Beyond, Sight
     from roslens.source.progress import Progress
+    from roslens.source.run_inputs import Seen
     from roslens.source.settings import SourceSettings
 
 ALL = "all"
@@ -75,15 +76,24 @@ def graph_look(
     hinted_in = Path(configuration.path).name
     every = options.graph == ALL
 
-    def look() -> Sight:
+    def look(seen: Seen | None) -> Sight:
         from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
         from roslens.cli.graph.graph_source import GraphSource
+        from roslens.cli.graph.kept_look import KeptLook
         from roslens.model.graphs.completeness import completeness_of, incomplete
         from roslens.plugins.outcome import Outcome
         from roslens.source.pipeline import Sight
+        from roslens.store.configurations import packed_configuration
 
+        kept = None
+        if seen is not None and cache is not None and not changed:
+            kept = KeptLook(cache, seen, settings, str(root), hinted_in, every=every)
+            if (earlier := kept.known()) is not None:
+                return earlier
         # Conditions of manifests see what the settings of the run hold of the environment.
-        with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
+        with GraphSource(
+            str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress, seen=seen
+        ) as source:
             chosen = chosen_configurations(source, every=every)
             found = assembled(source, chosen.named, progress)
         if changed:
@@ -94,6 +104,10 @@ def graph_look(
         unknown = incomplete(known)
         failures = (*found.failures, *((unknown,) if unknown is not None else ()))
         scope = msgspec.structs.replace(chosen.scope(), completeness=known)
-        return Sight(Outcome(findings=found.all_findings(), failures=failures), found.judged(), scope)
+        graphs = tuple(map(packed_configuration, found.judged()))
+        sight = Sight(Outcome(findings=found.all_findings(), failures=failures), graphs, scope)
+        if kept is not None and not found.failures:
+            kept.keep(source, sight)
+        return sight
 
     return Beyond(f"graph {ALL}" if every else "graph", tuple(rule for rule, _ in RULES), look)

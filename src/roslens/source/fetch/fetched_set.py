@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import msgspec
@@ -9,9 +10,7 @@ import msgspec
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Location
-from roslens.source.fetch.journal import read_lock
-from roslens.source.fetch.repos_file import LOCK
-from roslens.source.fetch.taken import Taken
+from roslens.source.fetch.taken import LOCK, Taken
 from roslens.source.workspace.find import FoundPackage, Workspace
 
 
@@ -73,6 +72,11 @@ def only_fetched(workspace: Workspace, past_of: str | None = None) -> tuple[Fetc
 
 def read_fetched_set(root: str) -> FetchedSet:
     """Return the lock in the root of a workspace; nothing without one."""
+    if not os.path.lexists(Path(root, LOCK)):
+        return FetchedSet({})
+    # Almost no workspace has one, and what reads it imports what talks to servers.
+    from roslens.source.fetch.journal import read_lock
+
     try:
         taken = read_lock(Path(root))
     except UsageError as error:

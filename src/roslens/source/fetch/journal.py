@@ -13,8 +13,8 @@ import msgspec
 from roslens.intake.bounded_file import MOST_DOCUMENT_BYTES, read_bounded
 from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
 from roslens.model.errors import UsageError
-from roslens.source.fetch.repos_file import LOCK, lock_text, taken_of
-from roslens.source.fetch.taken import Taken
+from roslens.source.fetch.repos_file import lock_text, taken_of
+from roslens.source.fetch.taken import LOCK, Taken
 
 _JOURNAL = "journal.jsonl"
 _BUSY = "busy"

@@ -17,9 +17,6 @@ from roslens.source.fetch.taken import How, Taken
 from roslens.source.fetch.urls import without_password
 from roslens.source.fetch.wanted import Wanted
 
-LOCK = "fetched.repos"
-"""Name of the lock in the folder that repositories are fetched into."""
-
 _HEAD = """\
 # Written by `roslens fetch`. The same tree on another machine: roslens fetch --distribution fetched.repos
 """

@@ -8,6 +8,9 @@ import msgspec
 
 from roslens.source.fetch.wanted import Wanted
 
+LOCK = "fetched.repos"
+"""Name of the lock in the folder that repositories are fetched into."""
+
 
 class How(str, Enum):
     """How a repository came to be there."""

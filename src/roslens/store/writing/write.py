@@ -25,6 +25,7 @@ from roslens.store.writing.unit_rows import UnitRows, rows_of_failures, rows_of_
 
 if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration
+    from roslens.store.configurations import PackedConfiguration
 
 
 class RunWriter:
@@ -130,7 +131,10 @@ class RunWriter:
         self._units[found[0]] = found[1]
 
     def complete(
-        self, workspace: WorkspaceResult, header: RunHeader, configurations: Sequence[JudgedConfiguration] = ()
+        self,
+        workspace: WorkspaceResult,
+        header: RunHeader,
+        configurations: Sequence[JudgedConfiguration | PackedConfiguration] = (),
     ) -> int:
         """Make the run visible and return its number.
 

@@ -1,5 +1,5 @@
 from roslens.model.source import Location, Package
-from roslens.source.rules.graph.private_data import found, mentioned
+from roslens.source.rules.graph.private_data import found, mentions
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, node
 
@@ -30,7 +30,8 @@ def test_what_others_may_use_is_none():
 def test_files_that_name_it_are_looked_for():
     known = configuration(node("/a", state("pub"), state("sub"), state("pub", 1, "/x"), state("sub", 1, "/x")))
     files = {"src/a.cpp": b"state x", "view.rviz": b"Topic: /state\n", "README.md": b"xx"}
-    assert mentioned(known, Surroundings(), files, files.get) == {"state"}
+    names = mentions(known, Surroundings(), files, files.get)
+    assert [one.name for one in names if one.found_in] == ["state"]
 
 
 def test_private_names_shared_ones_and_those_of_two_nodes_are_none():

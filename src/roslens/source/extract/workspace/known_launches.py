@@ -35,7 +35,11 @@ _decode = msgspec.msgpack.Decoder(_KeptLaunch).decode
 
 
 class KnownLaunches:
-    """The launch files of a workspace with arguments."""
+    """The launch files of a workspace with arguments.
+
+    Attributes:
+        is_lasting: whether the next run would find the same: no budget ended an evaluation, and no file changed.
+    """
 
     def __init__(self, cache: Cache, files: Files) -> None:
         """Know nothing yet.
@@ -49,6 +53,18 @@ class KnownLaunches:
         self._answers = FileAnswers(files)
         self._start = f"graph:launch:{analyser_version()}"
         self._new: dict[str, bytes] = {}
+        self._asked: dict[tuple[str, str], Asked] = {}
+        self.is_lasting = True
+
+    @property
+    def asked(self) -> tuple[Asked, ...]:
+        """What was asked about files for all of them; no answer counts unless :attr:`is_lasting`."""
+        return tuple(self._asked.values())
+
+    def _note(self, asked: tuple[Asked, ...]) -> None:
+        for one in asked:
+            # A file that changed meanwhile has two answers.
+            self.is_lasting = self._asked.setdefault((one.what, one.of), one) == one and self.is_lasting
 
     def launch(self, given: tuple[object, ...], evaluate: Callable[[Files], Launch]) -> Launch:
         """Return what a launch file comes to; it is evaluated where that is not known, or a budget ended it before.
@@ -63,11 +79,15 @@ class KnownLaunches:
             try:
                 known = _decode(plain(kept))
                 if self._answers.same(known.asked):
-                    return _whole(known)
+                    found = _whole(known)
+                    self._note(known.asked)
+                    return found
             except (msgspec.DecodeError, IndexError, ValueError):
                 pass  # What a damaged cache holds is made again.
         noted = NotedFiles(self._files)
         found = evaluate(noted)
+        self._note(noted.asked)
+        self.is_lasting = self.is_lasting and not found.cut
         if not found.cut:
             self._new[slot] = squeezed(_encode(_apart(noted.asked, found)))
         return found

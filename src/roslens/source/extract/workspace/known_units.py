@@ -97,6 +97,11 @@ class KnownUnits:
         """Return whether a file has a program."""
         return path in self._contents
 
+    @property
+    def contents(self) -> Mapping[str, str]:
+        """Keys of the programs of files by path."""
+        return self._contents
+
     def content(self, path: str) -> str:
         """Return a key of the program of a file; empty where it has none."""
         return self._contents.get(path, "")

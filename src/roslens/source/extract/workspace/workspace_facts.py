@@ -31,7 +31,7 @@ from roslens.source.extract.workspace.workspace_nodes import (
     workspace_nodes,
 )
 from roslens.source.extract.workspace.workspace_parts import WorkspaceParts
-from roslens.source.inventory import take_inventory
+from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.progress import Progress
 from roslens.source.settings import SourceSettings
@@ -66,6 +66,7 @@ class WorkspaceFacts:
         now_s: float,
         jobs: int = 0,
         progress: Progress | None = None,
+        inventory: Inventory | None = None,
     ) -> None:
         """Look at the packages of a workspace; no program is read yet.
 
@@ -76,10 +77,12 @@ class WorkspaceFacts:
             now_s: the time, in seconds since 1970.
             jobs: worker processes; 0 means one per processor, 1 none.
             progress: who watches.
+            inventory: of the workspace, where it is known.
         """
-        inventory = take_inventory(workspace, settings.workspace, cache.stats(now_s=now_s))
-        if inventory.learned:
-            cache.put_stats(inventory.learned, now_s=now_s)
+        if inventory is None:
+            inventory = take_inventory(workspace, settings.workspace, cache.stats(now_s=now_s))
+            if inventory.learned:
+                cache.put_stats(inventory.learned, now_s=now_s)
         self._parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
         self.files = self._parts.reading
         self.failures = inventory.failures
@@ -92,6 +95,16 @@ class WorkspaceFacts:
     def keep(self) -> None:
         """Keep what was learned of units for the next run."""
         self._parts.keep()
+
+    @property
+    def is_lasting(self) -> bool:
+        """Whether the next run would find the same: all could be read and evaluated."""
+        return not self.broken and self._parts.is_lasting
+
+    def program_contents(self) -> dict[str, str]:
+        """Return keys of the programs of files by path."""
+        versions = self._parts.code_versions()
+        return {path: key for one in versions for path, key in self._parts.units(one).contents.items()}
 
     def of(self, version: str) -> WorkspaceFacts:
         """Return what the workspace is for one version of ROS, ``ros1`` or ``ros2``: no code or target of the other."""

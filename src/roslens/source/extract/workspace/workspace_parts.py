@@ -12,7 +12,6 @@ from typing import Protocol, TypeVar, cast
 
 import msgspec
 
-from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 from roslens.source.extract.builds.targets import Build, build_of
@@ -24,6 +23,7 @@ from roslens.source.extract.ir.program_codec import becomes_nodes, plain, progra
 from roslens.source.extract.ir.ros_switch import VERSIONS
 from roslens.source.extract.parameters.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.symbols.symbol_table import SymbolTable
+from roslens.source.extract.workspace.broken_build import broken_build
 from roslens.source.extract.workspace.build_versions import joined_builds
 from roslens.source.extract.workspace.file_versions import file_versions
 from roslens.source.extract.workspace.known_units import KnownUnits
@@ -165,6 +165,12 @@ class WorkspaceParts:
             # Conditions of one place stand in the facts of all that is made there.
             self.cached.put({full: squeezed(msgspec.msgpack.encode(part))})
         return part
+
+    @property
+    def is_lasting(self) -> bool:
+        """Whether the next run would find the same parts, as far as they were made."""
+        read = self.__dict__.get("programs")
+        return all(one.lasting for one in self._made.values()) and (read is None or self.programs.lasting)
 
     @property
     def folders(self) -> dict[str, str]:
@@ -355,7 +361,7 @@ class WorkspaceParts:
             try:
                 builds[name] = self._build(name)
             except Exception as error:  # noqa: BLE001 - one package must not lose the others
-                failures.append(_broken_build(package, error))
+                failures.append(broken_build(package, error))
                 builds[name] = Build()
             self.watch.advance(item=name)
         return Builds(builds, tuple(failures))
@@ -382,18 +388,3 @@ class WorkspaceParts:
     def _interfaces(self) -> Interfaces:
         found, failures = interfaces_of(self.root, self.files, self.packages)
         return Interfaces(found, failures, all(one.tool != "read" for one in failures))
-
-
-def _broken_build(package: Package, error: Exception) -> Failure:
-    import traceback
-
-    return Failure(
-        tool="graph",
-        what=f"{type(error).__name__}: {error}",
-        expected="a build whose targets can be read",
-        advice="Please report it with the package: this is a bug in roslens",
-        entity=str(EntityId(EntityKind.PACKAGE, package.id)),
-        package=package.id,
-        partial=True,
-        detail="".join(traceback.format_exception(error)),
-    )

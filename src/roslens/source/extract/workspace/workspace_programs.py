@@ -91,7 +91,7 @@ def workspace_programs(
             case _:
                 cache.put({keys[path]: packed for path, packed in result.programs.items()})
                 for path, packed in (*result.programs.items(), *result.changed.items()):
-                    found[path], contents[path] = unpack(packed), _content(packed)
+                    found[path], contents[path] = unpack(packed), content_of(packed)
                 failures += result.failures
                 lasting = lasting and not result.changed and all(one.tool != "read" for one in result.failures)
         watch.advance(item=task.files[-1].path)
@@ -99,7 +99,8 @@ def workspace_programs(
     return WorkspacePrograms({path: found[path] for path in sorted(found)}, contents, tuple(failures), lasting)
 
 
-def _content(packed: bytes) -> str:
+def content_of(packed: bytes) -> str:
+    """Return a key of a packed program."""
     return blake2b(packed, digest_size=16).hexdigest()
 
 
@@ -113,7 +114,7 @@ def _known(keys: Mapping[str, str], cache: Cache) -> tuple[dict[str, Program], d
         for path, key in keys.items():
             if (packed := kept.get(key)) is not None:
                 try:
-                    found[path], contents[path] = unpack(packed), _content(packed)
+                    found[path], contents[path] = unpack(packed), content_of(packed)
                 except msgspec.DecodeError:
                     # What a damaged cache holds is read from the file again.
                     continue

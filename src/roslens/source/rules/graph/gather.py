@@ -14,7 +14,7 @@ from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.ir.program import Program
 from roslens.source.rules.graph.parameters.ignored_files import ignored_files
 from roslens.source.rules.graph.parameters.stamped_command import controllers
-from roslens.source.rules.graph.private_data import Content, mentioned
+from roslens.source.rules.graph.private_data import Content, Mention, mentions
 from roslens.source.rules.graph.static_transforms import static_transforms
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.timing.waits import waits
@@ -37,6 +37,8 @@ def surroundings_of(
     started: bool = False,
     whole: bool = False,
     content: Content | None = None,
+    words: Content | None = None,
+    noted: list[Mention] | None = None,
 ) -> Surroundings:
     """Return what the rules of the graph know besides a configuration; what is not given, rules do without.
 
@@ -54,6 +56,8 @@ def surroundings_of(
         started: whether somebody says with which arguments the launch file is started.
         whole: whether the user says that nothing else runs beside it.
         content: of a file by its path.
+        words: the same where it only counts which words a file has; ``content`` by default.
+        noted: is filled with the names that were looked for in files.
     """
     from roslens.source.rules.graph import with_options
 
@@ -82,9 +86,12 @@ def surroundings_of(
     if content is None:
         return found
     every = sorted({path for named in (paths or {}).values() for path in named})
+    names = mentions(configuration, found, every, content if words is None else words)
+    if noted is not None:
+        noted.extend(names)
     return msgspec.structs.replace(
         found,
-        mentioned=mentioned(configuration, found, every, content),
+        mentioned=frozenset(one.name for one in names if one.found_in),
         controllers=tuple(controllers(configuration, every, content)),
     )
 

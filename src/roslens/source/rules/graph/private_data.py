@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 
+import msgspec
+
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -15,6 +17,22 @@ from roslens.source.rules.graph.surroundings import Surroundings
 
 Content = Callable[[str], bytes | None]
 _WORD = re.compile(rb"\w+")
+
+
+class Mention(msgspec.Struct, frozen=True, array_like=True):
+    """The last part of a name that one node alone uses.
+
+    Attributes:
+        name: that part.
+        own: files of the node, which do not count.
+        found_in: the first other file that holds it; empty where none does.
+    """
+
+    name: str
+    own: tuple[str, ...]
+    found_in: str = ""
+
+
 RULE = graph_rule(
     "graph.private_data",
     "Private data on a shared name",
@@ -52,10 +70,10 @@ def within_one_node(configuration: Configuration, surroundings: Surroundings) ->
             yield kind, end
 
 
-def mentioned(
+def mentions(
     configuration: Configuration, surroundings: Surroundings, paths: Iterable[str], content: Content
-) -> frozenset[str]:
-    """Return the last parts of names within one node that files besides those of the node itself hold.
+) -> tuple[Mention, ...]:
+    """Return the last parts of names within one node, and whether files besides those of the node itself hold them.
 
     Args:
         configuration: what would run together.
@@ -67,13 +85,17 @@ def mentioned(
     for _kind, end in within_one_node(configuration, surroundings):
         files = {one.proof.path for one in end.node.endpoints}
         wanted.setdefault(_last(end.name), set()).update(files)
-    found_names: set[str] = set()
+    found_in: dict[str, str] = {}
     for path in paths if wanted else ():
-        left = [name for name, files in wanted.items() if name not in found_names and path not in files]
-        text = content(path) if left else None
-        words = set(_WORD.findall(text)) if text else set()
-        found_names |= {name for name in left if name.encode() in words}
-    return frozenset(found_names)
+        left = [name for name, files in wanted.items() if name not in found_in and path not in files]
+        words = words_of(content(path)) if left else frozenset[bytes]()
+        found_in.update((name, path) for name in left if name.encode() in words)
+    return tuple(Mention(name, tuple(sorted(files)), found_in.get(name, "")) for name, files in wanted.items())
+
+
+def words_of(text: bytes | None) -> frozenset[bytes]:
+    """Return the words of a file; none where it cannot be read."""
+    return frozenset(_WORD.findall(text)) if text else frozenset()
 
 
 def _last(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import statistics
 import subprocess
@@ -37,6 +38,48 @@ def run(command: Sequence[str]) -> Cost:
 def _as_installed() -> dict[str, str]:
     """Return the environment without what keeps Python from remembering compiled modules, as installed ones are."""
     return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+
+
+_LOOK_S = 0.1
+
+
+def peak_memory(command: Sequence[str]) -> tuple[float, float]:
+    """Run a command; return the largest memory of one of its processes in MB, and of all together.
+
+    That of one is its resident set; of all it is the sum of their proportional set sizes, as Linux tells them.
+    """
+    with tempfile.TemporaryFile() as output:
+        process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, env=_as_installed())
+        one = together = 0.0
+        while process.poll() is None:
+            found = [_memory_mb(pid) for pid in _family(process.pid)]
+            one = max([one, *(resident for resident, _ in found)])
+            together = max(together, sum(share for _, share in found))
+            time.sleep(_LOOK_S)
+    if process.returncode not in (0, 1, 3):
+        raise SystemExit(f"{command}: exit {process.returncode}")
+    return one, together
+
+
+def _family(pid: int) -> list[int]:
+    """Return a process and all that it started, those that these started too."""
+    found = [pid]
+    for place in Path("/proc", str(pid), "task").glob("*/children"):
+        with contextlib.suppress(OSError):
+            for child in place.read_text().split():
+                found += _family(int(child))
+    return found
+
+
+def _memory_mb(pid: int) -> tuple[float, float]:
+    """Return the resident and the proportional set size of a process; nothing of one that is gone."""
+    kilobytes = {"Rss": 0, "Pss": 0}
+    with contextlib.suppress(OSError):
+        for line in Path("/proc", str(pid), "smaps_rollup").read_text().splitlines()[1:]:
+            name, _, value = line.partition(":")
+            if name in kilobytes:
+                kilobytes[name] = int(value.split()[0])
+    return kilobytes["Rss"] / 1024, kilobytes["Pss"] / 1024
 
 
 def in_turn(

@@ -47,6 +47,8 @@ _DENIED = re.compile(
     r"|\b(?:check ?out|see|switch(?: to)?|go to|use)\b[^\n]{0,60}\bbranch"
 )
 """What a sentence has that names a distribution for which the workspace is not, or for which another branch is."""
+_AROUND = 200
+"""Characters before and behind a name that may be of its sentence."""
 _STOP = re.compile(r"[.!?](?=\s)|\n")
 _VERSION = re.compile(rf"^\s*version\s*:\s*[\"']?(?:{_NAMES})(?:-devel)?[\"']?\s*$", re.MULTILINE | re.IGNORECASE)
 _NAME = re.compile(rf"(?i)(?<![A-Za-z])(?:{_NAMES})(?![A-Za-z])")
@@ -223,10 +225,10 @@ def _named(path: Path, expression: re.Pattern[str]) -> tuple[str, ...]:
 
 
 def _sentence(text: str, match: re.Match[str]) -> str:
-    """Return what stands around a match up to the ends of its sentence or line."""
-    start = max((one.end() for one in _STOP.finditer(text, 0, match.start())), default=0)
-    stop = _STOP.search(text, match.end())
-    return text[start : stop.start() if stop else len(text)]
+    """Return what stands around a match, up to the ends of its sentence or line, and no more than is read at once."""
+    before = text[max(0, match.start() - _AROUND) : match.start()]
+    behind = text[match.end() : match.end() + _AROUND]
+    return f"{_STOP.split(before)[-1]}{match[0]}{_STOP.split(behind, maxsplit=1)[0]}"
 
 
 def _without_comments(text: str) -> str:

@@ -1,5 +1,7 @@
 """Which functions of a Python file are registered as callbacks, and what they reach by calls."""
 
+import time
+
 import pytest
 
 from roslens.model.source import Language
@@ -97,3 +99,13 @@ def test_functions_that_call_each_other_end():
 def test_a_file_that_registers_nothing_is_not_read():
     view = parse_file(b"import rclpy\nrclpy.init()\n", Language.PYTHON, MacroSettings()).view()
     assert python_callbacks(view) is None
+
+
+def test_names_that_stand_for_each_other_end_at_once():
+    code = "\n".join(["import rclpy", *("a = b\nb = c\nc = a" for _ in range(60)), "node.create_timer(1.0, a)"])
+    view = parse_file(code.encode(), Language.PYTHON, MacroSettings()).view()
+    started = time.process_time()
+    found = python_callbacks(view)
+    assert found is not None
+    assert found.registrations == ()
+    assert time.process_time() - started < 1.0

@@ -18,6 +18,8 @@ from roslens.source.rules.flow.summary import Target
 _DEEPEST = 8
 _MOST = 24
 """Functions that one expression may mean; with more, nobody knows."""
+_MOST_VALUES = 64
+"""Expressions that a name may stand for, over all that they name."""
 _HARMLESS = frozenset({"staticmethod", "classmethod", "override", "typing.override", "typing_extensions.override"})
 _CONTAINERS = ("list", "tuple", "dictionary", "set")
 
@@ -59,6 +61,7 @@ class PythonFunctions:
         self._locals: dict[int, dict[str, list[Node]]] = {}
         self._calls_in: dict[int, list[Node]] = {}
         self._callees: dict[int, list[Node]] = {}
+        self._meanings: dict[int, Sequence[Target]] = {}
         self._collect()
 
     def scope(self, node: Node) -> Node | None:
@@ -127,18 +130,25 @@ class PythonFunctions:
                 found.extend(self.attribute(inherited, name, depth + 1))
         return found
 
-    def values(self, node: Node, depth: int = 0) -> Sequence[Node]:
+    def values(self, node: Node) -> Sequence[Node]:
         """Return the expressions that a name or an attribute of ``self`` is assigned; the node itself for others."""
-        if depth > _DEEPEST:
-            return ()
-        if node.type == "identifier":
-            found: Sequence[Node] = self._bound(self._view.text(node), self.scope(node))
-        elif node.type == "attribute" and self.is_self(node.child_by_field_name("object")):
-            of = self.class_around(node)
-            found = () if of is None else self.attribute(of, self._view.text(node.child_by_field_name("attribute")))
-        else:
-            return (node,)
-        return [value for one in found for value in self.values(one, depth + 1)]
+        found: list[Node] = []
+        seen: set[int] = set()
+        waiting = [node]
+        while waiting and len(seen) < _MOST_VALUES:
+            one = waiting.pop()
+            if one.id in seen:
+                continue
+            seen.add(one.id)
+            if one.type == "identifier":
+                waiting.extend(self._bound(self._view.text(one), self.scope(one)))
+            elif one.type == "attribute" and self.is_self(one.child_by_field_name("object")):
+                of = self.class_around(one)
+                name = self._view.text(one.child_by_field_name("attribute"))
+                waiting.extend(() if of is None else self.attribute(of, name))
+            else:
+                found.append(one)
+        return found if not waiting else ()
 
     def is_self(self, node: Node | None) -> bool:
         """Tell whether an expression is the object of the method around it."""
@@ -146,13 +156,17 @@ class PythonFunctions:
 
     def meant(self, node: Node, depth: int = 0) -> Sequence[Target]:
         """Return the functions that an expression may mean; none where that cannot be followed."""
-        if depth > _DEEPEST:
-            return ()
-        found = list(self._meant(node, depth))
+        known = self._meanings.get(node.id)
+        if known is not None or depth > _DEEPEST:
+            return known or ()
+        # An expression that leads back to itself means nothing more there.
+        self._meanings[node.id] = ()
+        found: Sequence[Target] = list(self._meant(node, depth))
         if len(found) > _MOST:
-            return ()
+            found = ()
         if len({one.function.id for one in found}) > 1:
-            return [Target(one.function, one.bound, one.keywords, is_exact=False) for one in found]
+            found = [Target(one.function, one.bound, one.keywords, is_exact=False) for one in found]
+        self._meanings[node.id] = found
         return found
 
     def _meant(self, node: Node, depth: int) -> Iterator[Target]:

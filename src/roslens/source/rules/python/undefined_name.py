@@ -1,0 +1,160 @@
+"""Rule ``python.undefined_name``: a name that nothing in the file defines."""
+
+from __future__ import annotations
+
+import builtins
+import keyword
+import re
+from collections import Counter
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from tree_sitter import Node
+
+from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+from roslens.source.rules.views.launch_code import launch_code
+from roslens.source.rules.views.python_names import PythonNames, above_of, text_of
+
+_READ = re.compile(rb"(?<![\w.])[A-Za-z_]\w*")
+_CAUGHT = re.compile(rb"\bexcept\b[^\n:]*,[ \t]*(\w+)[ \t]*:")
+"""How Python 2 names an exception."""
+_BINDS = (
+    re.compile(rb"\b(?:class|as|global|nonlocal)\s+(\w+)"),
+    re.compile(rb"(?:^|;)[ \t]*(\w+)[ \t]*(?::[^=\n]+)?=(?!=)", re.MULTILINE),
+    re.compile(rb"=[ \t]*(\w+)[ \t]*=(?!=)"),
+    re.compile(rb"(\w+)[ \t]*:="),
+    _CAUGHT,
+)
+_BIND_LISTS = (
+    re.compile(rb"\bimport\s+(\([^)]*\)|[^\n;]*(?:\\\r?\n[^\n;]*)*)"),
+    re.compile(rb"\b(?:for|lambda|case)\b([^:]+?)(?:\bin\b|:)"),
+    re.compile(rb"^[ \t]*([\w \t,.()\[\]*]+?)[ \t]*=(?!=)", re.MULTILINE),
+)
+_PARAMETERS = re.compile(rb"\bdef\s+(\w+)\s*\(([^)]*)")
+_PARAMETER = re.compile(rb"(?:^|,)\s*\*{0,2}\s*(\w+)")
+_WORD = re.compile(rb"\w+")
+_KNOWN = (
+    frozenset(one.encode() for one in (*dir(builtins), *keyword.kwlist, *keyword.softkwlist))
+    | frozenset((b"__file__", b"__name__", b"__doc__", b"__path__", b"__package__", b"__spec__", b"__loader__"))
+    | frozenset(
+        (b"__builtins__", b"__class__", b"__annotations__", b"WindowsError", b"_", b"__qualname__", b"__module__")
+    )
+    | frozenset((b"get_ipython", b"display", b"reveal_type", b"profile", b"__IPYTHON__", b"__pyx_capi__"))
+)
+_PYTHON2 = frozenset(
+    (
+        *("unicode", "raw_input", "xrange", "basestring", "long", "unichr", "reduce", "reload", "file", "cmp"),
+        *("execfile", "buffer", "apply", "intern", "coerce", "StandardError", "print", "exec"),
+    )
+)
+"""Builtins of Python 2, of which ``python.python2_name`` speaks."""
+_IMPORTS = {
+    "np": "import numpy as np", "plt": "import matplotlib.pyplot as plt", "pd": "import pandas as pd",
+    "Node": "from rclpy.node import Node", "String": "from std_msgs.msg import String",
+    "Twist": "from geometry_msgs.msg import Twist", "Image": "from sensor_msgs.msg import Image",
+    "LaserScan": "from sensor_msgs.msg import LaserScan", "Odometry": "from nav_msgs.msg import Odometry",
+    "PoseStamped": "from geometry_msgs.msg import PoseStamped", "CvBridge": "from cv_bridge import CvBridge",
+    "Duration": "from rclpy.duration import Duration", "QoSProfile": "from rclpy.qos import QoSProfile",
+    "partial": "from functools import partial", "deque": "from collections import deque",
+    "Path": "from pathlib import Path", "sleep": "from time import sleep",
+}  # fmt: skip
+_MODULES = frozenset(
+    (
+        *("rclpy", "rospy", "os", "sys", "time", "math", "json", "yaml", "threading", "subprocess", "random", "copy"),
+        *("cv2", "re", "datetime", "traceback", "logging", "struct", "socket", "signal", "argparse", "collections"),
+        *("tf2_ros", "functools", "itertools", "queue", "pathlib", "shutil", "serial", "torch", "numpy", "rosbag"),
+    )
+)
+_WAYS = ("if_statement", "while_statement", "for_statement", "try_statement", "except_clause", "conditional_expression")
+_FUNCTIONS = ("function_definition", "lambda")
+
+
+def found(_root: Node, view: FileView) -> Iterator[Hit]:
+    """Yield the first use of each name that nothing binds."""
+    if not _may_be_unbound(view) or launch_code(view) is not None:
+        return
+    unbound = [one for one in PythonNames(view.root).unbound() if _is_told(one, view)]
+    uses = Counter(map(text_of, unbound))
+    said: set[str] = set()
+    for node in unbound:
+        name = text_of(node)
+        if name in said:
+            continue
+        said.add(name)
+        more = f", here and {uses[name] - 1} times more" if uses[name] > 1 else ""
+        message = f"`{name}` is not defined: a NameError where it is read{more}; expected {_expected(name, view)}"
+        certainty = None if above_of(node, *_WAYS, *_FUNCTIONS) is None else Certainty.LIKELY
+        yield view.hit("python.undefined_name", node, message, certainty=certainty)
+
+
+def _may_be_unbound(view: FileView) -> bool:
+    """Tell whether some name stands in the code that no form of binding in the file names.
+
+    It is a look at the text: to go through the names of each file costs more than all other rules on it.
+    """
+    code = view.code
+    names = set(_READ.findall(code)) - _KNOWN
+    for pattern in _BINDS:
+        names.difference_update(pattern.findall(code))
+    for function, listed in _PARAMETERS.findall(code):
+        names.discard(function)
+        names.difference_update(_PARAMETER.findall(listed))
+    for pattern in _BIND_LISTS:
+        for listed in pattern.findall(code):
+            names.difference_update(_WORD.findall(listed))
+    return bool(names)
+
+
+def _is_told(node: Node, view: FileView) -> bool:
+    name = text_of(node)
+    known = name.encode()
+    if known in _KNOWN or name in _PYTHON2 or known in view.names(_CAUGHT):
+        return False
+    return not _is_of_python2(node, view)
+
+
+def _is_of_python2(node: Node, view: FileView) -> bool:
+    """Tell whether a condition on the version of Python is around a node."""
+    around = above_of(node, "if_statement", "conditional_expression")
+    while around is not None:
+        text = view.text(around)[:200]
+        if "version" in text or "PY2" in text or "PY3" in text or "TYPE_CHECKING" in text:
+            return True
+        around = above_of(around, "if_statement", "conditional_expression")
+    return False
+
+
+def _expected(name: str, view: FileView) -> str:
+    if name in _IMPORTS:
+        return f"`{_IMPORTS[name]}`"
+    if name in _MODULES:
+        return f"`import {name}`"
+    known = {one.decode("utf-8", "replace") for one in view.words} - {name}
+    if re.search(rb"\bself\s*\.\s*" + re.escape(name.encode()) + rb"\b", view.code):
+        return f"`self.{name}`, or its definition"
+    close = get_close_matches(name, sorted(known), 1, 0.8)
+    return f"`{close[0]}`, or its definition" if close else "its import or definition"
+
+
+RULE = FileRule(
+    id="python.undefined_name",
+    title="Name that is not defined (Python)",
+    finds="A name that the file neither imports nor binds anywhere, and that is no builtin: a forgotten import, a "
+    "typing error, a forgotten `self.`. Files with `import *`, `exec` or `globals()` are left out, and names in a "
+    "`try` that catches the NameError.",
+    why="Python raises a NameError when the line is reached: at the start, or at the first message that takes this "
+    "way.",
+    consequence=Consequence.WRONG,
+    certainty=Certainty.PROVEN,
+    profiles=("ros2", "ros1"),
+    tags=(),
+    clauses=("ruff F821", "pyflakes undefined-name"),
+    syntax="python",
+    whole=True,
+    bad="def report(node, value):\n    node.get_logger().info(str(math.floor(value)))\n",
+    good="import math\n\n\ndef report(node, value):\n    node.get_logger().info(str(math.floor(value)))\n",
+    found=found,
+)

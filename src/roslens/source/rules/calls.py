@@ -53,7 +53,9 @@ def arguments(call: Node) -> Sequence[Node]:
     listed = call if call.type.endswith("_list") else call.child_by_field_name("arguments")
     if listed is None:
         return ()
-    return [one for one in listed.named_children if one.type not in ("comment", "keyword_argument", "line_continuation")]
+    return [
+        one for one in listed.named_children if one.type not in ("comment", "keyword_argument", "line_continuation")
+    ]
 
 
 def keywords(call: Node, view: FileView) -> Mapping[str, Node]:

@@ -6,13 +6,14 @@ nothing: parameters, attributes of unknown objects, values of calls other than `
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 
 import msgspec
 from tree_sitter import Language, Node, Query, QueryCursor
 
 from roslens.source.rules.file_view import FileView
+from roslens.source.rules.flow.python_parts import CONTAINERS, has_decorator, is_plain, items_of, parameter_names
 from roslens.source.rules.flow.summary import Target
 
 _DEEPEST = 8
@@ -20,8 +21,6 @@ _MOST = 24
 """Functions that one expression may mean; with more, nobody knows."""
 _MOST_VALUES = 64
 """Expressions that a name may stand for, over all that they name."""
-_HARMLESS = frozenset({"staticmethod", "classmethod", "override", "typing.override", "typing_extensions.override"})
-_CONTAINERS = ("list", "tuple", "dictionary", "set")
 
 
 class PythonClass(msgspec.Struct, frozen=True, eq=False):
@@ -61,6 +60,7 @@ class PythonFunctions:
         self._locals: dict[int, dict[str, list[Node]]] = {}
         self._calls_in: dict[int, list[Node]] = {}
         self._callees: dict[int, list[Node]] = {}
+        self._defined: set[str] = set()
         self._meanings: dict[int, Sequence[Target]] = {}
         self._collect()
 
@@ -130,6 +130,18 @@ class PythonFunctions:
                 found.extend(self.attribute(inherited, name, depth + 1))
         return found
 
+    def defines(self, name: str) -> bool:
+        """Return whether the file defines a function, method or class of a name."""
+        return name in self.classes or name in self._defined
+
+    def is_overridden(self, of: PythonClass, name: str) -> bool:
+        """Return whether a class of the file that is derived from another has a method of its own of a name."""
+        return any(one is not of and name in one.methods and self._derives(one, of) for one in self.classes.values())
+
+    def _derives(self, one: PythonClass, of: PythonClass, depth: int = 0) -> bool:
+        bases = [self.classes[each] for each in one.bases if each in self.classes]
+        return depth < _DEEPEST and any(each is of or self._derives(each, of, depth + 1) for each in bases)
+
     def values(self, node: Node) -> Sequence[Node]:
         """Return the expressions that a name or an attribute of ``self`` is assigned; the node itself for others."""
         found: list[Node] = []
@@ -172,7 +184,7 @@ class PythonFunctions:
     def _meant(self, node: Node, depth: int) -> Iterator[Target]:
         match node.type:
             case "lambda" | "function_definition":
-                yield Target(node, is_exact=_is_plain(node, self._view))
+                yield Target(node, is_exact=is_plain(node, self._view))
             case "identifier":
                 for one in self._bound(self._view.text(node), self.scope(node)):
                     yield from self.meant(one, depth + 1)
@@ -199,15 +211,15 @@ class PythonFunctions:
         for one in self.classes_of(of):
             method = self.method(one, name)
             if method is not None:
-                plain = _is_plain(method, self._view)
-                yield Target(method, 0 if _has(method, "staticmethod", self._view) else 1, is_exact=plain)
+                plain = is_plain(method, self._view)
+                yield Target(method, 0 if has_decorator(method, "staticmethod", self._view) else 1, is_exact=plain)
             elif self.is_self(of):
                 yield from (each for value in self.attribute(one, name) for each in self.meant(value, depth + 1))
 
     def _of_class(self, named: PythonClass, name: str) -> Iterator[Target]:
         method = self.method(named, name)
         if method is not None:
-            yield Target(method, 1 if _has(method, "classmethod", self._view) else 0, is_exact=False)
+            yield Target(method, 1 if has_decorator(method, "classmethod", self._view) else 0, is_exact=False)
 
     def classes_of(self, node: Node) -> Sequence[PythonClass]:
         """Return the classes of the file that an object may have."""
@@ -240,7 +252,7 @@ class PythonFunctions:
 
     def _any_item(self, container: Node | None, depth: int) -> Iterator[Target]:
         for one in self.values(container) if container is not None else ():
-            for item in _items(one):
+            for item in items_of(one):
                 yield from self.meant(item, depth + 1)
 
     def _item_of_loop(self, loop: Node, depth: int) -> Iterator[Target]:
@@ -251,8 +263,8 @@ class PythonFunctions:
         if called is not None and called.type == "attribute":
             right = called.child_by_field_name("object")
         for one in self.values(right) if right is not None else ():
-            for item in _items(one):
-                for inner in _items(item) if item.type in _CONTAINERS else (item,):
+            for item in items_of(one):
+                for inner in items_of(item) if item.type in CONTAINERS else (item,):
                     yield from (
                         Target(each.function, each.bound, each.keywords, is_exact=False)
                         for each in self.meant(inner, depth + 1)
@@ -300,8 +312,9 @@ class PythonFunctions:
         elif node.type == "function_definition" and around is not None and around.type == "class_definition":
             self._by_class[around.id].methods[name] = node
         if name:
+            self._defined.add(name)
             self._bind(name, node, around)
-        for parameter in _parameters(node):
+        for parameter in parameter_names(node):
             self._bind(self._view.text(parameter), parameter.parent or parameter, node)
 
     def _assign(self, node: Node, around: Node | None) -> None:
@@ -358,37 +371,3 @@ def _query() -> Query:
 
 def _order(node: Node) -> tuple[int, int]:
     return node.start_byte, -node.end_byte
-
-
-def _items(node: Node) -> Sequence[Node]:
-    """Return the values that a literal list, tuple, set or dictionary holds."""
-    if node.type not in _CONTAINERS:
-        return ()
-    values = (one.child_by_field_name("value") if one.type == "pair" else one for one in node.named_children)
-    return [one for one in values if one is not None]
-
-
-def _parameters(function: Node) -> Iterator[Node]:
-    """Yield the names of the parameters of a function."""
-    listed = function.child_by_field_name("parameters")
-    for one in listed.named_children if listed is not None else ():
-        name = one if one.type == "identifier" else one.child_by_field_name("name")
-        name = name or next((each for each in one.named_children if each.type == "identifier"), None)
-        if name is not None:
-            yield name
-
-
-def _decorators(function: Node, view: FileView) -> Mapping[str, Node]:
-    around = function.parent
-    if around is None or around.type != "decorated_definition":
-        return {}
-    return {view.text(one).removeprefix("@"): one for one in around.children if one.type == "decorator"}
-
-
-def _has(function: Node, decorator: str, view: FileView) -> bool:
-    return decorator in _decorators(function, view)
-
-
-def _is_plain(function: Node, view: FileView) -> bool:
-    """Tell whether no decorator changes what the function takes and returns."""
-    return _decorators(function, view).keys() <= _HARMLESS

@@ -9,6 +9,7 @@ from roslens.model.source import Language
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.callbacks import callbacks_of
 from roslens.source.rules.cpp_flow.member_facts import member_facts
+from roslens.source.rules.flow.python_reached import reached_facts
 from roslens.source.rules.match_file import Matched, kinds_asked, match_file
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
@@ -50,5 +51,5 @@ def analyse_parsed(content: bytes, parsed: ParsedFile, wanted: frozenset[str] | 
         suppressions(content),
         encoding_failure("", content),
         match_file(view, wanted),
-        (*callbacks_of(view), *member_facts(view)),
+        (*callbacks_of(view), *member_facts(view), *reached_facts(view)),
     )

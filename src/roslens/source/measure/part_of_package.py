@@ -17,7 +17,8 @@ from roslens.source.metrics.table import metrics_with
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.callbacks import REGISTERING_CPP, REGISTERING_PYTHON, STREAM, callbacks_of
 from roslens.source.rules.cpp_flow.member_facts import MEMBER, member_facts
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.flow.python_reached import REACHED, reached_facts
+from roslens.source.rules.hit import EITHER, Hit
 
 
 def registered_elsewhere(
@@ -34,7 +35,8 @@ def registered_elsewhere(
     """
     known = frozenset(callbacks)
     names = {hit.callback for found in hits.values() for hit in found if hit.callback} - known
-    functions = {_last(name.removeprefix(STREAM)) for name in names if not name.startswith(MEMBER)}
+    either = {one for name in names for one in name.split(EITHER)}
+    functions = {_last(one.removeprefix(STREAM).removeprefix(REACHED)) for one in either if not one.startswith(MEMBER)}
     members = {_last(name.removeprefix(MEMBER).partition(" ")[0]) for name in names if name.startswith(MEMBER)}
     if not names:
         return known
@@ -57,7 +59,7 @@ def _registered(task: PackageTask, functions: set[bytes], members: set[bytes]) -
             if any(word in content for word in members) or (registers and any(word in content for word in functions)):
                 with file_budget(file.path, size=len(content)):
                     view = parse_file(content, file.language, task.macros).view()
-                    yield (*callbacks_of(view), *member_facts(view))
+                    yield (*callbacks_of(view), *member_facts(view), *reached_facts(view))
 
 
 def without_the_whole(entities: Sequence[Entity]) -> tuple[Entity, ...]:

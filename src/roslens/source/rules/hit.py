@@ -16,6 +16,10 @@ GUARD_NAME = "\0GUARD\0"
 """In the text of an edit: the name of the header guard, which the path of the file tells."""
 
 
+EITHER = "|"
+"""Between the functions of which one has to be a callback, in ``callback`` of a hit."""
+
+
 class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     """A place that a rule is about. It is kept by content: of its file it only says the lines, counted from 1.
 

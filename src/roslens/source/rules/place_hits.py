@@ -10,7 +10,7 @@ from pathlib import PurePosixPath
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, fingerprint
 from roslens.model.weight.consequence import severity_of
-from roslens.source.rules.hit import GUARDED, HEADER, SOURCE, Hit
+from roslens.source.rules.hit import EITHER, GUARDED, HEADER, SOURCE, Hit
 from roslens.source.rules.rule import TOOL, Rule
 from roslens.source.rules.selection import Selection
 
@@ -64,7 +64,7 @@ def _counts(hit: Hit, rule: Rule, counted: Collection[str], callbacks: Collectio
         return False
     if is_c and getattr(rule, "in_c", True) is False:
         return False
-    return not hit.callback or hit.callback in callbacks
+    return not hit.callback or any(one in callbacks for one in hit.callback.split(EITHER))
 
 
 def _counted(path: PurePosixPath) -> tuple[str, ...]:

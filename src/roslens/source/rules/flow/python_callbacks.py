@@ -57,12 +57,14 @@ class PythonCallbacks:
     Attributes:
         functions: of the file.
         registrations: of callbacks, in order.
+        unfollowed: what is handed over in the default group of a node and is defined elsewhere.
     """
 
     def __init__(self, view: FileView) -> None:
         """Collect what a file registers."""
         self.functions: PythonFunctions = python_functions(view)
         self._view = view
+        self.unfollowed: list[Node] = []
         self.registrations: tuple[Registration, ...] = tuple(self._registered())
         self._ways = ways(self.registrations, self.functions.callees)
 
@@ -70,6 +72,13 @@ class PythonCallbacks:
         """Return the ways from callbacks to the function in which a node stands."""
         around = function_around(node)
         return self._ways.get(around.id, ()) if around is not None else ()
+
+    def reached_from(self, registration: Registration) -> Iterator[Node]:
+        """Yield the functions of the file that a callback reaches, itself first."""
+        for known in self._ways.values():
+            for way in known:
+                if way.registration is registration:
+                    yield way.functions[-1]
 
     def _registered(self) -> Iterator[Registration]:
         is_ros2 = b"rclpy" in self._view.words
@@ -97,9 +106,13 @@ class PythonCallbacks:
             placed = arguments(call)
             whole = not any(one.type == "list_splat" for one in placed[: slot.place + 1])
             given = placed[slot.place] if whole and len(placed) > slot.place else None
-        if given is not None:
-            for target in self.functions.meant(given):
-                yield Registration(slot.kind, call, given, target, is_ros1)
+        if given is None:
+            return
+        targets = self.functions.meant(given)
+        for target in targets:
+            yield Registration(slot.kind, call, given, target, is_ros1)
+        if not targets and not is_ros1 and "callback_group" not in keywords(call, self._view):
+            self.unfollowed.append(given)
 
 
 def python_callbacks(view: FileView) -> PythonCallbacks | None:

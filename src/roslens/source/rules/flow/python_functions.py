@@ -19,6 +19,7 @@ from roslens.source.rules.flow.summary import Target
 _DEEPEST = 8
 _MOST = 24
 """Functions that one expression may mean; with more, nobody knows."""
+_SCOPES = ("function_definition", "class_definition", "lambda")
 _MOST_VALUES = 64
 """Expressions that a name may stand for, over all that they name."""
 
@@ -46,6 +47,7 @@ class PythonFunctions:
 
     Attributes:
         calls: all of them, in order.
+        functions: that have a name, in order.
         classes: by name.
     """
 
@@ -53,6 +55,7 @@ class PythonFunctions:
         """Collect definitions, assignments and calls of a file."""
         self._view = view
         self.calls: list[Node] = []
+        self.functions: list[Node] = []
         self.classes: dict[str, PythonClass] = {}
         self._by_class: dict[int, PythonClass] = {}
         self._around: dict[int, Node | None] = {}
@@ -61,6 +64,7 @@ class PythonFunctions:
         self._calls_in: dict[int, list[Node]] = {}
         self._callees: dict[int, list[Node]] = {}
         self._defined: set[str] = set()
+        self._globals: dict[int, set[str]] = {}
         self._meanings: dict[int, Sequence[Target]] = {}
         self._collect()
 
@@ -291,15 +295,21 @@ class PythonFunctions:
                 stack.pop()
             around = stack[-1] if stack else None
             self._around[node.id] = around
-            if node.type in ("function_definition", "class_definition", "lambda"):
-                self._define(node, around)
+            self._note(node, around)
+            if node.type in _SCOPES:
                 stack.append(node)
-            elif node.type == "call":
-                self.calls.append(node)
-                if around is not None:
-                    self._calls_in.setdefault(around.id, []).append(node)
-            else:
-                self._assign(node, around)
+
+    def _note(self, node: Node, around: Node | None) -> None:
+        at = around.id if around is not None else 0
+        if node.type in _SCOPES:
+            self._define(node, around)
+        elif node.type == "global_statement":
+            self._globals.setdefault(at, set()).update(self._view.text(one) for one in node.named_children)
+        elif node.type == "call":
+            self.calls.append(node)
+            self._calls_in.setdefault(at, []).append(node)
+        else:
+            self._assign(node, around)
 
     def _define(self, node: Node, around: Node | None) -> None:
         name = self._view.text(node.child_by_field_name("name"))
@@ -311,6 +321,8 @@ class PythonFunctions:
             self.classes.setdefault(name, of)
         elif node.type == "function_definition" and around is not None and around.type == "class_definition":
             self._by_class[around.id].methods[name] = node
+        if node.type == "function_definition":
+            self.functions.append(node)
         if name:
             self._defined.add(name)
             self._bind(name, node, around)
@@ -348,7 +360,10 @@ class PythonFunctions:
         return self._by_class.get(scope.id) if scope is not None else None
 
     def _bind(self, name: str, node: Node, scope: Node | None) -> None:
-        self._locals.setdefault(scope.id if scope is not None else 0, {}).setdefault(name, []).append(node)
+        at = scope.id if scope is not None else 0
+        if name in self._globals.get(at, ()):
+            at = 0
+        self._locals.setdefault(at, {}).setdefault(name, []).append(node)
 
 
 def python_functions(view: FileView) -> PythonFunctions:
@@ -364,7 +379,15 @@ def _query() -> Query:
     import tree_sitter_python
 
     language = Language(tree_sitter_python.language())
-    kinds = ("function_definition", "class_definition", "lambda", "call", "assignment", "for_statement")
+    kinds = (
+        "function_definition",
+        "class_definition",
+        "lambda",
+        "call",
+        "assignment",
+        "for_statement",
+        "global_statement",
+    )
     found: Query = Query(language, "".join(f"({one}) @{one}\n" for one in (*kinds, "for_in_clause")))
     return found
 

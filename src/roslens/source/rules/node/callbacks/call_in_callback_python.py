@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import call_at, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.flow.python_callbacks import ways_to
+from roslens.source.rules.flow.python_reached import where_reached
 from roslens.source.rules.flow.python_threads import deadlock_of, made_by
 from roslens.source.rules.flow.spoken_way import spoken_way
 from roslens.source.rules.hit import Hit
@@ -43,17 +43,17 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _registered_elsewhere(call: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a call in a function that another file may register."""
+    """Yield a call in a function that a callback of another file is, or calls."""
     if any(one in view.code for one in _GROUPS):
         return
-    callback = callback_around(call, view)
-    if callback:
+    where = where_reached(call, view)
+    if where:
         yield view.hit(
             "node.call_in_callback_python",
             call,
-            f"`{view.text(call)}` in {spoken(callback)}: the answer needs the executor that waits here; expected "
-            "`await client.call_async(...)`, or a client in a callback group of its own",
-            callback=callback,
+            f"`{view.short(call)}` in what a callback of another file calls: the answer needs the executor that waits "
+            "here; expected `await client.call_async(...)`, or a client in a callback group of its own",
+            callback=where,
             certainty=Certainty.LIKELY,
         )
 

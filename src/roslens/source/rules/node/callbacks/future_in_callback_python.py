@@ -8,19 +8,22 @@ from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name
-from roslens.source.rules.calls import call_at, function_around, receiver
+from roslens.source.rules.calls import arguments, call_at, keywords, receiver
 from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.flow.python_callbacks import python_callbacks, ways_to
 from roslens.source.rules.flow.python_functions import python_functions
+from roslens.source.rules.flow.python_reached import where_reached
 from roslens.source.rules.flow.python_threads import Blocked, blocked, made_by
+from roslens.source.rules.flow.python_waited import ASYNC, brought_by_callbacks, client_of
 from roslens.source.rules.flow.spoken_way import spoken_way
-from roslens.source.rules.flow.summary import CallbackKind, Registration, Way
+from roslens.source.rules.flow.summary import Way
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLPY, FileRule
 
-_ASYNC = frozenset({"call_async", "send_goal_async", "get_result_async", "cancel_goal_async"})
-_CLIENTS = frozenset({"create_client", "ActionClient"})
-_EVENTS = frozenset({"Event"})
+_WAITERS = {"wait": frozenset({"Event", "Condition"}), "get": frozenset({"Queue", "SimpleQueue", "LifoQueue"})}
+"""What waits until another thread does something, by the name of the method, and the classes that have it."""
+_SETTERS = frozenset({"set", "notify", "notify_all", "put", "put_nowait"})
+_AT_ONCE = ("False", "0", "0.0")
 _SPINS = ("spin_once", "spin_until_future_complete", "spin", "spin_once_until_future_complete")
 _FUNCTIONS = ("function_definition", "lambda")
 
@@ -31,23 +34,43 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     of = receiver(call) if call is not None else None
     if call is None or of is None or above(call, "await") is not None:
         return
-    if view.text(node) == "wait":
-        told, place = _of_event(call, of, view), call
-        expected = "expected to go on in the callback that sets it"
+    if view.text(node) == "get" and b"Queue" not in view.code:
+        return
+    if view.text(node) in _WAITERS:
+        told = _of_event(call, of, view)
+        expected = "expected to go on in the callback that brings it"
     else:
         loop = _loop_until(call, view)
         if loop is None:
             return
-        told, place = _of_future(call, of, view), call
+        told = _of_future(call, of, view)
         expected = "expected `await future` in an `async` callback, or `add_done_callback`"
     if told is not None:
         way, why = told
         yield view.hit(
             "node.future_in_callback_python",
-            place,
+            call,
             f"`{view.short(call)}` is waited for in {spoken_way(way, view)}: it never comes while this callback runs, "
             f"for {why.because}; {expected}",
             certainty=why.certainty,
+        )
+    elif view.text(node) == "done" and not ways_to(call, view):
+        yield from _reached_elsewhere(call, of, view)
+
+
+def _reached_elsewhere(call: Node, of: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a loop in a function that a callback of another file calls, for a client in the default group."""
+    sent = made_by(of, ASYNC, view)
+    client = client_of(sent, view) if sent is not None else None
+    where = where_reached(call, view) if client is not None and b"callback_group" not in view.code else ""
+    if where:
+        yield view.hit(
+            "node.future_in_callback_python",
+            call,
+            f"`{view.short(call)}` is waited for in what a callback of another file calls: it never comes while that "
+            "callback runs; expected `await future` in an `async` callback, or `add_done_callback`",
+            callback=where,
+            certainty=Certainty.LIKELY,
         )
 
 
@@ -84,22 +107,12 @@ def _is_endless(condition: Node, view: FileView) -> bool:
 def _of_future(call: Node, of: Node, view: FileView) -> tuple[Way, Blocked] | None:
     for way in ways_to(call, view):
         for value in _passed(of, way, view):
-            sent = made_by(value, _ASYNC, view)
-            client = _client_of(sent, view) if sent is not None else None
+            sent = made_by(value, ASYNC, view)
+            client = client_of(sent, view) if sent is not None else None
             why = blocked(way.registration, client, view) if client is not None else None
             if why is not None:
                 return way, why
     return None
-
-
-def _client_of(sent: Node, view: FileView) -> Node | None:
-    """Return the call that makes the client whose request a call sends; of goals, that of the only action client."""
-    of = receiver(sent)
-    client = made_by(of, _CLIENTS, view) if of is not None else None
-    if client is not None or callee_name(sent, view) in ("call_async", "send_goal_async"):
-        return client
-    made = [one for one in python_functions(view).calls if callee_name(one, view) == "ActionClient"]
-    return made[0] if len(made) == 1 else None
 
 
 def _passed(of: Node, way: Way, view: FileView) -> Sequence[Node]:
@@ -134,46 +147,28 @@ def _place_of(of: Node, function: Node, view: FileView) -> int | None:
 def _of_event(call: Node, of: Node, view: FileView) -> tuple[Way, Blocked] | None:
     """Return the way to a wait for an event that only callbacks set, which cannot run meanwhile."""
     callbacks = python_callbacks(view)
-    if callbacks is None or made_by(of, _EVENTS, view) is None:
+    made = made_by(of, _WAITERS[callee_name(call, view)], view)
+    if callbacks is None or made is None or any(view.text(one) in _AT_ONCE for one in arguments(call)):
+        return None
+    if any(view.text(one) in _AT_ONCE for one in keywords(call, view).values()):
         return None
     name = view.text(of)
     setters = [
-        one for one in callbacks.functions.calls if callee_name(one, view) == "set" and view.text(receiver(one)) == name
+        one
+        for one in callbacks.functions.calls
+        if callee_name(one, view) in _SETTERS and view.text(receiver(one)) == name
     ]
-    for way in callbacks.ways_to(call):
-        whys = [_kept_back(way, one, view) for one in setters]
-        if whys and all(whys):
-            return way, next(one for one in whys if one is not None)
-    return None
-
-
-def _kept_back(way: Way, setter: Node, view: FileView) -> Blocked | None:
-    """Return why a place that sets an event cannot run; None where it may, or where nobody knows what runs it."""
-    own = function_around(setter)
-    if own is None or own == function_around(way.functions[-1]):
-        return None
-    others = ways_to(setter, view)
-    whys = [_keeps_back(way.registration, one.registration, view) for one in others]
-    return whys[0] if whys and all(whys) else None
-
-
-def _keeps_back(waiting: Registration, setting: Registration, view: FileView) -> Blocked | None:
-    if waiting.target.function == setting.target.function:
-        return None
-    if setting.kind is not CallbackKind.DONE:
-        return blocked(waiting, setting.call, view)
-    future = receiver(setting.call)
-    sent = made_by(future, _ASYNC, view) if future is not None else None
-    client = _client_of(sent, view) if sent is not None else None
-    return blocked(waiting, client, view) if client is not None else None
+    found = ((way, brought_by_callbacks(way, setters, view)) for way in callbacks.ways_to(call))
+    return next(((way, why) for way, why in found if why is not None), None)
 
 
 RULE = FileRule(
     id="node.future_in_callback_python",
     title="Waiting for a future or an event in a callback (rclpy)",
-    finds="A loop until `future.done()`, or `event.wait()`, in a callback or in a function that one calls, where what "
-    "completes the future or sets the event is another callback in the same mutually exclusive callback group, or "
-    "where one thread runs all callbacks. Await the future in an `async` callback or give it `add_done_callback`.",
+    finds="A loop until `future.done()`, `wait` of an event or condition, or `get` of a queue, in a callback or in a "
+    "function that one calls, where what completes the future or sets the event is another callback in the same "
+    "mutually exclusive callback group, or where one thread runs all callbacks. Await the future in an `async` "
+    "callback or give it `add_done_callback`.",
     why="The answer is delivered by the executor that waits for this callback to end: both wait for ever, and the "
     "node is dead without a message.",
     consequence=Consequence.WRONG,
@@ -199,7 +194,7 @@ class Arm(Node):
         answer = await self.client.call_async(Ask.Request())
 """,
     syntax="python",
-    anchors=("done", "wait"),
+    anchors=("done", "wait", "get"),
     mentions=RCLPY,
     found=found,
 )

@@ -8,13 +8,14 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.callbacks import callback_around, spoken
+from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import arguments, call_at, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.flow.python_callbacks import python_callbacks, ways_to
+from roslens.source.rules.flow.python_reached import where_reached
 from roslens.source.rules.flow.python_threads import made_by
 from roslens.source.rules.flow.spoken_way import spoken_way
-from roslens.source.rules.hit import Hit
+from roslens.source.rules.hit import EITHER, Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
 _OWN_EXECUTOR = re.compile(rb"\b(?:Single|Multi)ThreadedExecutor\s*\(")
@@ -36,10 +37,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         where = spoken_way(known[0], view)
         callback = ""
     else:
-        callback = callback_around(call, view) or ""
-        if not callback:
+        named = callback_around(call, view)
+        if not named:
             return
-        where = spoken(callback)
+        callback = EITHER.join((named, where_reached(call, view)))
+        where = f"`{named}`, which runs in a callback"
     yield view.hit(
         "node.spin_in_callback_python",
         call,

@@ -8,8 +8,9 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from difflib import get_close_matches
+from functools import cache
 
-from tree_sitter import Node
+from tree_sitter import Language, Node, Query, QueryCursor
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
@@ -18,36 +19,68 @@ from roslens.source.rules.rule import FileRule
 from roslens.source.rules.views.launch_code import launch_code
 from roslens.source.rules.views.python_names import PythonNames, above_of, text_of
 
-_READ = re.compile(rb"(?<![\w.])[A-Za-z_]\w*")
+_IS_SET = re.compile(rb"[ \t]*=(?!=)")
 _CAUGHT = re.compile(rb"\bexcept\b[^\n:]*,[ \t]*(\w+)[ \t]*:")
 """How Python 2 names an exception."""
-_BINDS = (
-    re.compile(rb"\b(?:class|as|global|nonlocal)\s+(\w+)"),
-    re.compile(rb"(?:^|;)[ \t]*(\w+)[ \t]*(?::[^=\n]+)?=(?!=)", re.MULTILINE),
-    re.compile(rb"=[ \t]*(\w+)[ \t]*=(?!=)"),
-    re.compile(rb"(\w+)[ \t]*:="),
-    _CAUGHT,
-)
-_BIND_LISTS = (
-    re.compile(rb"\bimport\s+(\([^)]*\)|[^\n;]*(?:\\\r?\n[^\n;]*)*)"),
-    re.compile(rb"\b(?:for|lambda|case)\b([^:]+?)(?:\bin\b|:)"),
-    re.compile(rb"^[ \t]*([\w \t,.()\[\]*]+?)[ \t]*=(?!=)", re.MULTILINE),
-)
-_PARAMETERS = re.compile(rb"\bdef\s+(\w+)\s*\(([^)]*)")
-_PARAMETER = re.compile(rb"(?:^|,)\s*\*{0,2}\s*(\w+)")
-_WORD = re.compile(rb"\w+")
 _KNOWN = (
     frozenset(one.encode() for one in (*dir(builtins), *keyword.kwlist, *keyword.softkwlist))
-    | frozenset((b"__file__", b"__name__", b"__doc__", b"__path__", b"__package__", b"__spec__", b"__loader__"))
     | frozenset(
-        (b"__builtins__", b"__class__", b"__annotations__", b"WindowsError", b"_", b"__qualname__", b"__module__")
+        (
+            b"__file__",
+            b"__name__",
+            b"__doc__",
+            b"__path__",
+            b"__package__",
+            b"__spec__",
+            b"__loader__",
+        )
     )
-    | frozenset((b"get_ipython", b"display", b"reveal_type", b"profile", b"__IPYTHON__", b"__pyx_capi__"))
+    | frozenset(
+        (
+            b"__builtins__",
+            b"__class__",
+            b"__annotations__",
+            b"WindowsError",
+            b"_",
+            b"__qualname__",
+            b"__module__",
+        )
+    )
+    | frozenset(
+        (
+            b"get_ipython",
+            b"display",
+            b"reveal_type",
+            b"profile",
+            b"__IPYTHON__",
+            b"__pyx_capi__",
+        )
+    )
 )
 _PYTHON2 = frozenset(
     (
-        *("unicode", "raw_input", "xrange", "basestring", "long", "unichr", "reduce", "reload", "file", "cmp"),
-        *("execfile", "buffer", "apply", "intern", "coerce", "StandardError", "print", "exec"),
+        *(
+            "unicode",
+            "raw_input",
+            "xrange",
+            "basestring",
+            "long",
+            "unichr",
+            "reduce",
+            "reload",
+            "file",
+            "cmp",
+        ),
+        *(
+            "execfile",
+            "buffer",
+            "apply",
+            "intern",
+            "coerce",
+            "StandardError",
+            "print",
+            "exec",
+        ),
     )
 )
 """Builtins of Python 2, of which ``python.python2_name`` speaks."""
@@ -63,12 +96,54 @@ _IMPORTS = {
 }  # fmt: skip
 _MODULES = frozenset(
     (
-        *("rclpy", "rospy", "os", "sys", "time", "math", "json", "yaml", "threading", "subprocess", "random", "copy"),
-        *("cv2", "re", "datetime", "traceback", "logging", "struct", "socket", "signal", "argparse", "collections"),
-        *("tf2_ros", "functools", "itertools", "queue", "pathlib", "shutil", "serial", "torch", "numpy", "rosbag"),
+        *(
+            "rclpy",
+            "rospy",
+            "os",
+            "sys",
+            "time",
+            "math",
+            "json",
+            "yaml",
+            "threading",
+            "subprocess",
+            "random",
+            "copy",
+        ),
+        *(
+            "cv2",
+            "re",
+            "datetime",
+            "traceback",
+            "logging",
+            "struct",
+            "socket",
+            "signal",
+            "argparse",
+            "collections",
+        ),
+        *(
+            "tf2_ros",
+            "functools",
+            "itertools",
+            "queue",
+            "pathlib",
+            "shutil",
+            "serial",
+            "torch",
+            "numpy",
+            "rosbag",
+        ),
     )
 )
-_WAYS = ("if_statement", "while_statement", "for_statement", "try_statement", "except_clause", "conditional_expression")
+_WAYS = (
+    "if_statement",
+    "while_statement",
+    "for_statement",
+    "try_statement",
+    "except_clause",
+    "conditional_expression",
+)
 _FUNCTIONS = ("function_definition", "lambda")
 
 
@@ -91,21 +166,55 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _may_be_unbound(view: FileView) -> bool:
-    """Tell whether some name stands in the code that no form of binding in the file names.
+    """Tell whether some name is read that no form of binding in the file names.
 
-    It is a look at the text: to go through the names of each file costs more than all other rules on it.
+    To go through the names of each file, scope by scope, would cost more than all other rules on it. A name behind a
+    point is an attribute, one before `=` is set or that of an argument.
     """
-    code = view.code
-    names = set(_READ.findall(code)) - _KNOWN
-    for pattern in _BINDS:
-        names.difference_update(pattern.findall(code))
-    for function, listed in _PARAMETERS.findall(code):
-        names.discard(function)
-        names.difference_update(_PARAMETER.findall(listed))
-    for pattern in _BIND_LISTS:
-        for listed in pattern.findall(code):
-            names.difference_update(_WORD.findall(listed))
+    captured = QueryCursor(_query()).captures(view.root)
+    source = view.source
+    names = {
+        source[one.start_byte : one.end_byte]
+        for one in captured.get("any", ())
+        if source[one.start_byte - 1 : one.start_byte] != b"." and not _IS_SET.match(source, one.end_byte)
+    }
+    names -= _KNOWN
+    names.difference_update(source[one.start_byte : one.end_byte] for one in captured.get("bound", ()))
     return bool(names)
+
+
+@cache
+def _query() -> Query:
+    import tree_sitter_python
+
+    holders = (
+        "parameters",
+        "lambda_parameters",
+        "typed_parameter",
+        "pattern_list",
+        "tuple_pattern",
+        "list_pattern",
+    )
+    more = (
+        "list_splat_pattern",
+        "dictionary_splat_pattern",
+        "as_pattern_target",
+        "global_statement",
+        "dotted_name",
+    )
+    fields = (
+        *((one, "left") for one in ("assignment", "for_statement", "for_in_clause")),
+        *((one, "name") for one in ("function_definition", "class_definition", "default_parameter")),
+        *((one, "name") for one in ("typed_default_parameter", "named_expression")),
+        ("aliased_import", "alias"),
+    )
+    patterns = [f"({one} (identifier) @bound)" for one in (*holders, *more, "nonlocal_statement")]
+    patterns += [f"({kind} {field}: (identifier) @bound)" for kind, field in fields]
+    found: Query = Query(
+        Language(tree_sitter_python.language()),
+        "\n".join((*patterns, "(identifier) @any")),
+    )
+    return found
 
 
 def _is_told(node: Node, view: FileView) -> bool:

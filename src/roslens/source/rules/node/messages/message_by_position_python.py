@@ -14,6 +14,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLPY, FileRule
 
 _MODULE = re.compile(r"^[a-z][a-z0-9_]*\.msg$")
+_NAME_BYTES = frozenset(bytes((one,)) for one in b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.")
 _TIMES = {"rclpy.duration": "Duration", "rclpy.time": "Time"}
 
 
@@ -50,17 +51,28 @@ def _field(module: str, name: str) -> str:
 
 
 def _calls(name: str, view: FileView) -> Iterator[Node]:
-    """Yield the calls of a name, unless the file binds it to something else, too."""
-    word = re.escape(name.encode())
-    if re.search(rb"\b(?:class|def)\s+" + word + rb"\b|(?<![\w.])" + word + rb"\s*=(?!=)", view.code):
+    """Yield the calls of a name with arguments, unless the file binds it to something else, too."""
+    code, called = view.code, name.encode() + b"("
+    at = code.find(called)
+    places = []
+    while at >= 0:
+        end = at + len(called)
+        if code[end : end + 1] != b")" and code[at - 1 : at] not in _NAME_BYTES:
+            places.append(at)
+        at = code.find(called, end)
+    if not places or _is_bound_again(name.encode(), code):
         return
-    if len(re.findall(rb"\bimport\b[^\n#]*\b" + word + rb"\b", view.code)) > 1:
-        return
-    for match in re.finditer(rb"(?<![\w.])" + word + rb"\s*\(", view.code):
-        node = view.node_at(match.start(), match.start() + len(name))
+    for at in places:
+        node = view.node_at(at, at + len(name))
         call = call_at(node) if node is not None else None
         if call is not None:
             yield call
+
+
+def _is_bound_again(name: bytes, code: bytes) -> bool:
+    word = re.escape(name)
+    again = rb"\b(?:class|def)\s+" + word + rb"\b|(?<![\w.])" + word + rb"\s*=(?!=)"
+    return re.search(again, code) is not None or len(re.findall(rb"\bimport\b[^\n#]*\b" + word + rb"\b", code)) > 1
 
 
 RULE = FileRule(

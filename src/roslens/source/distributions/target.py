@@ -13,6 +13,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
+from itertools import islice
 from pathlib import Path, PurePosixPath
 
 import msgspec
@@ -25,6 +26,9 @@ MOST_BYTES = 300_000
 """Of a file that is looked at."""
 MOST_FILES = 60
 """In one folder."""
+
+MOST_NAMES = 500
+"""In one file."""
 
 _NAMES = "|".join(distributions())
 _IN_CI = re.compile(
@@ -217,7 +221,7 @@ def _named(path: Path, expression: re.Pattern[str]) -> tuple[str, ...]:
         return ()
     # In a document a sign that begins comments elsewhere begins a title.
     code = text if expression is _IN_DOCUMENT else _without_comments(text)
-    matches = expression.finditer(code)
+    matches: Iterable[re.Match[str]] = islice(expression.finditer(code), MOST_NAMES)
     if expression is _IN_DOCUMENT:
         matches = (one for one in matches if not _DENIED.search(_sentence(code, one)))
     found = {name.lower() for match in matches for name in _NAME.findall(match[0])}

@@ -94,14 +94,21 @@ def test_every_verb_that_can_keep_something_is_asked():
         for verb, one in verbs.choices.items()
     }
     asked = {words[0] for words in CASES.values()}
-    assert {verb for verb, options in keeping.items() if options} == asked | {"compare", "interfaces"}
+    assert {verb for verb, options in keeping.items() if options} == asked | {"compare", "interfaces", "port"}
     assert all(len(keeping[verb]) == len(KEEPING_NOTHING) for verb in asked), "who takes one takes both"
-    assert keeping["compare"] == keeping["interfaces"] == ["--no-cache"], "they keep no runs"
+    for verb in ("compare", "interfaces", "port"):
+        assert keeping[verb] == ["--no-cache"], "they keep no runs"
 
 
 def test_a_list_of_interfaces_writes_nothing(workspace):
     before = state(workspace)
     assert main(["interfaces", str(workspace), "--since", "HEAD", "--no-cache"]) == 0
+    assert state(workspace) == before
+
+
+def test_a_port_that_is_shown_writes_nothing(workspace):
+    before = state(workspace)
+    assert main(["port", "humble", "lyrical", str(workspace), "--no-cache"]) in (0, 1)
     assert state(workspace) == before
 
 

@@ -95,6 +95,7 @@ WORDS = {
     "check": ["check", ".", "-q", "--jobs", "1", "--fail-on", "never", "--no-store"],
     "graph": ["graph", ".", "-q", "--launch", "arm/c.launch.xml"],
     "interfaces": ["interfaces", ".", "-q"],
+    "port": ["port", "humble", "lyrical", ".", "-q"],
     "roles": ["roles", "."],
     "percentile": ["percentile", "."],
     "evidence": ["evidence", "arm"],

@@ -96,6 +96,15 @@ class FreshPackages:
         return Path(self._workspace.root)
 
     @property
+    def packages(self) -> Collection[str]:
+        """Ids of the packages that are looked at."""
+        return self._files.keys()
+
+    def paths_of(self, package: str) -> tuple[str, ...]:
+        """Return the paths of the files of a package, by its id."""
+        return tuple(file.path for file in self._files[package])
+
+    @property
     def files(self) -> Collection[str]:
         """Paths of all files that are looked at, below the root."""
         return self._owner.keys()

@@ -18,6 +18,9 @@ from roslens.source.distributions.target import Target
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
+BECAUSE = "; this package is built for "
+"""What stands in a message before the target that it is about."""
+
 
 def as_the_target_has(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
     """Return hits by path; those about a row of the tables as it counts for the target of a package."""
@@ -62,7 +65,7 @@ def _because(change: Change, effect: Effect, target: Target) -> str:
     if effect is not Effect.REMOVED or not target.of(change.ros):
         return ""
     first = next(one for one in target.of(change.ros) if is_at_least(one, change.removed))
-    return f"; this package is built for {distributions()[first].title}, as {target.said_by} says"
+    return f"{BECAUSE}{distributions()[first].title}, as {target.said_by} says"
 
 
 def _is_too_new(change: Change, target: Target) -> bool:

@@ -1,0 +1,1 @@
+"""What breaks in a workspace between two distributions of ROS; begin with :mod:`.ported`."""

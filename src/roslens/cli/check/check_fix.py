@@ -102,7 +102,9 @@ def take_back(options: argparse.Namespace, root: Path) -> int:
 
 def tell(options: argparse.Namespace, text: str, failures: Sequence[Failure]) -> None:
     """Report on standard error what was done; what could not be done is reported even with ``--quiet``."""
+    from roslens.report.writing.terminal import printable
+
     if not options.quiet:
         print(f"roslens: {text}", file=sys.stderr)
     for failure in failures:
-        print(f"roslens: {failure}", file=sys.stderr)
+        print(printable(f"roslens: {failure}"), file=sys.stderr)

@@ -53,6 +53,21 @@ KEYS = {
     "Bullet": ("bullet",),
     "CGAL": ("cgal", "libcgal"),
     "realsense2": ("librealsense2",),
+    "fmt": ("fmt", "libfmt"),
+    "spdlog": ("spdlog", "libspdlog"),
+    "glog": ("glog", "libgoogle-glog", "google-glog"),
+    "Glog": ("glog", "libgoogle-glog", "google-glog"),
+    "gflags": ("gflags", "libgflags"),
+    "TBB": ("tbb", "libtbb"),
+    "jsoncpp": ("jsoncpp", "libjsoncpp"),
+    "GSL": ("gsl", "libgsl"),
+    "FLANN": ("flann", "libflann"),
+    "NLopt": ("nlopt", "libnlopt"),
+    "Poco": ("poco", "libpoco"),
+    "pybind11": ("pybind11", "python3-pybind11"),
+    "CLI11": ("cli11",),
+    "ZeroMQ": ("zmq", "libzmq", "cppzmq", "zeromq"),
+    "cppzmq": ("cppzmq", "zmq", "libzmq"),
 }
 """By the name for ``find_package``: beginnings of the keys that stand for it, without regard to case and ``-``."""
 
@@ -64,6 +79,9 @@ KEY_OF = {
     "ZLIB": "zlib", "BZip2": "bzip2", "LibXml2": "libxml2", "OpenSSL": "libssl-dev",
     "nlohmann_json": "nlohmann-json-dev", "GeographicLib": "geographiclib", "octomap": "liboctomap-dev",
     "fcl": "libfcl-dev", "assimp": "assimp-dev", "ASSIMP": "assimp-dev", "Bullet": "bullet", "CGAL": "libcgal-dev",
+    "fmt": "fmt", "spdlog": "spdlog", "glog": "libgoogle-glog-dev", "Glog": "libgoogle-glog-dev",
+    "gflags": "libgflags-dev", "TBB": "tbb", "jsoncpp": "libjsoncpp-dev", "FLANN": "libflann-dev", "GSL": "gsl",
+    "pybind11": "pybind11-dev",
 }  # fmt: skip
 """The key of rosdep that declares a library, by the name for ``find_package``, where it has another name."""
 

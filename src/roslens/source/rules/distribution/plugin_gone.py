@@ -43,9 +43,11 @@ def _hit(change: Change, match: re.Match[bytes], content: bytes, path: str, *, i
 
 @cache
 def _names() -> re.Pattern[bytes]:
-    """Return a pattern of the names as whole values: behind `: `, `- `, `[`, `,` or `>`, quoted or not."""
+    """Return a pattern of the names as whole values: behind `: `, `- `, `[`, `,`, `>` or `name=`, quoted or not."""
     names = sorted((re.escape(one.encode()) for one in changes_of(Kind.PLUGIN)), key=len, reverse=True)
-    return re.compile(rb"(?:[:\-\[,]\s+|\[|>\s*)[\"']?(" + b"|".join(names) + rb")(?![\w:/])[\"']?\s*(?=[\n\r,\]<#]|$)")
+    return re.compile(
+        rb"(?:[:\-\[,]\s+|\[|>\s*|\bname=)[\"']?(" + b"|".join(names) + rb")(?![\w:/])[\"']?\s*(?=[\n\r,\]<#>]|$)"
+    )
 
 
 RULE = PackageRule(

@@ -50,9 +50,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         if how in gathered:
             gathered[how][use.name] = use
             continue
-        key = KEY_OF.get(use.name, use.name)
-        tag = _TAGS[use.when] if key == use.name else f"{_TAGS[use.when]}{key}{_TAGS[use.when].replace('<', '</')}"
-        message = f"{use.how}: package.xml does not declare {use.name!r}; expected {tag}"
+        message = f"{use.how}: package.xml does not declare {use.name!r}; expected {_tag(use)}"
         edits = _declared((use,), view)
         yield Hit("package.undeclared_dependency", message, use.line, context=use.name, path=use.path, edits=edits)
     for how, uses in gathered.items():
@@ -86,6 +84,12 @@ def _is_said_elsewhere(use: Use, view: PackageView) -> bool:
     return any(_is_said(key, use) for key in view.around.declared)
 
 
+def _tag(use: Use) -> str:
+    """Return what is expected in package.xml, with the key where the name is none itself."""
+    tag = _TAGS[use.when]
+    return f"{tag}{KEY_OF[use.name]}{tag.replace('<', '</')}" if use.name in KEY_OF else tag
+
+
 def _closes_cycle(use: Use, view: PackageView) -> bool:
     """Return whether no build could order the packages any more with the dependency declared."""
     way = dict(view.around.dependents).get(use.name)
@@ -107,11 +111,13 @@ def _cyclic(use: Use, view: PackageView) -> Hit:
 def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
     """Return what declares all of some packages; nothing where the key of one, or its condition, is not certain."""
     manifest = view.manifest_edits
-    known = all(is_ros_package(use.name) or use.how.startswith(("plug-in", "library")) for use in uses)
+    known = all(
+        is_ros_package(use.name) or use.name in KEY_OF or use.how.startswith(("plug-in", "library")) for use in uses
+    )
     if not manifest.format or len(view.ros) > 1 or not known:
         return ()
     tags = _TAGS_OF_FORMAT_1 if manifest.format == 1 else _TAGS_OF_FORMAT_2
-    return joined([manifest.added(tag, use.name) for use in uses for tag in tags[use.when]])
+    return joined([manifest.added(tag, KEY_OF.get(use.name, use.name)) for use in uses for tag in tags[use.when]])
 
 
 def _named(use: Use) -> str:
@@ -164,8 +170,8 @@ RULE = PackageRule(
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_depend",),
-    fix="Declares packages of ROS in package.xml, behind dependencies of the same kind. Libraries, whose key "
-    "of rosdep is not certain, and packages for both versions of ROS are left.",
+    fix="Declares packages of ROS, and libraries by the keys of rosdep that are known, in package.xml, behind "
+    "dependencies of the same kind. Packages for both versions of ROS are left.",
     bad="find_package(tf2_ros REQUIRED)  # package.xml: nothing of tf2_ros",
     good="<depend>tf2_ros</depend>",
     found=found,

@@ -126,7 +126,7 @@ def analyse(
         names = [found.package.id for found in workspace.packages]
         left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
         beyond = among_changes(beyond, names, key_of([one.package for one in everything], inventory.files))
-    seen = seen_below(paths, whole, inventory) if everything == whole.packages else None
+    seen = seen_below(paths, whole, inventory, everything)
     plugins = discover_plugins(settings, base, log)
     _check_settings(settings, plugins)
     shaping = shaping_key(settings, base, plugins)

@@ -14,7 +14,7 @@ from roslens.source.fetch.fetched_set import FetchedSet
 from roslens.source.inventory import Inventory
 from roslens.source.keys import key_of
 from roslens.source.settings import SourceSettings
-from roslens.source.workspace.find import Workspace
+from roslens.source.workspace.find import FoundPackage, Workspace
 from roslens.source.workspace.silence import Silence
 from roslens.source.workspace.surroundings import Surroundings
 
@@ -47,9 +47,12 @@ class Seen(msgspec.Struct, frozen=True):
     inventory: Inventory
 
 
-def seen_below(paths: Sequence[str | Path], workspace: Workspace, inventory: Inventory) -> Seen | None:
-    """Return what was found; None where not all below the root was looked for packages."""
-    is_all = len(paths) == 1 and os.path.realpath(paths[0]) == os.path.realpath(workspace.root)
+def seen_below(
+    paths: Sequence[str | Path], workspace: Workspace, inventory: Inventory, packages: Sequence[FoundPackage]
+) -> Seen | None:
+    """Return what was found; None where not all below the root was looked for packages, or not all are among these."""
+    is_below = len(paths) == 1 and os.path.realpath(paths[0]) == os.path.realpath(workspace.root)
+    is_all = is_below and packages == workspace.packages
     return Seen(workspace, inventory) if is_all else None
 
 

@@ -14,10 +14,12 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
-from roslens.source.rules.views.python_names import PythonNames, text_of
+from roslens.source.rules.views.python_names import python_names, text_of
 
 _NAMESAKES = ("copy", "datetime", "glob", "pprint", "random", "time")
 """Modules of the standard library that hold a function or class of their own name."""
+
+_CALLS = re.compile(rb"(?<![\w.])(\w+)\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -27,7 +29,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             if member in _namesakes().get(module, ()):
                 yield from _of_member(name, module, member, (bound, view))
             continue
-        if view.has(re.compile(rb"\b%b\s*\(" % re.escape(name.encode()))):
+        if name.encode() in view.names(_CALLS):
             yield from _called(name, module, (bound, view))
         if module in _namesakes():
             yield from _of_module(name, module, (bound, view))
@@ -49,20 +51,12 @@ def _imported(node: Node) -> Iterator[tuple[str, str, str, Node]]:
 
 def _reads(name: str, bound: Node, view: FileView) -> Iterator[Node]:
     """Yield where a name is read that nothing but one import binds, in its scope."""
-    names = _names(view)
-    for node, scope in names.reads if not names.is_open else ():
-        if text_of(node) != name or (owner := scope.finds(name)) is None:
-            continue
-        binding = owner.bound[name]
+    names = python_names(view)
+    for node, scope in names.reads_of(name) if not names.is_open else ():
+        owner = scope.finds(name)
+        binding = owner.bound[name] if owner is not None else ()
         if len(binding) == 1 and binding[0].start_byte == bound.start_byte:
             yield node
-
-
-def _names(view: FileView) -> PythonNames:
-    found = view.kept.get(PythonNames)
-    if not isinstance(found, PythonNames):
-        found = view.kept[PythonNames] = PythonNames(view.root)
-    return found
 
 
 def _called(name: str, module: str, where: tuple[Node, FileView]) -> Iterator[Hit]:
@@ -82,29 +76,30 @@ def _called(name: str, module: str, where: tuple[Node, FileView]) -> Iterator[Hi
 def _of_member(name: str, module: str, member: str, where: tuple[Node, FileView]) -> Iterator[Hit]:
     bound, view = where
     kind, own, others = _namesakes()[module][member]
-    for node, attribute in _attributes(name, bound, view):
-        if attribute in others and attribute not in own:
-            message = f"{name!r} is the {kind} {module}.{member}, which has no {attribute!r}: an AttributeError"
-            advice = f"; expected `import {module}`"
-            yield view.hit("python.module_called", node, message + advice)
+    for node, attribute in _attributes(name, bound, view, others - own):
+        message = f"{name!r} is the {kind} {module}.{member}, which has no {attribute!r}: an AttributeError"
+        advice = f"; expected `import {module}`"
+        yield view.hit("python.module_called", node, message + advice)
 
 
 def _of_module(name: str, module: str, where: tuple[Node, FileView]) -> Iterator[Hit]:
     bound, view = where
     for member, (kind, own, others) in _namesakes()[module].items():
-        for node, attribute in _attributes(name, bound, view):
-            if attribute in own and attribute not in others:
-                message = f"{name!r} is the module {module}, which has no {attribute!r}: an AttributeError"
-                yield view.hit("python.module_called", node, f"{message}; the {kind} {module}.{member} has it")
+        for node, attribute in _attributes(name, bound, view, own - others):
+            message = f"{name!r} is the module {module}, which has no {attribute!r}: an AttributeError"
+            yield view.hit("python.module_called", node, f"{message}; the {kind} {module}.{member} has it")
 
 
-def _attributes(name: str, bound: Node, view: FileView) -> Iterator[tuple[Node, str]]:
-    if not view.has(re.compile(rb"\b%b\s*\.\s*\w" % re.escape(name.encode()))):
+def _attributes(name: str, bound: Node, view: FileView, wrong: frozenset[str]) -> Iterator[tuple[Node, str]]:
+    """Yield where one of the wrong attributes is looked for below a name."""
+    if all(one.encode() not in view.words for one in wrong):
         return
     for node in _reads(name, bound, view):
         parent = node.parent
         if parent is not None and parent.type == "attribute":
-            yield parent, text_of(parent.child_by_field_name("attribute"))
+            attribute = text_of(parent.child_by_field_name("attribute"))
+            if attribute in wrong:
+                yield parent, attribute
 
 
 @cache

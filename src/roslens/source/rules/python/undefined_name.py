@@ -17,7 +17,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.views.launch_code import launch_code
-from roslens.source.rules.views.python_names import PythonNames, above_of, text_of
+from roslens.source.rules.views.python_names import above_of, python_names, text_of
 
 _IS_SET = re.compile(rb"[ \t]*=(?!=)")
 _CAUGHT = re.compile(rb"\bexcept\b[^\n:]*,[ \t]*(\w+)[ \t]*:")
@@ -151,7 +151,7 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
     """Yield the first use of each name that nothing binds."""
     if not _may_be_unbound(view) or launch_code(view) is not None:
         return
-    unbound = [one for one in PythonNames(view.root).unbound() if _is_told(one, view)]
+    unbound = [one for one in python_names(view).unbound() if _is_told(one, view)]
     uses = Counter(map(text_of, unbound))
     said: set[str] = set()
     for node in unbound:

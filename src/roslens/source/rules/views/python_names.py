@@ -6,9 +6,11 @@ Bindings are collected whatever the order in which statements run: a name that i
 from __future__ import annotations
 
 import builtins
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
 
 _BUILTINS = frozenset(dir(builtins)) | {
     "__file__", "__name__", "__doc__", "__path__", "__package__", "__spec__", "__loader__", "__annotations__",
@@ -73,6 +75,7 @@ class PythonNames:
     def __init__(self, root: Node) -> None:
         """Collect the bindings and reads below the root of a tree."""
         self.reads: list[tuple[Node, Scope]] = []
+        self._by_name: dict[str, list[tuple[Node, Scope]]] = {}
         self.is_open = False
         self.evaluates_annotations = True
         self.module = Scope(root, None)
@@ -85,6 +88,13 @@ class PythonNames:
                 inner = self._scope(child, scope, node)
                 waiting.append((child, inner))
             self._visit(node, scope)
+
+    def reads_of(self, name: str) -> Sequence[tuple[Node, Scope]]:
+        """Return where a name is read, each place with its scope."""
+        if not self._by_name:
+            for node, scope in self.reads:
+                self._by_name.setdefault(text_of(node), []).append((node, scope))
+        return self._by_name.get(name, ())
 
     def unbound(self) -> Iterator[Node]:
         """Yield the names that are read and that nothing binds."""
@@ -190,6 +200,14 @@ class PythonNames:
         elif node.type in _PLACES:
             for one in node.named_children:
                 self._target(one, node, scope)
+
+
+def python_names(view: FileView) -> PythonNames:
+    """Return the names of a file, collected when a rule first asks."""
+    known = view.kept.get(PythonNames)
+    if not isinstance(known, PythonNames):
+        known = view.kept[PythonNames] = PythonNames(view.root)
+    return known
 
 
 def text_of(node: Node | None) -> str:

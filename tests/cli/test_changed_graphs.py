@@ -46,7 +46,7 @@ def test_what_stands_in_a_changed_file_is_reported(kept, capsys):
 
 
 def test_what_stands_elsewhere_is_left_to_a_whole_run(kept, capsys):
-    (kept / "talk/launch/record.launch.xml").write_text('<launch><node pkg="talk" exec="listen"/></launch>\n')
+    (kept / "talk/launch/record.launch.xml").write_text('<launch><node pkg="talk" exec="listener"/></launch>\n')
     assert [path for _, path in found(kept, capsys)[0] if path == NODES] == []
 
 

@@ -87,7 +87,7 @@ def ended_within(process, seconds):
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize(
     ("code", "children"),
-    [(POOL.format(method="fork"), 3), (POOL.format(method="forkserver"), 4), (PLUGIN, 1)],
+    [(POOL.format(method="fork"), 2), (POOL.format(method="forkserver"), 4), (PLUGIN, 1)],
     ids=["fork", "forkserver", "plug-in"],
 )
 def test_nobody_is_left(tmp_path, code, children, how):

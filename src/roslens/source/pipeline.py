@@ -23,7 +23,7 @@ from roslens.source.commit import last_change_of
 from roslens.source.distributions.target import targets_of
 from roslens.source.engines.executor import executor_for
 from roslens.source.fetch.fetched_set import only_fetched
-from roslens.source.inventory import Inventory, take_inventory
+from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.measure.package_task import PackageTask, package_task
@@ -171,7 +171,10 @@ def analyse(
     if fetched.taken:
         further = (*further, fetched)
     key = key_of(units, failures, inventory.failures, plugins.failures, accepted, *further)
-    _remember(cache, inventory, known.keys() - {file.path for found in everything for file in found.files}, clock)
+    if inventory.learned:
+        cache.put_stats(inventory.learned, now_s=clock.epoch_s)
+    if gone := known.keys() - {file.path for found in everything for file in found.files}:
+        cache.forget(gone)
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
     return _run(
@@ -203,14 +206,6 @@ def analyse(
         cache,
         watch,
     )
-
-
-def _remember(cache: Cache, inventory: Inventory, gone: Collection[str], clock: Clock) -> None:
-    """Keep what was learned of files, and forget those that are gone."""
-    if inventory.learned:
-        cache.put_stats(inventory.learned, now_s=clock.epoch_s)
-    if gone:
-        cache.forget(gone)
 
 
 def _check_settings(settings: SourceSettings, plugins: Discovered) -> None:

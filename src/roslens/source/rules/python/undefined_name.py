@@ -144,6 +144,7 @@ _WAYS = (
     "except_clause",
     "conditional_expression",
 )
+_VERSIONS = (b"version", b"PY2", b"PY3", b"TYPE_CHECKING")
 _FUNCTIONS = ("function_definition", "lambda")
 
 
@@ -227,10 +228,12 @@ def _is_told(node: Node, view: FileView) -> bool:
 
 def _is_of_python2(node: Node, view: FileView) -> bool:
     """Tell whether a condition on the version of Python is around a node."""
+    if not view.mentions(_VERSIONS):
+        return False
     around = above_of(node, "if_statement", "conditional_expression")
     while around is not None:
         text = view.text(around)[:200]
-        if "version" in text or "PY2" in text or "PY3" in text or "TYPE_CHECKING" in text:
+        if any(one.decode() in text for one in _VERSIONS):
             return True
         around = above_of(around, "if_statement", "conditional_expression")
     return False

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -27,6 +28,35 @@ _PLACES = frozenset({
 """Nodes through which a target of an assignment leads to its names."""
 _DYNAMIC = frozenset({"exec", "eval", "globals", "locals", "vars", "setattr", "__import__"})
 """Functions that bind names, or read them, in ways that nobody sees."""
+
+
+class _Around(NamedTuple):
+    """What stands around a node; to ask trees for parents takes as long as they are deep.
+
+    Attributes:
+        parent: of the node.
+        annotates: the type of what the nearest annotation around it belongs to; empty where it stands in none.
+        is_caught: whether something around it catches a ``NameError``.
+        is_pattern: whether it stands in a pattern of ``match``.
+    """
+
+    parent: Node
+    annotates: str = ""
+    is_caught: bool = False
+    is_pattern: bool = False
+
+    def below(self, node: Node) -> _Around:
+        """Return what stands around the children of a node around which this stands."""
+        match node.type:
+            case "type":
+                return _Around(node, self.parent.type, self.is_caught, self.is_pattern)
+            case "try_statement":
+                return _Around(node, self.annotates, self.is_caught or _catches(node), self.is_pattern)
+            case "case_pattern" | "type_parameter":
+                return _Around(node, self.annotates, self.is_caught, is_pattern=True)
+            case "block":
+                return _Around(node, self.annotates, self.is_caught)
+        return _Around(node, self.annotates, self.is_caught, self.is_pattern)
 
 
 class Scope:
@@ -81,13 +111,17 @@ class PythonNames:
         self.module = Scope(root, None)
         self.scopes: dict[int, Scope] = {root.id: self.module}
         self._declare(root)
-        waiting: list[tuple[Node, Scope]] = [(root, self.module)]
+        self._annotating: set[int] = set()
+        self._caught: set[int] = set()
+        waiting = [(root, self.module, _Around(root))]
         while waiting:
-            node, scope = waiting.pop()
-            for child in reversed(node.children):
-                inner = self._scope(child, scope, node)
-                waiting.append((child, inner))
-            self._visit(node, scope)
+            node, scope, around = waiting.pop()
+            inside = around.below(node)
+            waiting.extend((child, self._scope(child, scope, node), inside) for child in reversed(node.children))
+            if node.type == "identifier":
+                self._identifier(node, scope, around)
+            else:
+                self._visit(node, scope)
 
     def reads_of(self, name: str) -> Sequence[tuple[Node, Scope]]:
         """Return where a name is read, each place with its scope."""
@@ -101,9 +135,9 @@ class PythonNames:
         if self.is_open:
             return
         for node, scope in self.reads:
-            if text_of(node) in _BUILTINS or scope.finds(text_of(node)) is not None or _is_caught(node):
+            if text_of(node) in _BUILTINS or scope.finds(text_of(node)) is not None or node.id in self._caught:
                 continue
-            if self.evaluates_annotations or above_of(node, "type") is None:
+            if self.evaluates_annotations or node.id not in self._annotating:
                 yield node
 
     def scope_of(self, node: Node) -> Scope:
@@ -143,8 +177,6 @@ class PythonNames:
 
     def _visit(self, node: Node, scope: Scope) -> None:
         match node.type:
-            case "identifier":
-                self._identifier(node, scope)
             case "import_statement" | "import_from_statement" | "future_import_statement":
                 self._import(node, scope)
             case "function_definition" | "class_definition" | "lambda":
@@ -160,11 +192,18 @@ class PythonNames:
                     if one.type == "identifier":
                         scope.bind(text_of(one), node)
 
-    def _identifier(self, node: Node, scope: Scope) -> None:
-        if _is_read(node) and not _is_local_annotation(node, scope):
-            self.reads.append((node, scope))
-            if text_of(node) in _DYNAMIC and node.parent is not None and node.parent.type == "call":
-                self.is_open = True
+    def _identifier(self, node: Node, scope: Scope, around: _Around) -> None:
+        # The annotation of a local variable is never evaluated.
+        is_never = around.annotates == "assignment" and scope.node.type == "function_definition"
+        if is_never or around.is_pattern or not _is_read(node, around.parent):
+            return
+        self.reads.append((node, scope))
+        if around.annotates:
+            self._annotating.add(node.id)
+        if around.is_caught:
+            self._caught.add(node.id)
+        if around.parent.type == "call" and text_of(node) in _DYNAMIC:
+            self.is_open = True
 
     def _import(self, node: Node, scope: Scope) -> None:
         module = node.child_by_field_name("module_name")
@@ -232,23 +271,12 @@ def above_of(node: Node, *types: str) -> Node | None:
     return found
 
 
-def _is_local_annotation(node: Node, scope: Scope) -> bool:
-    """Whether it stands in the annotation of a local variable, which is never evaluated."""
-    annotation = above_of(node, "type")
-    if annotation is None or scope.node.type != "function_definition":
-        return False
-    return annotation.parent is not None and annotation.parent.type == "assignment"
-
-
-def _is_caught(node: Node) -> bool:
-    """Whether something around it catches a ``NameError``."""
-    around = above_of(node, "try_statement")
-    while around is not None:
-        for clause in around.children:
-            names = text_of(clause).partition(":")[0] if clause.type == "except_clause" else "-"
-            if names.strip() == "except" or "NameError" in names or "Exception" in names:
-                return True
-        around = above_of(around, "try_statement")
+def _catches(node: Node) -> bool:
+    """Whether a ``try`` catches a ``NameError``."""
+    for clause in node.children:
+        names = text_of(clause).partition(":")[0] if clause.type == "except_clause" else "-"
+        if names.strip() == "except" or "NameError" in names or "Exception" in names:
+            return True
     return False
 
 
@@ -270,11 +298,8 @@ def _not_comprehension(scope: Scope) -> Scope:
     return scope
 
 
-def _is_read(node: Node) -> bool:
+def _is_read(node: Node, parent: Node) -> bool:
     """Whether an identifier is a name that is read."""
-    parent = node.parent
-    if parent is None:
-        return False
     match parent.type:
         case "attribute":
             return parent.child_by_field_name("object") == node
@@ -294,14 +319,4 @@ def _is_read(node: Node) -> bool:
             return True
         case _ if parent.type in _PLACES and parent.type not in ("parenthesized_expression", "tuple", "list"):
             return False
-    return not _in_pattern(node)
-
-
-def _in_pattern(node: Node) -> bool:
-    """Whether it stands in a pattern of ``match``."""
-    found = node.parent
-    while found is not None and found.type not in ("block", "module"):
-        if found.type in ("case_pattern", "type_parameter"):
-            return True
-        found = found.parent
-    return False
+    return True

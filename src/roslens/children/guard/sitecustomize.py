@@ -43,8 +43,12 @@ class GuardedFinder:
         PathFinder.invalidate_caches()
 
     def find_distributions(self, *words: Any, **named: Any) -> Any:
-        """Return installed distributions, as Python does."""
-        return PathFinder.find_distributions(*words, **named)
+        """Return installed distributions, as Python does.
+
+        The package importlib_metadata takes this from Python's finder where it is imported, and finds them itself.
+        """
+        of_python = getattr(PathFinder, "find_distributions", None)
+        return of_python(*words, **named) if of_python is not None else iter(())
 
     def _is_allowed(self, place: object) -> bool:
         if not isinstance(place, str):

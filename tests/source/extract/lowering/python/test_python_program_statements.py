@@ -41,6 +41,7 @@ def text_of(written: str) -> list[str]:
         ("match f():\n case 1 | A.B: g()\n case x if x: h()\n case _: i()",
          ["#1 = f()", "if ((#1 == 1) or (#1 == A->B)):", "  g()", "else:", "  x = #1", "  if x:", "    h()", "  else:",
           "    i()"]),
+        ("match f()[0]:\n case P(x=1): g()", ["#1 = f()[0]", "if `P(x=1)`:", "  g()"]),
         ("match a:\n case P(x=1): g()", ["if `P(x=1)`:", "  g()"]),
         ("@f(1)\nclass A: pass", ["f(1)"]),
     ],

@@ -11,8 +11,10 @@ from roslens.source.extract.ir.program import (
     Branch,
     Call,
     Expression,
+    Item,
     Leave,
     Loop,
+    Member,
     Name,
     Opaque,
     Statement,
@@ -178,9 +180,12 @@ class Control(Patterns):
         self.pending += rest
 
     def _subject(self, subject: Node, of: Node) -> Expression:
-        """Return what cases are compared with: a call is made once."""
+        """Return what cases are compared with: a call is made once, also one of which an element or member is taken."""
         found = self.expression(subject)
-        if not isinstance(found, Call):
+        inner = found
+        while isinstance(inner, Item | Member):
+            inner = inner.of
+        if not isinstance(inner, Call):
             return found
         self._made += 1
         kept = Name(f"#{self._made}")

@@ -72,7 +72,7 @@ def _hit(node: Node, view: FileView) -> Hit:
 
 RULE = FileRule(
     id="node.parameter_default_none_python",
-    title="Parameter declared with None (rclpy)",
+    title="Parameter declared with a default that is no value (rclpy)",
     finds="`declare_parameters` with None for the value of a parameter, or `declare_parameter` with None and a "
     "descriptor. Give a default, its type (`Parameter.Type.DOUBLE`), or a descriptor with `dynamic_typing=True`.",
     why="Parameters have one type for good since ROS 2 Galactic, and the type of None is NOT_SET: rclpy refuses the "

@@ -102,3 +102,10 @@ def test_markdown_is_a_list_to_work_through(rover, capsys):
 def test_what_contradicts_itself_is_refused(rover, capsys, arguments, said):
     assert main(["port", *arguments]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_launch_file_that_cannot_be_read_does_not_pass_as_clean(rover, capsys):
+    launch = next(rover.rglob("launch")) / "broken.launch.xml"
+    launch.write_text("<launch>\n  <node\n</launch>\n")
+    assert main(["port", "humble", "lyrical"]) == 3
+    assert "broken.launch.xml:3: not well-formed" in capsys.readouterr().err

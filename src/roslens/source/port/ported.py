@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.distributions.port import Port, port_between
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.source import Location
 from roslens.source.fix.mended_files import Mended, mended
 from roslens.source.keys import content_hash
 from roslens.source.measure.fresh_package import FreshPackages
@@ -19,6 +20,8 @@ from roslens.store.cache import Cache
 
 RULES = ("distribution.*",)
 """What tells of distributions."""
+_UNREADABLE = ("launch.unreadable", "package.broken_manifest")
+"""What tells that a file is not read, so that nothing is known of what breaks in it."""
 
 
 class Ported(msgspec.Struct, frozen=True):
@@ -66,7 +69,9 @@ def mended_port(found: Ported, settings: SourceSettings) -> Mended:
 
 
 def _for(settings: SourceSettings, distro: str) -> SourceSettings:
-    rules = RuleSettings(profiles=(), enable=RULES, disable=settings.rules.disable, severity=settings.rules.severity)
+    given = settings.rules
+    enable = (*RULES, *_UNREADABLE)
+    rules = RuleSettings(profiles=(), enable=enable, disable=given.disable, severity=given.severity)
     return msgspec.structs.replace(settings, distro=distro, rules=rules, models=())
 
 
@@ -79,4 +84,11 @@ def _judged(fresh: FreshPackages) -> tuple[list[Finding], tuple[Failure, ...]]:
         for one in result.findings
         if one.rule.startswith("distribution.")
     ]
-    return findings, tuple(dict.fromkeys(one for result in results for one in result.failures))
+    failures = [one for result in results for one in result.failures]
+    failures += [
+        Failure("port", one.message, advice="Fix it, then port again", location=Location(one.path, one.line))
+        for result in results
+        for one in result.findings
+        if one.rule in _UNREADABLE
+    ]
+    return findings, tuple(dict.fromkeys(failures))

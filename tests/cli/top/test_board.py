@@ -1,6 +1,7 @@
 """The screen of `roslens top`, driven by Textual's pilot; what it shows is compared as text."""
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
@@ -41,6 +42,12 @@ async def settled(pilot):
     await pilot.pause()
 
 
+def _run(act):
+    # A browser of another test in this process has an event loop, that of the main thread.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(lambda: asyncio.run(act())).result()
+
+
 def drive(feed, *keys, size=(80, 24)):
     """Return what is on the screen at first and after each key."""
     shown = []
@@ -55,7 +62,7 @@ def drive(feed, *keys, size=(80, 24)):
                 await settled(pilot)
                 shown.append(text_of(app))
 
-    asyncio.run(act())
+    _run(act)
     return shown
 
 
@@ -121,7 +128,7 @@ def test_new_values_come_and_the_cursor_stays():
             shown.append(text_of(app))
             assert app._chosen().key == chosen
 
-    asyncio.run(act())
+    _run(act)
     assert "10 Hz" in shown[0]
     assert "▼ low" not in shown[0]
 
@@ -146,7 +153,7 @@ def test_a_monitor_that_is_gone_is_told_and_the_last_look_stays():
             await settled(pilot)
             shown.append(text_of(app))
 
-    asyncio.run(act())
+    _run(act)
     assert "NOT CURRENT: robot:8080 does not answer" in shown[0]
     assert "/lidar" in shown[0]
 

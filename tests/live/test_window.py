@@ -122,3 +122,61 @@ def test_a_burst_of_which_nothing_before_and_behind_is_seen_shows_no_rate(span, 
     window.add(Tally("/a", "/p", "/s", 100.0, end, 4, 40, 100.0, end, of([span / 3] * 3)), end)
     window.settle(end)
     assert rate(window) == (pytest.approx(shown) if shown else None)
+
+
+def tapped(window, came, until, *, period=0.1, start=100.0, size=10):
+    """Let a tap take these of the messages that are sent each period; yield time and rate after each period."""
+    last, newest = 0.0, -1
+    for number in range(until):
+        begin = start + number * period
+        first = begin + period / 2 if number in came else 0.0
+        gaps = of([first - last]) if first and last else NOTHING
+        lost = number - newest - 1 if first and last else 0
+        tally = Tally(
+            "/image", "/camera", "", begin, begin + period, int(bool(first)), size if first else 0, first, first, gaps,
+            lost=lost, observer=Observer.TAP,
+        )  # fmt: skip
+        if first:
+            last, newest = first, number
+        window.add(tally, begin + period)
+        window.settle(begin + period)
+        yield number, rate(window)
+
+
+@pytest.mark.parametrize("missed", [range(20, 24), range(20, 30), range(20, 50)])
+def test_the_rate_of_what_a_tap_takes_a_part_of_is_that_of_what_is_sent(missed):
+    window = Window(Observer.TAP, "", 1.0)
+    came = set(range(100)) - {*missed, *(number + 40 for number in missed)}
+    rates = [hertz for number, hertz in tapped(window, came, 100) if number >= max(missed) + 1]
+    assert {hertz for hertz in rates if hertz is not None} == {pytest.approx(10.0, rel=1e-6)}
+
+
+def test_a_silence_after_losses_of_a_tap_counts_once_it_is_much_longer_than_they_were():
+    window = Window(Observer.TAP, "", 1.0)
+    came = set(range(40)) - set(range(20, 30))
+    rates = dict(tapped(window, came, 120))
+    assert rates[39] == pytest.approx(10.0)
+    assert {rates[number] for number in range(50, 72)} == {None}
+    assert largest_gap(window) == pytest.approx(8.05)
+    assert {rates[number] for number in range(74, 120)} == {0.0}
+
+
+def test_a_silence_of_a_tap_that_lost_nothing_counts_at_once():
+    window = Window(Observer.TAP, "", 1.0)
+    rates = dict(tapped(window, set(range(20)), 40))
+    assert rates[31] == 0.0
+    assert window.doubted_s == 0.0
+
+
+def test_a_silence_of_large_messages_counts_later_as_a_tap_may_lose_a_part_of_each():
+    window = Window(Observer.TAP, "", 1.0)
+    rates = dict(tapped(window, set(range(20)), 120, size=3_000_000))
+    assert {rates[number] for number in range(30, 78)} == {None}
+    assert rates[90] == 0.0
+
+
+def test_losses_of_a_tap_are_forgotten_after_a_minute_without():
+    window = Window(Observer.TAP, "", 1.0)
+    came = set(range(700)) - set(range(20, 30))
+    assert dict(tapped(window, came, 720))[719] == 0.0
+    assert window.doubted_s == 0.0

@@ -33,14 +33,18 @@ class Printed:
         except queue.Empty:
             return None
 
-    def says(self, word: str, times: int = 1, seconds: float = WAIT_S) -> bool:
-        """Wait until it has said a word so many times from now on; return whether it has."""
+    def says(self, word: str, times: int = 1, seconds: float = WAIT_S, pause_s: float = WAIT_S) -> bool:
+        """Wait until it has said a word so many times from now on; return whether it has, with no longer pause."""
         while self._came.qsize():
             self._came.get()
         end = time.monotonic() + seconds
+        said, longest_s = time.monotonic(), 0.0
         while times and (line := self.line(end - time.monotonic())) is not None:
-            times -= line == word
-        return not times
+            if line == word:
+                times -= 1
+                longest_s = max(longest_s, time.monotonic() - said)
+                said = time.monotonic()
+        return not times and longest_s <= pause_s
 
 
 class Lines:

@@ -52,3 +52,10 @@ def test_lost_is_what_never_came_whatever_the_order(missing, random):
     sequence.settle(10 * SETTLE_NS)
     assert sequence.lost == len(missing)
     assert sequence.pending == 0
+
+
+def test_what_is_missing_in_an_order_that_holds_is_lost_at_once():
+    sequence = Sequence(in_order=True)
+    for number in (1, 2, 6):
+        sequence.feed(number, 0)
+    assert (sequence.lost, sequence.pending) == (3, 0)

@@ -16,6 +16,9 @@ class Sequence:
     The first number seen is the beginning: who comes late has lost nothing. A publisher that is started again has
     another identifier, hence another sequence. Numbers that come late, within the delay, fill their gap.
 
+    Args:
+        in_order: whether the numbers only ever grow, so that what is missing is lost at once.
+
     Attributes:
         following: the number that comes next if none is missing; a message that bears it may be counted by raising
             this by one, and losses settle with the next that does not, or for a reader by the time of the newest gap.
@@ -25,10 +28,11 @@ class Sequence:
         touched: whether one of these changed since somebody set it to False.
     """
 
-    __slots__ = ("_gaps", "following", "lost", "pending", "pending_since", "touched")
+    __slots__ = ("_gaps", "_in_order", "following", "lost", "pending", "pending_since", "touched")
 
-    def __init__(self) -> None:
+    def __init__(self, *, in_order: bool = False) -> None:
         self.following: int | None = None
+        self._in_order = in_order
         self._gaps: deque[tuple[int, int, int]] = deque()
         self.lost = 0
         self.pending = 0
@@ -48,7 +52,7 @@ class Sequence:
             self.pending += number - expected
             self.pending_since = now
             self.following = number + 1
-            if len(self._gaps) > MOST_GAPS:
+            if self._in_order or len(self._gaps) > MOST_GAPS:
                 self._lose()
         else:
             self._fill(number)

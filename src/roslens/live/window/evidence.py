@@ -18,4 +18,6 @@ def evidence_of(window: Window) -> str:
         text += f", largest gap {gap:.2f} s"
     if window.quiet > max(gap, window.patience):
         text += f", silent for {window.quiet:.1f} s"
+        if window.quiet < window.doubted_s:
+            text += f" (counts from {window.doubted_s:.1f} s on: a tap may lose messages itself)"
     return text

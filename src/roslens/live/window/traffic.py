@@ -19,10 +19,11 @@ def rate(window: Window) -> float | None:
     """Return messages per second: times between messages by their sum, so that the edges of the window do not matter.
 
     The silence at the end counts as soon as it is longer than every time between messages. Steady traffic is exact
-    this way, bursts do not make the rate swing, and a topic that fell silent fades to 0 within the window.
+    this way, bursts do not make the rate swing, and a topic that fell silent fades to 0 within the window. A silence
+    that a tap may have made itself shows nothing: None where there is nothing else.
     """
     intervals = window.intervals
-    quiet = window.quiet
+    quiet = window.quiet if window.quiet >= window.doubted_s else 0.0
     if intervals:
         # Its numbers say how many more were sent than a tap itself took.
         intervals += missed_by_tap(window)
@@ -90,7 +91,7 @@ def largest_gap(window: Window) -> float | None:
     """Return the longest time without a message, the one that goes on included."""
     gap = longest_interval(window)
     quiet = window.quiet
-    if missed_by_tap(window) and quiet < window.length:
+    if quiet < window.doubted_s or (missed_by_tap(window) and quiet < window.length):
         return None
     if quiet <= gap:
         return gap

@@ -33,6 +33,14 @@ _GRAIN = 1.5
 EPSILON_S = 1e-6
 """Instants that are closer together are the same."""
 _SLACK_S = 1.0
+DOUBT = 3.0
+"""A tap that lost messages itself may have made a silence of so many times the longest gap that its losses left."""
+_OWN_GAP_KEPT_S = 60.0
+"""For how long such a gap is remembered."""
+_LARGE_BYTES = 65_000
+"""Larger messages travel in parts, of which one that is lost loses the whole."""
+_LARGE_GAP_S = 2.0
+"""The gap that a tap is taken to have made itself where messages are large, before any is known."""
 _STRANGE = 3
 """So many tallies in a row from another time are a stepped clock, fewer are mistakes."""
 
@@ -57,6 +65,7 @@ class Window:
         cache: signals by key, since the window was last brought to an instant.
         stepped: whether the observer's clock did, since somebody last asked.
         observer_status: of the observer, which has looked up to some time; None if it looks as long as the monitor.
+        doubted_s: seconds of silence which a tap may have made itself by what it loses; 0 for any other observer.
     """
 
     __slots__ = (
@@ -64,6 +73,7 @@ class Window:
         "_former",
         "_grain",
         "_least",
+        "_own_gap",
         "_strange",
         "_summed",
         "additions",
@@ -72,6 +82,7 @@ class Window:
         "bytes",
         "cache",
         "count",
+        "doubted_s",
         "horizon",
         "host",
         "intervals",
@@ -107,6 +118,8 @@ class Window:
         self.news = self.stepped = False
         self.observer_status: ObserverStatus | None = None
         self.lag = 0.0
+        self.doubted_s = 0.0
+        self._own_gap = (0.0, 0.0)
         self.additions = 0
         self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
@@ -219,6 +232,8 @@ class Window:
             self._drop(horizon - self.length)
         if not self._summed:
             self._sum()
+        if self.observer is Observer.TAP:
+            self._doubt()
 
     @property
     def patience(self) -> float:
@@ -272,7 +287,8 @@ class Window:
         self.cache = {}
         self._strange.clear()
         self.count = self.intervals = self.bytes = self.sized = 0
-        self.until = self.last = self.begun = self.spacing = self.span = 0.0
+        self.until = self.last = self.begun = self.spacing = self.span = self.doubted_s = 0.0
+        self._own_gap = (0.0, 0.0)
         self._summed = True
 
     def _begin(self, tally: Tally) -> None:
@@ -314,6 +330,20 @@ class Window:
             sized += bucket.sized
         self.count, self.intervals, self.span, self.bytes, self.sized = count, intervals, span, size, sized
         self._summed = True
+
+    def _doubt(self) -> None:
+        """Remember the longest gap in which the tap lost messages itself."""
+        gap, since = self._own_gap
+        if self.horizon - since > _OWN_GAP_KEPT_S:
+            gap = 0.0
+        for bucket in self.buckets:
+            own = bucket.gap if bucket.lost > 0 else 0.0
+            if bucket.count and bucket.bytes > _LARGE_BYTES * bucket.count:
+                own = max(own, _LARGE_GAP_S)
+            if own >= gap > 0 or own > gap:
+                gap, since = own, bucket.end
+        self._own_gap = (gap, since)
+        self.doubted_s = DOUBT * gap
 
     def _drop(self, before: float) -> None:
         buckets = self.buckets

@@ -97,7 +97,8 @@ class _Open:
         """Return what counts the messages of a publisher, and what knows which of them are lost."""
         if gid not in self._slots:
             words = memoryview(bytearray(slots.SLOT_BYTES))
-            self._slots[gid] = (slots.Slot(words), Sequence(), words)
+            # One subscription takes what a publisher sends in order. So a loss belongs to the gap that it leaves.
+            self._slots[gid] = (slots.Slot(words), Sequence(in_order=True), words)
             self._slots[gid][0].begin(slots.TAKEN, gid, self.topic, "", "")
         slot, sequence, _ = self._slots[gid]
         return slot.arrived, sequence

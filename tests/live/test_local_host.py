@@ -11,7 +11,7 @@ from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters, place_of
 from roslens.live.inside.slots import VARIABLE
 from roslens.live.observe.local_host import LocalHost
-from roslens.model.graph import Change, Event
+from roslens.model.graph import Change, Event, Process
 
 
 class Clock:
@@ -103,3 +103,23 @@ def test_processes_are_looked_for_every_second_sample_however_many_frames_go(tmp
         made.poll()
     made.close()
     assert looked == [100.0 + second for second in range(0, 12, 2)]
+
+
+def test_the_graph_is_told_where_it_is_another_than_before(tmp_path, clock, monkeypatch):
+    folder = tmp_path / "counters"
+    folder.mkdir(0o700)
+    counters = HostCounters("here", {VARIABLE: str(folder)}, beside=True)
+    processes = ProcessSampler("here")
+    monkeypatch.setattr(processes, "find", lambda now: [])
+    monkeypatch.setattr(processes, "processes", lambda: (Process("here", os.getpid()),))
+    local = LocalHost("here", HostSampler("here"), processes, wall=clock, steady=clock, counters=counters)
+    file = CounterFile(str(folder), 8)
+    told = []
+    for node in ("", "/node", "", "/other", ""):
+        if node:
+            file.slot(slots.PUBLISHED, b"", "/x", node)
+        told.append([frame.graph.processes[0].nodes for frame in local.poll() if frame.graph is not None])
+        clock.now += 1.0
+    assert told == [[()], [("/node",)], [], [("/node", "/other")], []]
+    local.close()
+    file.close()

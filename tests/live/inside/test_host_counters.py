@@ -7,6 +7,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.counter_file import CounterFile
 from roslens.live.inside.host_counters import HostCounters, counter_folders, place_of
 from roslens.live.inside.slots import VARIABLE
+from roslens.live.inside.snapshot import snapshot
 from roslens.model.traffic.tally import BY_GID
 
 GID = bytes(range(1, 17))
@@ -122,3 +123,22 @@ def test_the_first_messages_of_the_first_node_are_counted(tmp_path):
     assert tally.count == 1
     counters.close()
     file.close()
+
+
+def test_who_counts_is_found_without_reading_what(folder, file, monkeypatch):
+    counters = HostCounters("sensor", {VARIABLE: str(folder)}, beside=True)
+    counters.look(1000.0)
+    made = [file.slot(slots.PUBLISHED, b"", f"/topic{number}", f"/node{number}") for number in range(3)]
+    counters.look(1001.0)
+    assert counters.nodes() == {os.getpid(): frozenset({"/node0", "/node1", "/node2"})}
+    copied = []
+    monkeypatch.setattr(
+        "roslens.live.inside.opened_file.snapshot", lambda words, before: copied.append(1) or snapshot(words)
+    )
+    for one in made:
+        one.published(1, 10)
+    made[1].begin(slots.PUBLISHED, b"", "/other", "/late", "")
+    counters.look(1002.0)
+    assert counters.nodes() == {os.getpid(): frozenset({"/node0", "/late", "/node2"})}
+    assert len(copied) == 1
+    counters.close()

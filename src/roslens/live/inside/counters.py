@@ -90,16 +90,26 @@ class CounterReader:
 
     def read(self, now: float) -> list[Counted]:
         """Return what was counted since the last read; ``now`` is seconds since the epoch."""
-        fresh = self._open_new()
         found: list[Counted] = []
         # Only agents request calls: unrequested ones must not pile up.
         self._called = []
+        self._visit(now, lambda file, new: self._of(file, now, found, new=new))
+        self._last = now
+        return found
+
+    def look(self, now: float) -> None:
+        """Find out who counts, as :meth:`nodes` tells it, without reading what was counted."""
+        self._visit(now, lambda file, _: _name(file))
+
+    def _visit(self, now: float, each: Callable[[OpenedFile, bool], None]) -> None:
+        """Do something with each file, and whether it is new; let go of those of processes that ended."""
+        fresh = self._open_new()
         # Whether a process lives need not be known at once: what it counted is read first.
         thorough = not 0 <= now - self._looked < _LOOK_S
         for name, file in list(self._files.items()):
             ended = thorough and file.ended
             try:
-                self._of(file, now, found, new=name in fresh)
+                each(file, name in fresh)
                 if thorough:
                     self._watch(file)
             except CutOffError as error:
@@ -111,8 +121,6 @@ class CounterReader:
                 self._forget(name, file)
         if thorough:
             self._looked = now
-        self._last = now
-        return found
 
     def called(self) -> list[Called]:
         """Return what the last read found counted of services."""
@@ -256,6 +264,17 @@ class CounterReader:
         except OSError:
             # Of another user, or gone already: not to be read again in either case.
             self._refused.add(name)
+
+
+def _name(file: OpenedFile) -> None:
+    """Find out whose the slots of a file are: names change with the generation of a slot alone."""
+    known = file.known
+    for number, generation in enumerate(file.generations()):
+        if number == len(known):
+            known.append(_Known())
+        before = known[number].snapshot
+        if before is None or before.generation != generation:
+            known[number].snapshot = file.slot(number, None) or before
 
 
 def _gid(of: Snapshot) -> str:

@@ -79,6 +79,12 @@ class HostCounters:
                 found.append((place, tallies))
         return found
 
+    def look(self, now: float) -> None:
+        """Find out who counts, which costs a fraction of reading what."""
+        self._look(now)
+        for reader in self._readers.values():
+            reader.look(now)
+
     def calls(self, now: float) -> list[tuple[str, list[Sample]]]:
         """Return what was counted of services since this was last asked, by place."""
         found = [(self._places.get(folder, ""), calls.samples(now)) for folder, calls in self._calls.items()]

@@ -98,10 +98,15 @@ class OpenedFile:
         Raises:
             CutOffError: the file became shorter.
         """
-        used: int = struct.unpack_from("=I", self._view, slots.USED_AT)[0]
-        words = self._stride // 8
-        end = _FIRST_TOKEN + min(used, self._most) * words
-        return self._tokens[_FIRST_TOKEN:end:words].tolist()
+        return self._words(slots.SEQUENCE)
+
+    def generations(self) -> list[int]:
+        """Return of each slot in use which endpoint of the process it is, counted from 1 for each slot.
+
+        Raises:
+            CutOffError: the file became shorter.
+        """
+        return self._words(slots.GENERATION)
 
     def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
         """Copy a slot, of which the last copy is ``before``.
@@ -132,15 +137,22 @@ class OpenedFile:
     def _header(self) -> tuple[Any, ...]:
         return slots.HEADER.unpack_from(self._view)
 
+    def _words(self, at: int) -> list[int]:
+        """Return one word of each slot in use."""
+        used: int = struct.unpack_from("=I", self._view, slots.USED_AT)[0]
+        words = self._stride // 8
+        end = _FIRST_TOKEN + min(used, self._most) * words
+        return self._numbers[_FIRST_TOKEN + at : end : words].tolist()
+
     def _map(self, size: int) -> None:
         if size < slots.HEADER_BYTES:
             raise ValueError(f"{size} bytes, expected at least {slots.HEADER_BYTES}")
         self._mapped = mmap.mmap(self._handle, size, prot=mmap.PROT_READ)
         self._view = memoryview(self._mapped)
-        self._tokens = self._view[: size & ~7].cast("q")
+        self._numbers = self._view[: size & ~7].cast("q")
 
     def _unmap(self) -> None:
-        self._tokens.release()
+        self._numbers.release()
         self._view.release()
         self._mapped.close()
 
@@ -161,13 +173,6 @@ class _Piece:
 class ForeignFile(OpenedFile):
     """One counter file of another user, of which nothing is believed: neither that it stays nor that it is small."""
 
-    def tokens(self) -> list[int]:
-        """See the other."""
-        used: int = struct.unpack("=I", bytes(_Piece(self._handle, slots.USED_AT, 4)))[0]
-        used = min(used, self._most)
-        copied = memoryview(bytes(_Piece(self._handle, slots.HEADER_BYTES, used * self._stride))).cast("q")
-        return copied[:: self._stride // 8].tolist()
-
     def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
         """See the other."""
         at = slots.HEADER_BYTES + number * self._stride
@@ -176,6 +181,12 @@ class ForeignFile(OpenedFile):
     def _header(self) -> tuple[Any, ...]:
         header = slots.HEADER.unpack(bytes(_Piece(self._handle, 0, slots.HEADER.size)))
         return (*header[:3], min(header[3], slots.CAPACITY), *header[4:])
+
+    def _words(self, at: int) -> list[int]:
+        used: int = struct.unpack("=I", bytes(_Piece(self._handle, slots.USED_AT, 4)))[0]
+        used = min(used, self._most)
+        copied = memoryview(bytes(_Piece(self._handle, slots.HEADER_BYTES, used * self._stride))).cast("q")
+        return copied[at :: self._stride // 8].tolist()
 
     def _map(self, size: int) -> None:
         if size < slots.HEADER_BYTES:

@@ -3,17 +3,37 @@
 from __future__ import annotations
 
 import select
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
 
 import msgspec
 
-from roslens.live.agent.counting import Counters, with_nodes
+from roslens.live.agent.counting import with_nodes
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.traffic.sample import Sample
 from roslens.model.wire import VERSION, Frame
+
+
+class WhoCounts(Protocol):
+    """Finds out who counts on this host, and where."""
+
+    def look(self, now: float) -> None:
+        """Look again; ``now`` is seconds since the epoch."""
+
+    def nodes(self) -> Mapping[int, frozenset[str]]:
+        """Return who counts in which process, by the id that the process sees itself."""
+
+    def places(self) -> list[str]:
+        """Return where is counted."""
+
+    def failures(self) -> list[Failure]:
+        """Return what went wrong since this was last asked."""
+
+    def close(self) -> None:
+        """Let go of everything."""
 
 
 def _own_clock(sample: Sample) -> Sample:
@@ -32,7 +52,7 @@ class LocalHost:
         wall: Callable[[], float],
         steady: Callable[[], float],
         period_s: float = 1.0,
-        counters: Counters | None = None,
+        counters: WhoCounts | None = None,
         identities: Callable[[], tuple[str, ...]] = tuple,
     ) -> None:
         """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample.
@@ -51,6 +71,7 @@ class LocalHost:
         self._due = 0.0
         self._sequence = 0
         self._samples = 0
+        self._graph_reported: Graph | None = None
 
     def poll(self, seconds: float = 0.0) -> list[Frame]:
         """Return a frame where one is due, or where a process ended; waits for nothing but that."""
@@ -68,7 +89,7 @@ class LocalHost:
                 frames = self._counted(self._counters, wall)
         if not events and not samples:
             return []
-        return [self._frame(samples, events, self._graph()), *frames]
+        return [self._frame(samples, events, self._news()), *frames]
 
     def _ended(self, seconds: float) -> list[Event]:
         """Wait so long for processes to end; return those that did."""
@@ -87,6 +108,14 @@ class LocalHost:
         self._due = now + self._period_s - (late if late < self._period_s else 0.0)
         return True
 
+    def _news(self) -> Graph | None:
+        """Return the graph where it is not as it was last reported: everybody who takes it works through all of it."""
+        graph = self._graph()
+        if graph == self._graph_reported:
+            return None
+        self._graph_reported = graph
+        return graph
+
     def _graph(self) -> Graph:
         identities = self._identities()
         nodes = self._counters.nodes() if self._counters is not None else {}
@@ -97,9 +126,9 @@ class LocalHost:
             identities={self._name: identities} if identities else {},
         )
 
-    def _counted(self, counters: Counters, wall: float) -> list[Frame]:
+    def _counted(self, counters: WhoCounts, wall: float) -> list[Frame]:
         """Return a frame for each place with counters, which at least shows that it is reported from here."""
-        counters.read(wall)
+        counters.look(wall)
         failures = counters.failures()
         return [self._frame([], counted_at=place, failures=failures) for place in counters.places()]
 

@@ -61,6 +61,13 @@ class Existence:
         if key in self.presences.existing and (not sampled.known or sampled.id.kind is EntityKind.HOST):
             self.vanish(key, sampled.noticed if sampled.seen else now)
 
+    def know(self, *entities: Measured) -> tuple[Measured, ...]:
+        """Note of entities that may be newer than the graph whether it has them; return them."""
+        for one in entities:
+            if isinstance(one, Sampled):
+                one.known = (one.id.kind, one.id.name) in self._by_graph
+        return entities
+
     def appear(self, key: Key, facts: Facts) -> None:
         """Note that something is there."""
         self.vanished.pop(key, None)

@@ -158,6 +158,7 @@ class Monitor:
         if not sampled.seen:
             sampled.appeared = max(sampled.appeared, self._clock.now)
             sampled.planless = True
+            self._existence.know(sampled)
         sampled.observer_status = observer_status
         stopped = sampled.newest("stopped")
         if sampled.add(sample, values):
@@ -256,7 +257,7 @@ class Monitor:
         for one in self._world.entities():
             one.planless = True
             self._evaluator.wait(one)
-        self._evaluator.wait_all(required(self._world, rules, now))
+        self._evaluator.wait_all(self._existence.know(*required(self._world, rules, now)))
         self._explained.stale = True
 
     def tick(self, now: float) -> tuple[Verdict, ...]:

@@ -8,6 +8,7 @@ from roslens.live.system.connection_name import connection_id
 from roslens.live.window.signals import SIGNALS
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State, Verdict
+from roslens.store.journals.journal_head import JournalHead
 
 SCAN = connection_id("/scan", "/lidar", "/slam")
 
@@ -61,3 +62,15 @@ def test_hostile_names_stay_on_their_line(name):
 def test_what_is_unknown_has_no_line():
     assert prometheus_text([(EntityId(EntityKind.TOPIC, "/x"), {})], []) == "\n"
     assert "roslens_state" not in prometheus_text([], [])
+
+
+def test_where_journals_end():
+    heads = [JournalHead('/a "b"', 12, "3f09"), JournalHead("/gone", 0, "", "it is not there")]
+    text = prometheus_text([], [], journals=heads)
+    assert [line for line in text.splitlines() if not line.startswith("#")] == [
+        'roslens_journal_entries{journal="/a \\"b\\""} 12',
+        'roslens_journal_entries{journal="/gone"} 0',
+        'roslens_journal_whole{journal="/a \\"b\\""} 1',
+        'roslens_journal_whole{journal="/gone"} 0',
+        'roslens_journal_head{journal="/a \\"b\\"",hash="3f09"} 1',
+    ]

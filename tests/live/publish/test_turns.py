@@ -4,11 +4,14 @@ import pytest
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Details, Expectation, Reference, Selector
+from roslens.live.publish.diagnostics import ERROR, OK
 from roslens.live.publish.turns import MOST_AT_ONCE, Turns
 from roslens.live.system.connection_name import connection_id
+from roslens.model.acting.outgoing import Status
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node
 from roslens.model.verdict import State, Verdict
+from roslens.store.journals.journal_head import JournalHead
 
 A, B = (EntityId(EntityKind.NODE, name) for name in ("/a", "/b"))
 
@@ -113,3 +116,15 @@ def test_bounds_are_those_of_the_reference_that_holds_now():
     (frame,) = one.take([verdict(A)], 100.2)
     assert (frame.statuses, frame.rated.complete, frame.rated.connections) == (None, False, ())
     assert frame.rated.signals[0].high == 90.0
+
+
+def test_journals_are_told_of_each_second_with_where_they_end():
+    heads = [JournalHead("/j", 12, "3f09"), JournalHead("/k", 3, "77aa", "the end was cut off")]
+    watched = Watched(verdict(A))
+    one = turns(watched, journals=lambda: heads)
+    (frame,) = one.take((), 100.0)
+    assert frame.statuses[1:] == (
+        Status(OK, "roslens: journal /j", "ends as it was written", "m", (("entries", "12"), ("head", "3f09"))),
+        Status(ERROR, "roslens: journal /k", "the end was cut off", "m", (("entries", "3"), ("head", "77aa"))),
+    )
+    assert names(one.take([verdict(A, State.HIGH)], 100.2)) == ["roslens: node /a"]

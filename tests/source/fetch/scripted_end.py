@@ -18,7 +18,7 @@ came = 0
 
 
 def heard(_event, _arguments):
-    global came  # noqa: PLW0603 - a hook cannot be taken off, and has no place of its own
+    global came
     if not came and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL:
         return
     came += 1

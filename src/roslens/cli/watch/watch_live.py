@@ -17,6 +17,7 @@ from roslens.cli.page.watch_screen import screen, time_of_day
 from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.cli.watch.about_nothing import about_nothing, errors_about_nothing, kinds_of
 from roslens.cli.watch.graph_file import write_graph
+from roslens.cli.watch.journal_heads import heads_of
 from roslens.cli.watch.stretch import Stretch, blind, never_saw
 from roslens.cli.watch.watch_output import Teller
 from roslens.cli.watch.watch_publish import publish_through, unpublished, wanted
@@ -30,6 +31,7 @@ from roslens.model.failure import Failure
 if TYPE_CHECKING:
     from roslens.cli.watch.watch_reload import ReferenceFiles
     from roslens.live.observe.child_source import Publishes
+    from roslens.store.journals.journal_head import JournalHead
     from roslens.store.live.history import History
 
 _REDRAW_S = 1.0
@@ -61,10 +63,11 @@ def _watched(
         sources = _sources(options, publishes)
         history = stack.enter_context(_history(options))
         sinks: list[Callable[[Step], None]] = [Keeper(session, history).take] if history is not None else []
+        heads = heads_of(options.journal, os.environ)
         if publishes is not None:
-            sinks.append(publish_through(sources, session, lambda: files.reference, publishes))
+            sinks.append(publish_through(sources, session, lambda: files.reference, publishes, heads))
         if options.prometheus is not None:
-            sinks.append(_serve(stack, options.prometheus, session, sources))
+            sinks.append(_serve(stack, options.prometheus, session, sources, heads))
         page = None
         if options.serve is not None:
             from roslens.cli.page.board_page import notes_beside
@@ -228,8 +231,9 @@ def _history(options: argparse.Namespace) -> Iterator[History | None]:
 
 
 def _serve(
-    stack: contextlib.ExitStack, port: int, session: Session, sources: Sequence[object]
-) -> Callable[[Step], None]:
+    stack: contextlib.ExitStack, port: int, session: Session, sources: Sequence[object],
+    heads: Callable[[], Sequence[JournalHead]] = tuple,
+) -> Callable[[Step], None]:  # fmt: skip
     from roslens.live.publish.between_steps import BetweenSteps
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.publish.prometheus import prometheus_text
@@ -240,7 +244,7 @@ def _serve(
         counters = {"records_total": float(session.records), "shed_total": float(session.monitor.shed)}
         counters["cpu_seconds_total"] = time.process_time()
         counters["unpublished_total"] = float(unpublished(sources))
-        return prometheus_text(session.readings(now), session.monitor.standing(), counters)
+        return prometheus_text(session.readings(now), session.monitor.standing(), counters, heads())
 
     asked = BetweenSteps(page)
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import platform
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from roslens.live.observe.child_source import ChildSource, Publishes
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
     from roslens.live.join.session import Session, Step
     from roslens.live.publish.downlink import Downlink
+    from roslens.store.journals.journal_head import JournalHead
 
 _TOPIC = re.compile(r"(/[A-Za-z][A-Za-z0-9_]*)+\Z")
 _LONGEST_TOPIC = 200
@@ -36,9 +37,17 @@ def wanted(options: argparse.Namespace) -> Publishes | None:
 
 
 def publish_through(
-    sources: Sequence[object], session: Session, reference: Callable[[], Reference], publishes: Publishes
-) -> Callable[[Step], None]:
+    sources: Sequence[object], session: Session, reference: Callable[[], Reference], publishes: Publishes,
+    journals: Callable[[], Iterable[JournalHead]] = tuple,
+) -> Callable[[Step], None]:  # fmt: skip
     """Return what is called with each step, so that the observers among ``sources`` publish it.
+
+    Args:
+        sources: observers.
+        session: what is published.
+        reference: returns what it is held against now.
+        publishes: what there is to publish.
+        journals: returns where journals of this host end.
 
     Raises:
         UsageError: there is no observer of ROS.
@@ -50,8 +59,9 @@ def publish_through(
             f"{option} where no ROS is observed", expected="--ros1 or --ros2", advice="It publishes in what it observes"
         )
     turns = Turns(
-        _Watched(session), reference, platform.node(), diagnostics=publishes.diagnostics, rated=bool(publishes.rated)
-    )
+        _Watched(session), reference, platform.node(), diagnostics=publishes.diagnostics, rated=bool(publishes.rated),
+        journals=journals,
+    )  # fmt: skip
     return _Publishing(turns, lines, session).take
 
 

@@ -2,7 +2,7 @@
 
 One status per entity, named ``roslens: <kind> <name>``. Levels are those of REP-107: OK 0, WARN 1, ERROR 2, STALE 3. A
 constraint of severity error is ERROR when it is broken, others are WARN; what is unknown is STALE only where nothing at
-all is known of the entity.
+all is known of the entity. Each journal has a status as well, with the hash of its last entry.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from roslens.model.acting.outgoing import Status
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.verdict import State, Verdict
+from roslens.store.journals.journal_head import JournalHead
 
 OK, WARN, ERROR, STALE = range(4)
 _SILENT = frozenset({"rate", "bandwidth"})
@@ -43,6 +44,17 @@ def diagnostics(verdicts: Iterable[Verdict], host_of: Callable[[EntityId], str] 
         _status(entity, found, host_of(entity))
         for entity, found in sorted(of_entity.items(), key=lambda pair: str(pair[0]))
     )
+
+
+def journal_statuses(journals: Iterable[JournalHead], host: str) -> tuple[Status, ...]:
+    """Return one status for each journal of a host: ERROR where its end is not as it was signed."""
+    return tuple(
+        Status(
+            ERROR if one.wrong else OK, f"roslens: journal {one.path}", one.wrong or "ends as it was written", host,
+            (("entries", str(one.entries)), ("head", one.hash)),
+        )
+        for one in journals
+    )  # fmt: skip
 
 
 def _status(entity: EntityId, verdicts: Sequence[Verdict], host: str) -> Status:

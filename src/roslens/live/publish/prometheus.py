@@ -4,17 +4,19 @@
 ``roslens_state{kind="topic",name="/scan",expectation="rover.scan.rate",severity="warning",state="ok"} 1``
 
 A signal that is not known has no line; a verdict has one line with its state as a label, so that an alert asks for
-``roslens_state{state=~"low|high|absent"}``.
+``roslens_state{state=~"low|high|absent"}``. Of a journal there is how many entries it has, whether its end is as it was
+signed, and the hash of its last entry as a label: Prometheus keeps what it was, so a tail that is cut off shows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from roslens.live.system.connection_name import connection_ends
 from roslens.live.window.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Verdict
+from roslens.store.journals.journal_head import JournalHead
 
 CONTENT_TYPE = "text/plain; version=0.0.4; charset=utf-8"
 
@@ -34,6 +36,7 @@ def prometheus_text(
     readings: Iterable[tuple[EntityId, Mapping[str, float]]],
     verdicts: Iterable[Verdict],
     counters: Mapping[str, float] | None = None,
+    journals: Sequence[JournalHead] = (),
 ) -> str:
     """Return the page.
 
@@ -41,6 +44,7 @@ def prometheus_text(
         readings: latest values of entities, by key of the signal.
         verdicts: that stand.
         counters: what roslens tells of itself, by name without ``roslens_``.
+        journals: where they end.
     """
     lines: list[str] = []
     rows: dict[str, list[str]] = {}
@@ -61,9 +65,34 @@ def prometheus_text(
             "# TYPE roslens_state gauge",
             *states,
         ]
+    lines += _of_journals(journals)
     for name, value in (counters or {}).items():
         lines += [f"# TYPE roslens_{name} gauge", f"roslens_{name} {_number(value)}"]
     return "\n".join(lines) + "\n"
+
+
+def _of_journals(journals: Sequence[JournalHead]) -> list[str]:
+    if not journals:
+        return []
+    paths = [_escaped(one.path) for one in journals]
+    hashes = [(path, one.hash) for path, one in zip(paths, journals, strict=True) if one.hash]
+    return [
+        "# HELP roslens_journal_entries Entries of a journal; fewer than before where its end was cut off.",
+        "# TYPE roslens_journal_entries gauge",
+        *(
+            f'roslens_journal_entries{{journal="{path}"}} {one.entries}'
+            for path, one in zip(paths, journals, strict=True)
+        ),
+        "# HELP roslens_journal_whole Whether a journal ends as it was signed.",
+        "# TYPE roslens_journal_whole gauge",
+        *(
+            f'roslens_journal_whole{{journal="{path}"}} {not one.wrong:d}'
+            for path, one in zip(paths, journals, strict=True)
+        ),
+        "# HELP roslens_journal_head Hash of the last entry of a journal, for `roslens journal --verify --head`.",
+        "# TYPE roslens_journal_head gauge",
+        *(f'roslens_journal_head{{journal="{path}",hash="{found}"}} 1' for path, found in hashes),
+    ]
 
 
 def metric_name(key: str) -> str:

@@ -7,13 +7,14 @@ from typing import Protocol, TypeVar
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Reference
-from roslens.live.publish.diagnostics import diagnostics
+from roslens.live.publish.diagnostics import diagnostics, journal_statuses
 from roslens.live.publish.placed import Placed
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals
 from roslens.model.acting.outgoing import VERSION, Outgoing, RatedSignals
 from roslens.model.entity import EntityId
 from roslens.model.graph import Graph
 from roslens.model.verdict import Verdict
+from roslens.store.journals.journal_head import JournalHead
 
 PERIOD_S = 1.0
 SOONEST_S = 0.1
@@ -40,11 +41,13 @@ class Turns:
         host: the name of the monitor's host.
         diagnostics: whether there are messages for /diagnostics.
         rated: whether there are messages of roslens_msgs.
+        journals: returns where journals of the host end; they are told of each second.
     """
 
     def __init__(
-        self, watched: Watched, reference: Callable[[], Reference], host: str, *, diagnostics: bool, rated: bool
-    ) -> None:
+        self, watched: Watched, reference: Callable[[], Reference], host: str, *, diagnostics: bool, rated: bool,
+        journals: Callable[[], Iterable[JournalHead]] = tuple,
+    ) -> None:  # fmt: skip
         self._watched = watched
         self._reference = reference
         self._ranges: dict[str, Range] = {}
@@ -52,6 +55,7 @@ class Turns:
         self._host = host
         self._diagnostics = diagnostics
         self._rated = rated
+        self._journals = journals
         self._changed: set[EntityId] = set()
         self._all_due = self._soonest = float("-inf")
 
@@ -76,6 +80,8 @@ class Turns:
         if self._diagnostics:
             host_of: Callable[[EntityId], str] = Placed(self._watched.graph()).host_of
             statuses = diagnostics(verdicts, host_of)
+            if complete:
+                statuses += journal_statuses(self._journals(), self._host)
             frames += [Outgoing(VERSION, now, statuses=part) for part in _parts(statuses)]
         if self._rated:
             frames += self._messages(verdicts, now, complete=complete)

@@ -37,6 +37,11 @@ def test_that_nobody_watches_is_an_alert_too(rover):
     assert any(rule["expr"] == "absent(roslens_records_total)" for rule in rules(rover))
 
 
+def test_a_journal_that_lost_its_end_is_one_as_well(rover):
+    (rule,) = (rule for rule in rules(rover) if rule["alert"] == "RoslensJournalChanged")
+    assert rule["expr"].startswith("roslens_journal_whole == 0 or roslens_journal_entries < ")
+
+
 @pytest.mark.real
 def test_promtool_takes_the_rules(rover, promtool, tmp_path):
     path = tmp_path / "rover.rules.yml"

@@ -61,6 +61,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--publish-statistics", metavar="TOPIC", help="publish roslens_msgs/RatedSignals on this topic in ROS"
     )
+    parser.add_argument(
+        "--journal", type=Path, action="append", metavar="FILE",
+        help="with --prometheus or --diagnostics: where this journal ends (default: those of this user); may be given "
+        "again",
+    )  # fmt: skip
     parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
     add_door_arguments(parser)
     parser.add_argument(
@@ -111,7 +116,8 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.replay.replay import replay
 
-    for name in ("listen", "prometheus", "history", "diagnostics", "publish_statistics", "master", "domain", "length"):
+    live = "listen prometheus history diagnostics publish_statistics journal master domain length"
+    for name in live.split():
         if getattr(options, name) is not None:
             option = "for" if name == "length" else name.replace("_", "-")
             raise UsageError(f"--{option} with --bag", expected="one of them", advice="A recording is read to its end")

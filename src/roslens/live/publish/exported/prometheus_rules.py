@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from roslens.judge.reference.expectation import Reference
     from roslens.judge.reference.reference_document import ReferenceConstraint
 
-NOT_HEARD, NOT_JUDGED = "RoslensNotHeard", "RoslensNotJudged"
+NOT_HEARD, NOT_JUDGED, JOURNAL_CHANGED = "RoslensNotHeard", "RoslensNotJudged", "RoslensJournalChanged"
+_CUT = "roslens_journal_entries < max_over_time(roslens_journal_entries[1d])"
 _BAD = "|".join(ALARMS)
 _HEAD = """\
 # Alerting rules made from the reference {name} by `roslens reference export --prometheus`.
@@ -81,6 +82,14 @@ def _of_monitor(reference: Reference) -> list[dict[str, Any]]:
             "labels": {**labels, "severity": "warning"},
             "annotations": {
                 "summary": "{{ $labels.kind }} {{ $labels.name }}: {{ $labels.quantity }} is not known for 5 min"
+            },
+        },
+        {
+            "alert": JOURNAL_CHANGED,
+            "expr": f"roslens_journal_whole == 0 or {_CUT}",
+            "labels": labels,
+            "annotations": {
+                "summary": "{{ $labels.journal }}: its end is not as it was written; `roslens journal --verify`"
             },
         },
     ]

@@ -196,6 +196,7 @@ def test_an_editor_fixes_one_finding_or_all(editor):
 @pytest.mark.heavy
 def test_a_fix_may_change_another_file(editor):
     (editor.root / "roslens.toml").write_text('[rules]\nprofiles = []\nenable = ["package.undeclared_dependency"]\n')
+    (editor.root / "talk/launch/fleet.launch.xml").unlink()
     uri = (editor.root / "talk/talk/nodes.py").as_uri()
     editor.start()
     editor.open("talk/talk/nodes.py")

@@ -12,6 +12,7 @@ from roslens.model.words.plural import plural
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.renamed_package import name_here
 
 _FOLDERS = (
     "launch",
@@ -100,7 +101,9 @@ def _installing(folder: str, view: PackageView) -> int:
 def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:
     """Return whether somebody looks for the folder: ``ros2 launch``, or a file of the package that names it."""
     if folder == "launch":
-        return any("launch" in path.rpartition("/")[2] for path in inside)
+        gone = [use.name.encode() for use in view.uses if use.how.startswith("launch") and name_here(use.name, view)]
+        texts = (view.read(path) for path in inside if "launch" in path.rpartition("/")[2])
+        return any(not any(name in text for name in gone) for text in texts)
     readers = view.of_language(*_READERS, roles=(Role.OWN,))
     texts = (view.read(one.path) for one in readers if one.path not in inside)
     named = re.compile(rf"['\"/(\s]{folder}['\"/]".encode())
@@ -129,7 +132,8 @@ RULE = PackageRule(
     finds="A folder `launch`, `config`, `params`, `urdf`, `meshes`, `rviz`, `worlds`, `maps` or the like whose "
     "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package) but in comments, or from "
     "which the patterns of setup.py match no file, and which a launch "
-    "file or source of the package names; `launch` itself needs no one to name it. Install it to `share/PACKAGE`. "
+    "file or source of the package names; `launch` itself needs no one to name it, but a file that names no package "
+    "under a name that it has no more. Install it to `share/PACKAGE`. "
     "In ROS 1, where the devel space finds it, it is a note, and so are other folders than `launch`, which may be left "
     "over.",
     why="`ros2 launch` and `$(find-pkg-share …)` look into the installation: the file is not found there, or on "

@@ -21,61 +21,75 @@ from roslens.source.rules.system_packages import (
 )
 from roslens.source.rules.views.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.views.library_uses import LIBRARIES
+from roslens.source.rules.views.renamed_package import name_now
 
-_WHAT = {
-    "#include": "headers are included of packages",
-    "import": "modules are imported of packages",
-    "launch": "launch files need packages",
-    "library": "libraries are imported",
-    "plug-in": "plug-ins are named of packages",
+_WAYS = ("find_package", "import", "launch", "library", "plug-in", "#include")
+"""Beginnings of how a package is used, in the order in which they count where as many files use one as the other."""
+_BY = {
+    "find_package": "by find_package",
+    "#include": "by #include",
+    "import": "by import",
+    "launch": "by launch files",
+    "library": "by import",
+    "plug-in": "as plug-ins",
 }
 _TAGS_OF_FORMAT_1 = {BUILD: ("build_depend", "run_depend"), RUN: ("run_depend",), TEST: ("test_depend",)}
 _TAGS_OF_FORMAT_2 = {BUILD: ("depend",), RUN: ("exec_depend",), TEST: ("test_depend",)}
 _TAGS = {BUILD: "<depend>", RUN: "<exec_depend>", TEST: "<test_depend>"}
+_RULE = "package.undeclared_dependency"
 
 
 def found(view: PackageView) -> Iterator[Hit]:
-    """Yield each package that is found and not declared, and at once those that are included, or imported."""
+    """Yield at once all packages that are used and not declared, and each that would close a cycle."""
     declared = {one.name for one in (*view.package.dependencies, *view.package.member_of_groups)}
-    reported: set[str] = set()
-    gathered: dict[str, dict[str, Use]] = {how: {} for how in _WHAT}
+    uses: dict[str, Use] = {}
     for use in view.uses:
-        if use.name in reported or not _expected(use, view) or any(_is_said(key, use) for key in declared):
+        if use.name in uses or not _expected(use, view) or any(_is_said(key, use) for key in declared):
             continue
-        reported.add(use.name)
+        uses[use.name] = use
+    for use in uses.values():
         if _closes_cycle(use, view):
             yield _cyclic(use, view)
-            continue
-        how = use.how.partition(" ")[0]
-        if how in gathered:
-            gathered[how][use.name] = use
-            continue
-        message = f"{use.how}: package.xml does not declare {use.name!r}; expected {_tag(use)}"
-        edits = _declared((use,), view)
-        yield Hit("package.undeclared_dependency", message, use.line, context=use.name, path=use.path, edits=edits)
-    for how, uses in gathered.items():
-        if uses:
-            yield _together(how, list(uses.values()), view)
+    missing = [use for use in uses.values() if not _closes_cycle(use, view)]
+    if missing:
+        yield _together(sorted(missing, key=lambda use: _rank(use, view)), view)
 
 
-def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
+def _rank(use: Use, view: PackageView) -> tuple[bool, bool, int, int]:
+    """Return what comes first, smallest: what nothing else brings, what is not for tests, what most files need."""
+    return _is_brought(use, view), use.when == TEST, -use.files, _WAYS.index(_way(use))
+
+
+def _way(use: Use) -> str:
+    return next(way for way in _WAYS if use.how.startswith(way))
+
+
+def _is_brought(use: Use, view: PackageView) -> bool:
+    """Return whether another dependency brings it: what is included, without a search, was found in the build."""
+    way = _way(use)
+    return way == "#include" or (way in ("plug-in", "library") and _is_said_elsewhere(use, view))
+
+
+def _together(uses: Sequence[Use], view: PackageView) -> Hit:
     first = uses[0]
-    names = ", ".join(_named(use) for use in uses)
-    tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
-    message = f"{_WHAT[how]} that package.xml does not declare: {names}; expected {tags}"
-    # What is included was found in the build: another dependency brings it.
-    is_brought = how == "#include" or (
-        how in ("plug-in", "library") and all(_is_said_elsewhere(use, view) for use in uses)
-    )
-    certainty = Certainty.HEURISTIC if is_brought else None
+    others = {use.name: name_now(use.name, view) for use in uses}
+    if len(uses) == 1 and _way(first) == "find_package":
+        message = f"{first.how}: package.xml does not declare {first.name!r}; expected {_tag(first)}"
+    else:
+        by_way: dict[str, list[str]] = {}
+        for use in uses:
+            by_way.setdefault(_BY[_way(use)], []).append(_named(use))
+        ways = ", ".join(f"{', '.join(names)} ({way})" for way, names in by_way.items())
+        tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
+        message = f"package.xml does not declare what the package needs: {ways}; expected {tags}"
     return Hit(
-        "package.undeclared_dependency",
-        message,
+        _RULE,
+        "; ".join((message, *filter(None, others.values()))),
         first.line,
-        context=how,
+        context=" ".join(use.name for use in sorted(uses, key=lambda use: use.name)),
         path=first.path,
-        certainty=certainty,
-        edits=_declared(uses, view),
+        certainty=Certainty.HEURISTIC if _is_brought(first, view) else None,
+        edits=() if any(others.values()) else _declared(uses, view),
     )
 
 
@@ -105,25 +119,31 @@ def _cyclic(use: Use, view: PackageView) -> Hit:
         "that one does without the other, or a package of its own for what needs both"
     )
     certainty = Certainty.HEURISTIC
-    return Hit("package.undeclared_dependency", message, use.line, context=other, path=use.path, certainty=certainty)
+    return Hit(_RULE, message, use.line, context=other, path=use.path, certainty=certainty)
 
 
 def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
     """Return what declares all of some packages; nothing where the key of one, or its condition, is not certain."""
     manifest = view.manifest_edits
-    known = all(
-        is_ros_package(use.name) or use.name in KEY_OF or use.how.startswith(("plug-in", "library")) for use in uses
-    )
-    if not manifest.format or len(view.ros) > 1 or not known:
+    here = {name for name, _ in view.around.folders}
+    if not manifest.format or len(view.ros) > 1 or not all(use.name in here or _is_known(use) for use in uses):
         return ()
     tags = _TAGS_OF_FORMAT_1 if manifest.format == 1 else _TAGS_OF_FORMAT_2
     return joined([manifest.added(tag, KEY_OF.get(use.name, use.name)) for use in uses for tag in tags[use.when]])
 
 
+def _is_known(use: Use) -> bool:
+    by_name = use.how.startswith(("plug-in", "library")) or use.name.startswith("ament_")
+    return by_name or is_ros_package(use.name) or use.name in KEY_OF
+
+
 def _named(use: Use) -> str:
-    """Return a package as messages name it; a library by its module too."""
+    """Return a package as messages name it; a library by its key too."""
     how, _, module = use.how.partition(" ")
-    return f"{module!r} by the key {use.name!r}" if how == "library" else repr(use.name)
+    if how == "library":
+        return f"{module!r} by the key {use.name!r}"
+    key = KEY_OF.get(use.name, use.name)
+    return f"{use.name!r} by the key {key!r}" if key != use.name else repr(use.name)
 
 
 def _is_said(key: str, use: Use) -> bool:
@@ -154,15 +174,16 @@ def _is_own_module(name: str, view: PackageView) -> bool:
 
 
 RULE = PackageRule(
-    id="package.undeclared_dependency",
+    id=_RULE,
     title="Package used and not declared",
     finds="A package that CMakeLists.txt finds, that a launch file finds or starts nodes of, that has a plug-in which "
     "parameters name (controllers of ros2_control, plug-ins of Nav2 and MoveIt), or, of ROS, that sources include or "
     "import, and of which package.xml says nothing; also libraries of Python that only rosdep installs, such as "
-    "pyserial, where no list for pip or image installs them. What is imported is one finding for a package, what "
-    "launch files need another, libraries and plug-ins one each, what is included one note. A library or plug-in that "
-    "another package of the workspace declares is a note, and so is a package that depends on this one itself: to "
-    "declare it would close a cycle. Libraries of C++ are known by the keys of rosdep; modules of CMake need none.",
+    "pyserial, where no list for pip or image installs them. All of a manifest are one finding, at what most of its "
+    "files need. What is only included, and a library or plug-in that another package of the workspace declares, make "
+    "a note where there is nothing else, and so does a package that depends on this one itself: to declare it would "
+    "close a cycle. Where a distribution has the package under another name, or the workspace one of almost that name, "
+    "the message says so. Libraries of C++ are known by the keys of rosdep; modules of CMake need none.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
     consequence=Consequence.HARD_TO_MAINTAIN,
@@ -171,7 +192,8 @@ RULE = PackageRule(
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_depend",),
     fix="Declares packages of ROS, and libraries by the keys of rosdep that are known, in package.xml, behind "
-    "dependencies of the same kind. Packages for both versions of ROS are left.",
+    "dependencies of the same kind. A manifest that lacks one that is not known is left, and so are packages for both "
+    "versions of ROS.",
     bad="find_package(tf2_ros REQUIRED)  # package.xml: nothing of tf2_ros",
     good="<depend>tf2_ros</depend>",
     found=found,

@@ -46,6 +46,7 @@ class Use(msgspec.Struct, frozen=True):
         path: below the workspace.
         line: 1-based.
         required: whether it cannot do without.
+        files: how many files of the package use it, in whatever way and at whatever time.
     """
 
     name: str
@@ -54,16 +55,37 @@ class Use(msgspec.Struct, frozen=True):
     path: str
     line: int
     required: bool = True
+    files: int = 1
 
 
 def uses_of(view: PackageFiles, cmake: CmakeView, launch: Sequence[LaunchXml]) -> tuple[Use, ...]:
     """Return where a package uses others, those in the build first; one for each package, way and time."""
     found: dict[tuple[str, str, bool], Use] = {}
+    files: dict[str, set[str]] = {}
     for use in (*_of_build(cmake), *_of_sources(view), *_of_launch(view, launch), *_by_name(view)):
         found.setdefault((use.name, use.when, use.how.startswith("find")), use)
+        files.setdefault(use.name, set()).add(use.path)
         if len(found) >= MOST_USES:
             break
-    return tuple(found.values())
+    including = _including(view)
+    return tuple(
+        msgspec.structs.replace(use, files=len(files[use.name] | including.get(_plain(use.name), set())))
+        for use in found.values()
+    )
+
+
+def _including(view: PackageFiles) -> dict[str, set[str]]:
+    """Return the sources that include headers below a folder, by its name as :func:`_plain` writes it."""
+    found: dict[str, set[str]] = {}
+    for path, facts in view.facts.items():
+        for written, _ in facts.includes if facts.syntax == "cpp" else ():
+            found.setdefault(_plain(_included(written)), set()).add(path)
+    return found
+
+
+def _plain(name: str) -> str:
+    """Return a name as libraries and the folders of their headers have it in common: ``Eigen3`` and ``Eigen``."""
+    return name.lower().rstrip("0123456789").replace("-", "_")
 
 
 def _of_build(cmake: CmakeView) -> Iterator[Use]:

@@ -44,19 +44,26 @@ class _Known:
         self.snapshot: Snapshot | None = None
         self.token = 1  # odd: somebody writes
         self.lost = 0
-        self.until = self.due = 0.0
+        self.until = 0.0
+        self.due: float | None = 0.0
 
     def reported(self, now: float) -> None:
-        """Note that it was reported up to ``now``, and when it has to be reported next if nobody writes it.
-
-        That nothing came is reported at every read once it is longer than is usual, and else, or after long, at times.
-        """
+        """Note that it was reported up to ``now``; when it has to be next is only asked if nobody writes it."""
         self.until = now
-        self.due = now + _LOOK_S
-        of = self.snapshot
-        if of is not None and now - of.last * 1e-9 < _BRISK_S:
-            count, total, _ = of.moments[0]
-            self.due = min(self.due, of.last * 1e-9 + _UNUSUAL * total / count if count else now)
+        self.due = None
+
+    def is_due(self, now: float) -> bool:
+        """Whether it has to be reported again that nothing came, or the clock was set back.
+
+        That is reported at every read once it is longer than is usual, and else, or after long, at times.
+        """
+        if self.due is None:
+            self.due = self.until + _LOOK_S
+            of = self.snapshot
+            if of is not None and self.until - of.last * 1e-9 < _BRISK_S:
+                count, total = of.moments[:2]
+                self.due = min(self.due, of.last * 1e-9 + _UNUSUAL * total / count if count else self.until)
+        return now >= self.due or now < self.until
 
 
 class Called(NamedTuple):
@@ -180,7 +187,7 @@ class CounterReader:
             known = file.known[number]
             if token != known.token:
                 self._anew(file, number, token, now, None if new and self._last is None else found)
-            elif now >= known.due or now < known.until:
+            elif known.is_due(now):
                 self._unchanged(file.pid, known, now, found)
 
     def _anew(self, file: OpenedFile, number: int, token: int, now: float, found: list[Counted] | None) -> None:

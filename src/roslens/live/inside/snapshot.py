@@ -69,9 +69,9 @@ def _parsed(raw: bytes, before: Snapshot | None) -> Snapshot:
     else:
         gid = raw[slots.GID * 8 : slots.GID * 8 + 24]
         topic, node, other = (text_at(raw, place * 8) for place in (slots.TOPIC, slots.NODE, slots.OTHER))
-    return Snapshot(
-        kind, generation, gid, topic, node, other, *values[_COUNTED], values[-1], values[_MOMENTS], raw[_BANKS],
-    )  # fmt: skip
+    return Snapshot._make(
+        (kind, generation, gid, topic, node, other, *values[_COUNTED], values[-1], values[_MOMENTS], raw[_BANKS])
+    )
 
 
 def text_at(raw: bytes, at: int, most: int = slots.NAME_BYTES) -> str:

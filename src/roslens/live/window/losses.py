@@ -17,10 +17,11 @@ LONGEST_S = 60.0
 class Losses:
     """The losses of buckets that have left a window, as many as may be needed beside those in it."""
 
-    __slots__ = ("_before",)
+    __slots__ = ("_before", "_came")
 
     def __init__(self, before: Iterable[tuple[float, int, int]] = ()) -> None:
         self._before = deque(before)
+        self._came = sum(one[2] for one in self._before)
 
     def twin(self) -> Losses:
         """Return what grows by itself."""
@@ -29,16 +30,18 @@ class Losses:
     def clear(self) -> None:
         """Forget all of them."""
         self._before.clear()
+        self._came = 0
 
     def keep(self, bucket: Bucket) -> None:
         """Remember a bucket that leaves the window, if losses were counted in it."""
         if not bucket.losses_counted:
             return
-        before = self._before
-        before.append((bucket.end, bucket.lost, bucket.losable))
-        surplus = sum(one[2] for one in before) - LEAST_RECEIPTS
-        while len(before) > 1 and (surplus >= before[0][2] or before[0][0] < bucket.end - LONGEST_S):
-            surplus -= before.popleft()[2]
+        before, end = self._before, bucket.end
+        before.append((end, bucket.lost, bucket.losable))
+        came = self._came + bucket.losable
+        while len(before) > 1 and (came - before[0][2] >= LEAST_RECEIPTS or before[0][0] < end - LONGEST_S):
+            came -= before.popleft()[2]
+        self._came = came
 
     def of(self, buckets: Iterable[Bucket], horizon: float) -> tuple[int, int] | None:
         """Return how many messages were lost and how many came, in buckets and before them as far as needed.

@@ -38,6 +38,8 @@ def workspace(tmp_path, monkeypatch):
     (root / "haros_plugin_evil" / "plugin.py").write_text(trap)
     (root / "roslens.toml").write_text(f"plugins = {json.dumps(['./' + name for name in PLUGINS])}\n")
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "user"))
+    # The sandbox would hide what runs: it could leave no file.
+    monkeypatch.setenv("ROSLENS_PLUGIN_SANDBOX", "off")
     return root
 
 

@@ -113,6 +113,8 @@ def test_what_is_disabled_is_not_imported(name, tmp_path, fixtures, monkeypatch)
     entry_points = f"[roslens.plugins]\n{name} = installed_trace\n"
     installed(tmp_path, "acme", entry_points, {"installed_trace.py": f"open({str(trace)!r}, 'w').close()\n"})
     monkeypatch.syspath_prepend(str(tmp_path))
+    # In its sandbox it could leave no trace.
+    monkeypatch.setenv("ROSLENS_PLUGIN_SANDBOX", "off")
     found = discover([], disable=[name], base=fixtures, search=[str(tmp_path)])
     assert (found.members, found.failures) == ((), ())
     assert not trace.exists()

@@ -68,6 +68,9 @@ def breaks_contract(
     )
 
 
+RAISED_ADVICE = "The traceback is in the log; other files and plug-ins are not affected"
+
+
 def failed_running(
     plugin: str,
     step: str,
@@ -78,7 +81,7 @@ def failed_running(
     package: str = "",
     detail: str = "",
     partial: bool = False,
-    advice: str = "The traceback is in the log; other files and plug-ins are not affected",
+    advice: str = RAISED_ADVICE,
 ) -> Failure:
     """Return the failure of a plug-in that raised, exited, crashed or hung in a step of its work."""
     return Failure(

@@ -82,7 +82,7 @@ def discover(
             candidates.append(found)
     hidden = {name for given in disable for name in (given, HAROS_PREFIX + given)}
     members: dict[str, Member] = {}
-    for item in _load([one for one in candidates if one.label not in hidden], time_limit_s, log):
+    for item in _load([one for one in candidates if one.label not in hidden], time_limit_s, log, base):
         if isinstance(item, Failure):
             failures.append(item)
         elif item.name in members:
@@ -96,11 +96,13 @@ def discover(
     return Discovered(tuple(members[name] for name in sorted(able)), tuple(failures), ordered.unavailable)
 
 
-def _load(candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None) -> Iterator[Member | Failure]:
+def _load(
+    candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None, base: Path
+) -> Iterator[Member | Failure]:
     """Load built-in plug-ins here, which are ours, and all others in a worker."""
     yield from (_load_here(candidate) for candidate in candidates if candidate.builtin)
     if foreign := [candidate for candidate in candidates if not candidate.builtin]:
-        yield from _load_apart(foreign, time_limit_s, log)
+        yield from _load_apart(foreign, time_limit_s, log, base)
 
 
 def load_reference(reference: str, *, time_limit_s: float = LOAD_LIMIT_S) -> Member | Failure:
@@ -113,7 +115,7 @@ def load_reference(reference: str, *, time_limit_s: float = LOAD_LIMIT_S) -> Mem
         module, _, attribute = reference.partition(":")
         spec = LoadSpec(Source.MODULE, module=module, attribute=attribute)
         candidate = _Candidate(module, f"module {module}", spec)
-    return next(_load_apart([candidate], time_limit_s, None))
+    return next(_load_apart([candidate], time_limit_s, None, None))
 
 
 def _search_path(base: Path) -> list[str]:
@@ -186,13 +188,18 @@ def _member(candidate: _Candidate, manifest: Manifest, hooks: tuple[str, ...], f
     return failure
 
 
-def _load_apart(candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None) -> Iterator[Member | Failure]:
+def _load_apart(
+    candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None, base: Path | None
+) -> Iterator[Member | Failure]:
+    from roslens.children.plugin_sandbox import plugin_sandbox
     from roslens.plugins.frames import Loaded, LoadTask
     from roslens.plugins.job import Job
     from roslens.plugins.pool import ProcessWorkers
 
     jobs = [Job(LoadTask(candidate.label, candidate.spec), plugins=()) for candidate in candidates]
-    with ProcessWorkers(1, load_limit_s=time_limit_s, log=log) as workers:
+    paths = [candidate.spec.path for candidate in candidates if candidate.spec.path]
+    sandbox = plugin_sandbox([str(base)], paths, (), os.environ) if base is not None else None
+    with ProcessWorkers(1, load_limit_s=time_limit_s, log=log, sandbox=sandbox) as workers:
         workers.run(jobs)
     for candidate, job in zip(candidates, jobs, strict=True):
         answer = next((answer for answer in job.answers if isinstance(answer, Loaded)), None)

@@ -13,7 +13,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import PluginError
 from roslens.model.failure import Failure
 from roslens.model.source import Location
-from roslens.plugins.contract_failures import breaks_contract, failed_running, would_not_load
+from roslens.plugins.contract_failures import RAISED_ADVICE, breaks_contract, failed_running, would_not_load
 from roslens.plugins.frames import (
     LOADING,
     Answer,
@@ -148,6 +148,7 @@ class _Steps:
                     entity=f"file:{path}" if path else grounds.default_entity,
                     package=began.package or grounds.package,
                     detail=wrong[1],
+                    advice=_advice(wrong[0]),
                 )
             )
         self.emit(Gave(began.step, *recorder.drain()))
@@ -203,6 +204,16 @@ def _caught(call: Callable[[], object]) -> tuple[str, str] | None:
         words = " ".join(str(error).split())
         return f"{type(error).__name__}: {words}" if words else type(error).__name__, traceback.format_exc()
     return None
+
+
+def _advice(wrong: str) -> str:
+    """Return what to do about an exception of a plug-in."""
+    if wrong.startswith("PermissionError"):
+        return (
+            "Plug-ins read the workspace, write their scratch and use no network where there is a sandbox "
+            "(docs/reference/plugins.md); $ROSLENS_PLUGIN_SANDBOX=off lets them do what you may"
+        )
+    return RAISED_ADVICE
 
 
 def _import(name: str, spec: LoadSpec) -> tuple[object, Failure | None]:

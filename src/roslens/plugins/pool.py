@@ -13,6 +13,7 @@ from typing import Protocol
 
 import msgspec
 
+from roslens.children.sandbox import Sandbox
 from roslens.children.scratch_folder import ScratchFolder
 from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step, TooMuchError
 from roslens.plugins.job import Death, Job
@@ -51,6 +52,7 @@ class ProcessWorkers:
         load_limit_s: float = 20.0,
         log: Path | None = None,
         hash_seed: str = "0",
+        sandbox: Sandbox | None = None,
     ) -> None:
         """Choose how many, how long a step may take, and where output goes.
 
@@ -60,12 +62,14 @@ class ProcessWorkers:
             load_limit_s: seconds that the import of a plug-in may take.
             log: receives what plug-ins print; None drops it, but for the last lines before a crash.
             hash_seed: ``PYTHONHASHSEED`` of the workers, so that sets have the same order in each run.
+            sandbox: what plug-ins may touch besides :meth:`scratch`; None for all that the user may.
         """
         self._wanted = max(1, jobs)
         self._limit_s = time_limit_s
         self._load_limit_s = load_limit_s
         self._log = log
         self._hash_seed = hash_seed
+        self._sandbox = sandbox
         self._workers: list[WorkerProcess] = []
         self._hangs: Counter[str] = Counter()
         self._folder: ScratchFolder | None = None
@@ -129,12 +133,24 @@ class ProcessWorkers:
                 return worker
         if len(self._workers) >= self._wanted:
             return None
-        if self._folder is None:
-            self._folder = ScratchFolder("plugins")
         self.started += 1
-        worker = WorkerProcess(Path(self._folder.name, f"output-{self.started}"), self._hash_seed)
+        folder, sandbox = self._own_folder(), self._sandbox
+        if sandbox is not None:
+            sandbox = msgspec.structs.replace(sandbox, write=(self.scratch(), *sandbox.write))
+        worker = WorkerProcess(folder / f"output-{self.started}", self._hash_seed, sandbox)
         self._workers.append(worker)
         return worker
+
+    def scratch(self) -> str:
+        """Return the folder that all workers may write, which is removed with them; it is the home of plug-ins."""
+        place = self._own_folder() / "scratch"
+        place.mkdir(exist_ok=True)
+        return str(place)
+
+    def _own_folder(self) -> Path:
+        if self._folder is None:
+            self._folder = ScratchFolder("plugins")
+        return Path(self._folder.name)
 
     def _patience(self) -> float:
         deadlines = [worker.deadline for worker in self._workers if worker.job]

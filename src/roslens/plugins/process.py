@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from roslens.children.safe_path import python_words, safe_environment
+from roslens.children.sandbox import Sandbox, text_of_sandbox
 from roslens.plugins.frames import LOST_CONNECTION, AnswerBuffer, Began
 from roslens.plugins.job import Job
 
@@ -20,14 +21,17 @@ _START = """\
 from roslens.children.lifeline import end_with_parent
 end_with_parent({parent})
 from roslens.plugins.worker import main
-main()"""
+main({sandbox!r})"""
 
 
 class WorkerProcess:
     """A process, the job it is at, and since when."""
 
-    def __init__(self, output: Path, hash_seed: str) -> None:
-        """Start a process whose output, and that of its children, goes to the file ``output``."""
+    def __init__(self, output: Path, hash_seed: str, sandbox: Sandbox | None = None) -> None:
+        """Start a process whose output, and that of its children, goes to the file ``output``.
+
+        It confines itself to ``sandbox`` before it loads anything.
+        """
         self.job: Job | None = None
         self.at: Began | None = None
         self.deadline = 0.0
@@ -35,9 +39,11 @@ class WorkerProcess:
         self.homes: set[str] = set()
         self._output = output
         self._read = 0
+        confined = text_of_sandbox(sandbox) if sandbox is not None else ""
+        start = _START.format(parent=os.getpid(), sandbox=confined)
         with output.open("ab") as stream:
             self._process = subprocess.Popen(
-                python_words(sys.executable, _START.format(parent=os.getpid()), path=sys.path),
+                python_words(sys.executable, start, path=sys.path),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=stream,

@@ -20,14 +20,21 @@ from typing import BinaryIO
 import msgspec
 
 from roslens.children.limits import limit_process
+from roslens.children.sandbox import SCRATCH_VARIABLES, confine, sandbox_of_text
 from roslens.plugins.frames import LOST_CONNECTION, ORDER_DECODER, Answer, Gave, frame, read_frame
 from roslens.plugins.perform import Performer
 
 
-def main() -> None:
-    """Serve orders from standard input until it is closed."""
+def main(sandbox: str = "") -> None:
+    """Serve orders from standard input until it is closed.
+
+    Args:
+        sandbox: what plug-ins may touch; empty for all that the user may.
+    """
     limit_process()
     _guard_group()
+    if sandbox:
+        _confine(sandbox)
     orders, answers = _private_pipes()
     own = os.getpid()
     faulthandler.enable()
@@ -39,6 +46,17 @@ def main() -> None:
     performer = Performer(lambda answer: _send(answers, own, answer))
     while True:
         performer.perform(ORDER_DECODER.decode(queue.get()))
+
+
+def _confine(text: str) -> None:
+    """Give up everything else. It holds for threads that are started later, so none may run before.
+
+    Raises:
+        OSError: the kernel refuses.
+    """
+    sandbox = sandbox_of_text(text)
+    confine(sandbox)
+    os.environ.update(dict.fromkeys(SCRATCH_VARIABLES, sandbox.write[0]))
 
 
 def _guard_group() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
@@ -25,6 +27,7 @@ from roslens.source.tools.used import TOOLS, plain
 from roslens.source.workspace.find import Workspace
 
 if TYPE_CHECKING:
+    from roslens.children.sandbox import Sandbox
     from roslens.plugins.pool import ProcessWorkers
     from roslens.source.measure.analyse_package import MeasuredPackage
 
@@ -85,6 +88,8 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         self.files = files
         self._jobs = jobs
         self._log = log
+        # What plug-ins export stands beside their log, and like it is not kept where nothing is.
+        self._artifacts = str(log.parent / ARTIFACTS) if log is not None else ""
         self._workers: ProcessWorkers | None = None
         self.members = tuple(member for member in found.members if takes_part(member, wanted))
 
@@ -109,6 +114,8 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         """End the worker processes."""
         if self._workers is not None:
             self._workers.__exit__(kind, error, trace)
+            with contextlib.suppress(OSError):  # it is not empty
+                Path(self._artifacts).rmdir() if self._artifacts else None
 
     def run_package(self, measured: MeasuredPackage) -> Outcome:
         """Return the outcome of the file and package hooks of all plug-ins for a package."""
@@ -131,15 +138,14 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         from roslens.plugins.isolation import run_plugins
 
         packages = tuple(self._input(package) for package in measured)
-        # What plug-ins export stands beside their log, and like it is not kept where nothing is.
-        kept = str(self._log.parent / ARTIFACTS) if self._log is not None else ""
-        given = WorkspaceInput(self._workspace.root, packages, artifacts=kept)
+        workers = self._shared_workers()
+        given = WorkspaceInput(self._workspace.root, packages, scratch=workers.scratch(), artifacts=self._artifacts)
         return run_plugins(
             self.members,
             given,
             options=self._settings.options,
             jobs=self._jobs or 1,
-            workers=self._shared_workers(),
+            workers=workers,
             findings=[finding for outcome in outcomes for finding in outcome.findings],
             measurements=[measurement for outcome in outcomes for measurement in outcome.measurements],
         )
@@ -148,9 +154,26 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         if self._workers is None:
             from roslens.plugins.pool import ProcessWorkers
 
-            limit = self._settings.time_limit_s
-            self._workers = ProcessWorkers(self._jobs or 1, time_limit_s=limit, log=self._log).__enter__()
+            limit, sandbox = self._settings.time_limit_s, self._sandbox()
+            self._workers = ProcessWorkers(
+                self._jobs or 1, time_limit_s=limit, log=self._log, sandbox=sandbox
+            ).__enter__()
         return self._workers
+
+    def _sandbox(self) -> Sandbox | None:
+        from roslens.children.plugin_sandbox import plugin_sandbox
+        from roslens.source.tools.running.tool_sandbox import readable
+
+        root = self._workspace.root
+        read = {*readable(root, (found.folder for found in self._workspace.packages))}
+        # Files that the workspace has by a link are read where they are.
+        linked = (os.path.join(root, file.path) for held in self.files.values() for file in held)  # noqa: PTH118
+        read.update(os.path.realpath(path) for path in linked if os.path.islink(path))  # noqa: PTH114
+        if self._artifacts:
+            # What is to be written has to be there before the sandbox is.
+            Path(self._artifacts).mkdir(parents=True, exist_ok=True)
+        own = [member.spec.path for member in self.members if member.spec.path]
+        return plugin_sandbox(sorted(read), own, [self._artifacts] if self._artifacts else [], os.environ)
 
     def _input(self, measured: MeasuredPackage) -> PackageInput:
         found = next(found for found in self._workspace.packages if found.package.id == measured.package)

@@ -92,14 +92,24 @@ def _middleware() -> Iterator[tuple[str, str]]:
 
 def _sandbox() -> tuple[str, str]:
     """Report what confines tools and plug-ins."""
+    import os
+
+    from roslens.children.plugin_sandbox import SWITCH
     from roslens.children.sandbox import BUBBLEWRAP, LANDLOCK, sandbox_kind
 
-    kind = sandbox_kind()
+    kind, switched_off = sandbox_kind(), os.environ.get(SWITCH, "").lower() == "off"
+    if kind == LANDLOCK and switched_off:
+        return "note", f"sandbox of tools: Landlock; plug-ins run without one (${SWITCH} is off)"
     if kind == LANDLOCK:
-        return "ok", "sandbox of tools: Landlock"
+        return "ok", "sandbox of tools and plug-ins: Landlock"
     if kind == BUBBLEWRAP:
-        return "ok", "sandbox of tools: bubblewrap; this kernel has no Landlock"
-    return "note", "tools run without a sandbox: this kernel has no Landlock (Linux 5.13), and bwrap is not installed"
+        return (
+            "note",
+            "sandbox of tools: bubblewrap; plug-ins run without one: this kernel has no Landlock (Linux 5.13)",
+        )
+    return "note", (
+        "tools and plug-ins run without a sandbox: this kernel has no Landlock (Linux 5.13), and bwrap is not installed"
+    )
 
 
 def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:

@@ -4,7 +4,8 @@ import itertools
 
 import pytest
 
-from roslens.live.window.window import RANK, Window
+from roslens.live.window.observer_rank import RANK
+from roslens.live.window.window import Window
 from roslens.model.traffic.tally import Moments, Observer, Tally
 
 SECOND = Moments(1, 0.5, 0.25, 0.5, 0.5)

@@ -16,7 +16,7 @@ from roslens.live.drafting.draft_commands import WHY, is_command
 from roslens.live.drafting.draft_lines import Line, proposed
 from roslens.live.drafting.draft_presence import PLUMBING
 from roslens.live.drafting.draft_steps import Steps
-from roslens.live.window.window import RANK
+from roslens.live.window.observer_rank import RANK
 from roslens.model.traffic.tally import Tally
 
 LEAST_MESSAGES = 10

@@ -6,9 +6,10 @@ from roslens.live.standing.measured import Measured
 from roslens.live.standing.verdict_state import NEVER
 from roslens.live.system.connection_name import connection_id
 from roslens.live.system.envelope import Envelope
+from roslens.live.window.observer_rank import RANK
 from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.traffic import MEASURES, Measure, measured, percentile_of
-from roslens.live.window.window import MAX_BUCKETS, RANK, Window
+from roslens.live.window.window import MAX_BUCKETS, Window
 from roslens.model.traffic.tally import Observer, Tally
 
 _LATE_S, _SHARE_OF_LATE, _LONGEST_STEP_S = 2.0, 0.1, 1.0

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.live.standing.measured import Measured
 from roslens.live.system.connection import Connection
+from roslens.live.window.observer_rank import RANK
 from roslens.live.window.observer_status import ObserverStatus
 from roslens.live.window.signals import ENDS, SUMMED
 from roslens.live.window.traffic import measured
-from roslens.live.window.window import MAX_BUCKETS, RANK, Window
+from roslens.live.window.window import MAX_BUCKETS, Window
 from roslens.model.entity import EntityId, EntityKind
 
 _WIDEST = frozenset({"jitter", "largest_gap"})

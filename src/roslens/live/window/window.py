@@ -13,6 +13,7 @@ from roslens.live.window.bucket import Bucket
 from roslens.live.window.cut_tally import cut
 from roslens.live.window.losses import Losses
 from roslens.live.window.observer_status import ObserverStatus
+from roslens.live.window.own_gaps import OwnGaps
 from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.traffic.tally_columns import Row
 
@@ -33,14 +34,6 @@ _GRAIN = 1.5
 EPSILON_S = 1e-6
 """Instants that are closer together are the same."""
 _SLACK_S = 1.0
-DOUBT = 3.0
-"""A tap that lost messages itself may have made a silence of so many times the longest gap that its losses left."""
-_OWN_GAP_KEPT_S = 60.0
-"""For how long such a gap is remembered."""
-_LARGE_BYTES = 65_000
-"""Larger messages travel in parts, of which one that is lost loses the whole."""
-_LARGE_GAP_S = 2.0
-"""The gap that a tap is taken to have made itself where messages are large, before any is known."""
 _STRANGE = 3
 """So many tallies in a row from another time are a stepped clock, fewer are mistakes."""
 
@@ -73,7 +66,7 @@ class Window:
         "_former",
         "_grain",
         "_least",
-        "_own_gap",
+        "_own_gaps",
         "_strange",
         "_summed",
         "additions",
@@ -119,7 +112,7 @@ class Window:
         self.observer_status: ObserverStatus | None = None
         self.lag = 0.0
         self.doubted_s = 0.0
-        self._own_gap = (0.0, 0.0)
+        self._own_gaps = OwnGaps()
         self.additions = 0
         self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
@@ -233,7 +226,7 @@ class Window:
         if not self._summed:
             self._sum()
         if self.observer is Observer.TAP:
-            self._doubt()
+            self.doubted_s = self._own_gaps.doubted(self.buckets, horizon)
 
     @property
     def patience(self) -> float:
@@ -288,7 +281,7 @@ class Window:
         self._strange.clear()
         self.count = self.intervals = self.bytes = self.sized = 0
         self.until = self.last = self.begun = self.spacing = self.span = self.doubted_s = 0.0
-        self._own_gap = (0.0, 0.0)
+        self._own_gaps.clear()
         self._summed = True
 
     def _begin(self, tally: Tally) -> None:
@@ -330,20 +323,6 @@ class Window:
             sized += bucket.sized
         self.count, self.intervals, self.span, self.bytes, self.sized = count, intervals, span, size, sized
         self._summed = True
-
-    def _doubt(self) -> None:
-        """Remember the longest gap in which the tap lost messages itself."""
-        gap, since = self._own_gap
-        if self.horizon - since > _OWN_GAP_KEPT_S:
-            gap = 0.0
-        for bucket in self.buckets:
-            own = bucket.gap if bucket.lost > 0 else 0.0
-            if bucket.count and bucket.bytes > _LARGE_BYTES * bucket.count:
-                own = max(own, _LARGE_GAP_S)
-            if own >= gap > 0 or own > gap:
-                gap, since = own, bucket.end
-        self._own_gap = (gap, since)
-        self.doubted_s = DOUBT * gap
 
     def _drop(self, before: float) -> None:
         buckets = self.buckets
@@ -417,14 +396,3 @@ class Window:
             self.spacing = max(one.end - self.until, self.spacing)
             self._append(Bucket.of(one, self.last))
         return True
-
-
-RANK = {
-    Observer.INSIDE: 0,
-    Observer.SCRIPTED: 1,
-    Observer.TAP: 2,
-    Observer.PROTOCOL: 3,
-    Observer.RECORDING: 4,
-    Observer.AGENT: 5,
-}
-"""How good an observer is; the least is the best."""

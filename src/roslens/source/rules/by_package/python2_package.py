@@ -15,7 +15,9 @@ from roslens.model.weight.consequence import Certainty
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
-_RULES = frozenset({"python.python2_syntax", "python.python2_name", "python.yaml_load", "python.missing_module"})
+_RULES = frozenset(
+    {"python.python2_syntax", "python.python2_name", "python.syntax", "python.yaml_load", "python.missing_module"}
+)
 _SINCE_NOETIC = 3
 """Format of manifests in which dependencies can depend on the version of Python."""
 _NAMED = "python3"

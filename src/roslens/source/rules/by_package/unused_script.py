@@ -1,6 +1,6 @@
 """Scripts of a package for ROS 2 of which its CMake files say nothing: what a port to ROS 2 left behind.
 
-They are neither installed nor run by the build, so that what Python 3 cannot read in them stops nothing.
+They are neither installed nor run by the build, so that what Python cannot read in them stops nothing.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.views.cmake_view import Written
 
-_RULES = frozenset({"python.python2_syntax", "python.python2_name"})
+_RULES = frozenset({"python.python2_syntax", "python.python2_name", "python.syntax"})
 _AUTOMATIC = ("ament_auto_package", "autoware_package")
 _READ_ONLY = frozenset({"message", "project", "find_package", "if", "elseif"})
 _INSTALLED = frozenset({"FILES", "PROGRAMS", "DIRECTORY"})

@@ -38,7 +38,7 @@ RULE = FileRule(
     syntax="python",
     kinds=("comparison_operator",),
     clauses=("pycodestyle E711", "ruff E711"),
-    bad="if image == None:\n    return",
-    good="if image is None:\n    return",
+    bad="if image == None:\n    image = black()",
+    good="if image is None:\n    image = black()",
     found=found,
 )

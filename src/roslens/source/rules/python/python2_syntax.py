@@ -32,6 +32,11 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
         yield view.hit("python.python2_syntax", first[0], message)
 
 
+def has_statement_of_python2(view: FileView) -> bool:
+    """Return whether a file has a statement that only Python 2 reads."""
+    return next(found(view.root, view), None) is not None
+
+
 def _of_python_2(statement: Node) -> str:
     if statement.type == "print_statement":
         return "print statement"

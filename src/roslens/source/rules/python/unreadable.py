@@ -14,8 +14,8 @@ from roslens.source.rules.hit import Hit
 _HEAD = re.compile(rb":(?=[ \t]*(?:\n|\Z))")
 """The end of what begins a block on lines of its own."""
 _OF_PYTHON_2 = "python.python2_"
-_OF_TEXT = "node.credential"
-"""What somebody reads, whether the file runs or not."""
+_OF_TEXT = ("node.credential", "python.syntax", "python.encoding")
+"""What somebody reads whether the file runs or not, and why it does not."""
 
 
 def without_what_never_runs(hits: Sequence[Hit], view: FileView) -> list[Hit]:
@@ -28,7 +28,11 @@ def without_what_never_runs(hits: Sequence[Hit], view: FileView) -> list[Hit]:
         view: the file.
     """
     left = [hit for hit in hits if not _is_of_what_runs(hit)]
-    if len(left) == len(hits) or any(hit.rule.startswith(_OF_PYTHON_2) for hit in hits) or not _is_unreadable(view):
+    if (
+        len(left) == len(hits)
+        or any(hit.rule.startswith(_OF_PYTHON_2) for hit in hits)
+        or not _is_unreadable(hits, view)
+    ):
         return list(hits)
     return left
 
@@ -37,8 +41,10 @@ def _is_of_what_runs(hit: Hit) -> bool:
     return hit.rule.startswith(("node.", "python.")) and not hit.rule.startswith(_OF_TEXT)
 
 
-def _is_unreadable(view: FileView) -> bool:
-    return view.root.has_error or any(_is_empty(match.start(), view) for match in _HEAD.finditer(view.code))
+def _is_unreadable(hits: Sequence[Hit], view: FileView) -> bool:
+    if view.root.has_error or any(hit.rule == "python.syntax" for hit in hits):
+        return True
+    return any(_is_empty(match.start(), view) for match in _HEAD.finditer(view.code))
 
 
 def _is_empty(colon: int, view: FileView) -> bool:

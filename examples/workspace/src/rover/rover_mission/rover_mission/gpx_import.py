@@ -12,7 +12,7 @@
 # See the License for the specific language governing permissions and
 # limitations under the License.
 
-"""Missions from the tracks that hand-held GPS receivers record. Unfinished: does not parse."""
+"""Missions from the tracks that hand-held GPS receivers record."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def load_gpx(path: Path) -> Mission:
     """Read the track points of a GPX file."""
     waypoints = []
     for number, point in enumerate(ElementTree.parse(path).iter("trkpt")):
-        waypoints.append(Waypoint(str(number), float(point.get("lon")), float(point.get("lat")))
+        waypoints.append(Waypoint(str(number), float(point.get("lon")), float(point.get("lat"))))
     return Mission("map", tuple(waypoints))
 
 

@@ -339,6 +339,7 @@ def _measured(
         else:
             measured = result
             cache.put(measured.analyses)
+            cache.replace(measured.evaluated)
             cache.touch({*task.facts_keys.values(), *task.program_keys.values()} - measured.analyses.keys())
         watch.advance(item=measured.package)
         yield measured

@@ -139,8 +139,7 @@ class GraphSource:
             evaluate = evaluate_ros1 if version == "ros1" else evaluate_ros2
             environment = self.settings.workspace.environment
             self._evaluated[key] = self.launches.launch(
-                (version, *key, sorted(environment.items())),
-                lambda files: evaluate(path, files, arguments, environment),
+                (version, *key), environment, lambda files, variables: evaluate(path, files, arguments, variables)
             )
         return path, self._evaluated[key]
 

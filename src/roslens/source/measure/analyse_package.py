@@ -41,7 +41,8 @@ _ADVICE = {
 class MeasuredPackage(msgspec.Struct, frozen=True):
     """What a worker gives back; ``analyses`` and programs are those that were not in the cache, encoded.
 
-    ``in_part`` says that not all of its sources were looked at; ``lost`` that it could not be measured at all.
+    ``evaluated`` is what rules evaluated, which replaces what the cache has. ``in_part`` says that not all of its
+    sources were looked at; ``lost`` that it could not be measured at all.
     """
 
     package: str
@@ -53,6 +54,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     in_part: bool = False
     includes: tuple[RoleInclude, ...] = ()
     lost: bool = False
+    evaluated: dict[str, bytes] = {}
 
 
 def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -> MeasuredPackage:
@@ -133,8 +135,9 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         entities = without_the_whole(entities)
         known_callbacks = registered_elsewhere(task, hits, callbacks)
     of_files = {file.path: facts for file, facts, _ in measured}
-    view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others, task.around)
-    findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
+    with Cache.open(Path(task.cache) if task.cache else None, writable=False) as cache:
+        view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others, task.around, cache)
+        findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
     failures.extend(over_budget_beside(task.files, task.package.id, failures))
     return MeasuredPackage(
@@ -145,6 +148,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         new,
         findings,
         in_part=bool(task.left_out),
+        evaluated={} if task.texts else dict(view.new),
         includes=role_includes(((file, facts) for file, facts, _ in measured), own=(task.package.name,)),
     )
 

@@ -15,7 +15,7 @@ from roslens.judge.quality.quality_model import QualityModel
 from roslens.model.failure import Failure
 from roslens.model.result import PackageResult
 from roslens.plugins.outcome import Outcome
-from roslens.source.measure.analyse_package import measure_task
+from roslens.source.measure.analyse_package import MeasuredPackage, measure_task
 from roslens.source.measure.finish_package import Finisher
 from roslens.source.measure.package_task import PackageTask
 from roslens.source.nameable_rules import nameable_rules
@@ -49,12 +49,14 @@ class FinishedPackage(msgspec.Struct, frozen=True):
         rows: of its result.
         rules: that its findings name.
         analyses: of files that were not in the cache, encoded.
+        evaluated: what rules evaluated, which replaces what the cache has.
     """
 
     package: str
     rows: UnitRows
     rules: tuple[str, ...]
     analyses: dict[str, bytes] = {}
+    evaluated: dict[str, bytes] = {}
 
 
 def finish_packed(how: bytes, failures: bytes, task: bytes) -> bytes:
@@ -81,9 +83,9 @@ def finish_packed(how: bytes, failures: bytes, task: bytes) -> bytes:
     result = finisher.finish(measured, Outcome())
     rules = tuple(sorted(set(rules_in(result))))
     try:
-        return _packed(result, rules, measured.analyses, brief=finishing.brief)
+        return _packed(result, rules, measured, brief=finishing.brief)
     except UnicodeEncodeError:
-        return _packed(encodable(result), rules, measured.analyses, brief=finishing.brief)
+        return _packed(encodable(result), rules, measured, brief=finishing.brief)
 
 
 def rules_in(result: PackageResult) -> Iterable[str]:
@@ -95,8 +97,9 @@ def rules_in(result: PackageResult) -> Iterable[str]:
         yield one.finding.rule
 
 
-def _packed(result: PackageResult, rules: tuple[str, ...], analyses: dict[str, bytes], *, brief: bool) -> bytes:
-    made = FinishedPackage(result.package.id, unit_rows(result, brief=brief), rules, analyses)
+def _packed(result: PackageResult, rules: tuple[str, ...], measured: MeasuredPackage, *, brief: bool) -> bytes:
+    rows = unit_rows(result, brief=brief)
+    made = FinishedPackage(result.package.id, rows, rules, measured.analyses, measured.evaluated)
     return msgspec.msgpack.encode(made)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import warnings
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from roslens.source.rules.edits.manifest_edits import ManifestEdits
     from roslens.source.rules.views.cmake_view import CmakeView
     from roslens.source.rules.views.dependency_uses import Use
+    from roslens.source.rules.views.launch_evaluations import LaunchEvaluations
     from roslens.source.rules.views.launch_outcome import LaunchOutcome
     from roslens.source.rules.views.launch_runs import LaunchRun
     from roslens.source.rules.views.launch_view import LaunchXml
@@ -76,18 +78,31 @@ class PackageView(PackageFiles, frozen=True, dict=True):
         return launch_files(self)
 
     @cached_property
+    def evaluations(self) -> LaunchEvaluations:
+        """What its launch files come to, evaluated when a rule first asks."""
+        from roslens.source.rules.views.launch_evaluations import LaunchEvaluations
+        from roslens.store.cache import Cache
+
+        return LaunchEvaluations(self, self.cache or Cache.open(None))
+
+    @property
+    def new(self) -> Mapping[str, bytes]:
+        """What views learned of its files and keep for the next run."""
+        return self.evaluations.new if "evaluations" in self.__dict__ else {}
+
+    @cached_property
     def outcome(self) -> LaunchOutcome:
         """What comes of starting its launch files."""
         from roslens.source.rules.views.launch_outcome import LaunchOutcome
 
-        return LaunchOutcome(self)
+        return LaunchOutcome(self, self.evaluations)
 
     @cached_property
     def launch_runs(self) -> tuple[LaunchRun, ...]:
         """The launch files for ROS 2, evaluated when a rule first asks."""
         from roslens.source.rules.views.launch_runs import launch_runs
 
-        return tuple(launch_runs(self))
+        return tuple(launch_runs(self, self.evaluations))
 
     @cached_property
     def registered(self) -> tuple[tuple[Registered, ...], bool]:

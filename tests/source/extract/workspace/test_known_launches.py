@@ -60,13 +60,13 @@ def look(root: Path, cache: Cache, packages: dict[str, str], mode: str, evaluate
     """Return what the launch file comes to, and note that it had to be evaluated."""
     path = "robot/launch/robot.launch.xml"
 
-    def evaluate(files):
+    def evaluate(files, environment):
         if evaluated is not None:
             evaluated.append(mode)
-        return evaluate_ros2(path, files, {"mode": mode})
+        return evaluate_ros2(path, files, {"mode": mode}, environment)
 
     known = KnownLaunches(cache, FolderFiles(root, packages))
-    found = known.launch((path, mode), evaluate)
+    found = known.launch((path, mode), {}, evaluate)
     known.keep()
     return found
 
@@ -107,6 +107,32 @@ def test_only_what_was_read_makes_it_evaluated_again(tmp_path):
         write(tmp_path, *WRITTEN["parameters"])
         assert look(tmp_path, cache, PACKAGES, "slow", evaluated) != first
         assert evaluated == ["slow", "slow"]
+
+
+def test_the_environment_counts_where_it_is_asked_for(tmp_path):
+    path, evaluated = "robot/launch/robot.launch.xml", []
+
+    def look(cache, environment):
+        def evaluate(files, variables):
+            evaluated.append(environment)
+            return evaluate_ros2(path, files, {}, variables)
+
+        known = KnownLaunches(cache, FolderFiles(tmp_path, PACKAGES))
+        found = known.launch((path,), environment, evaluate)
+        known.keep()
+        return found.nodes[0].name.known
+
+    here, there = {"ROBOT": "here"}, {"ROBOT": "there"}
+    with Cache.open(tmp_path / "cache.sqlite") as cache:
+        write(tmp_path, path, '<launch><node pkg="robot" exec="arm" name="arm"/></launch>\n')
+        assert [look(cache, one) for one in (here, there, {})] == ["arm"] * 3
+        assert evaluated == [here]
+        write(tmp_path, path, '<launch><node pkg="robot" exec="arm" name="$(env ROBOT)"/></launch>\n')
+        assert [look(cache, one) for one in (here, there, {}) * 2] == ["here", "there", None] * 2
+        assert evaluated == [here, here, there, {}]
+        write(tmp_path, path, '<launch><node pkg="robot" exec="arm" name="arm"/></launch>\n')
+        assert [look(cache, one) for one in (here, there, {})] == ["arm"] * 3
+        assert evaluated == [here, here, there, {}]
 
 
 def test_a_damaged_launch_is_evaluated_again(tmp_path):

@@ -1,8 +1,12 @@
-"""What launch files came to before, as long as all files that were read for it are the same."""
+"""What launch files came to before, as long as all files that were read for it are the same.
+
+Whoever evaluates a launch file asks here first: rules on launch files and computation graphs have one evaluation in
+common. Most launch files read no variable of the environment; these are known whatever its variables are.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
@@ -34,11 +38,36 @@ _encode = msgspec.msgpack.Encoder().encode
 _decode = msgspec.msgpack.Decoder(_KeptLaunch).decode
 
 
+class _NotedEnvironment(Mapping[str, str]):
+    """Variables of an environment, noting whether one was asked for."""
+
+    def __init__(self, variables: Mapping[str, str]) -> None:
+        self._variables = variables
+        self.is_asked = False
+
+    def __bool__(self) -> bool:
+        # Whether there are variables at all says nothing of one.
+        return True
+
+    def __getitem__(self, name: str) -> str:
+        self.is_asked = True
+        return self._variables[name]
+
+    def __iter__(self) -> Iterator[str]:
+        self.is_asked = True
+        return iter(self._variables)
+
+    def __len__(self) -> int:
+        self.is_asked = True
+        return len(self._variables)
+
+
 class KnownLaunches:
     """The launch files of a workspace with arguments.
 
     Attributes:
         is_lasting: whether the next run would find the same: no budget ended an evaluation, and no file changed.
+        new: what was evaluated, as it is kept.
     """
 
     def __init__(self, cache: Cache, files: Files) -> None:
@@ -52,7 +81,7 @@ class KnownLaunches:
         self._files = files
         self._answers = FileAnswers(files)
         self._start = f"graph:launch:{analyser_version()}"
-        self._new: dict[str, bytes] = {}
+        self.new: dict[str, bytes] = {}
         self._asked: dict[tuple[str, str], Asked] = {}
         self.is_lasting = True
 
@@ -66,36 +95,43 @@ class KnownLaunches:
             # A file that changed meanwhile has two answers.
             self.is_lasting = self._asked.setdefault((one.what, one.of), one) == one and self.is_lasting
 
-    def launch(self, given: tuple[object, ...], evaluate: Callable[[Files], Launch]) -> Launch:
+    def launch(
+        self,
+        given: tuple[object, ...],
+        environment: Mapping[str, str],
+        evaluate: Callable[[Files, Mapping[str, str]], Launch],
+    ) -> Launch:
         """Return what a launch file comes to; it is evaluated where that is not known, or a budget ended it before.
 
         Args:
-            given: all that the result depends on besides files: the path, the arguments, the environment.
-            evaluate: evaluates it with files.
+            given: all that the result depends on besides files and the environment: the path, the arguments.
+            environment: variables that are known.
+            evaluate: evaluates it with files and the environment.
         """
         slot = f"{self._start}:{key_of(*given)}"
-        kept = self._cache.get((slot,)).get(slot)
-        if kept is not None:
+        in_environment = f"{slot}:{key_of(sorted(environment.items()))}"
+        kept = self._cache.get((slot, in_environment))
+        for packed in kept.values():
             try:
-                known = _decode(plain(kept))
+                known = _decode(plain(packed))
                 if self._answers.same(known.asked):
                     found = _whole(known)
                     self._note(known.asked)
                     return found
             except (msgspec.DecodeError, IndexError, ValueError):
                 pass  # What a damaged cache holds is made again.
-        noted = NotedFiles(self._files)
-        found = evaluate(noted)
+        noted, variables = NotedFiles(self._files), _NotedEnvironment(environment)
+        found = evaluate(noted, variables)
         self._note(noted.asked)
         self.is_lasting = self.is_lasting and not found.cut
         if not found.cut:
-            self._new[slot] = squeezed(_encode(_apart(noted.asked, found)))
+            self.new[in_environment if variables.is_asked else slot] = squeezed(_encode(_apart(noted.asked, found)))
         return found
 
     def keep(self) -> None:
         """Write what is new."""
-        self._cache.replace(self._new)
-        self._new = {}
+        self._cache.replace(self.new)
+        self.new = {}
 
 
 def _apart(asked: tuple[Asked, ...], launch: Launch) -> _KeptLaunch:

@@ -1,15 +1,10 @@
-"""What the launch files of a package come to when each is started: where that ends with an error.
-
-Each file is evaluated twice: with the defaults of its arguments, and with all of these open, so that every way that
-they may choose is followed. No code of nodes is evaluated.
-"""
+"""Where starting a launch file of a package ends with an error. No code of nodes is evaluated."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from functools import cached_property
-from pathlib import Path
 from posixpath import basename
 from typing import TYPE_CHECKING
 
@@ -19,8 +14,8 @@ from roslens.model.source import Language
 from roslens.source.rules.views.launch_sources import LaunchSource, is_template, launch_sources
 
 if TYPE_CHECKING:
-    from roslens.source.extract.facts.files import Files
     from roslens.source.extract.facts.launched import Failed, Launch, ParameterFileUse
+    from roslens.source.rules.views.launch_evaluations import LaunchEvaluations
     from roslens.source.rules.views.package_files import PackageFiles
 
 _GIVEN = re.compile(rb"\$\((?:arg|eval|env|optenv)\b")
@@ -46,32 +41,13 @@ class Outcome(msgspec.Struct, frozen=True):
     is_included: bool
 
 
-class _PackageRoots:
-    """The files of a workspace, those of the package as they are given."""
-
-    def __init__(self, package: PackageFiles) -> None:
-        from roslens.source.extract.facts.files import FolderFiles
-
-        self._package = package
-        self._files = FolderFiles(Path(package.root), dict(package.around.folders))
-
-    def package(self, name: str) -> str | None:
-        return self._files.package(name)
-
-    def listing(self, folder: str) -> tuple[str, ...]:
-        return self._files.listing(folder)
-
-    def content(self, path: str) -> bytes | None:
-        known = self._package.texts.get(path)
-        return known if known is not None else self._files.content(path)
-
-
 class LaunchOutcome:
     """What comes of starting the launch files of a package."""
 
-    def __init__(self, package: PackageFiles) -> None:
-        """Take a package; nothing is read before it is asked for."""
+    def __init__(self, package: PackageFiles, evaluations: LaunchEvaluations) -> None:
+        """Take a package and what its launch files come to; nothing is read before it is asked for."""
         self._package = package
+        self._evaluations = evaluations
 
     @cached_property
     def failures(self) -> tuple[Outcome, ...]:
@@ -102,20 +78,13 @@ class LaunchOutcome:
         return tuple(self._evaluate())
 
     def _evaluate(self) -> Iterator[tuple[LaunchSource, Launch, Launch]]:
-        from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
-        from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
-
-        files: Files = _PackageRoots(self._package)
         languages = (Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML)
         for source in [*launch_sources(self._package, *languages)][:MOST_ROOTS]:
             if is_template(source.content) and not source.path.endswith(".py"):
                 continue
-            if source.is_ros2:
-                default = evaluate_ros2(source.path, files)
-                yield source, default, evaluate_ros2(source.path, files, any_arguments=True)
-            elif 1 in self._package.ros:
-                default = evaluate_ros1(source.path, files)
-                yield source, default, default
+            if source.is_ros2 or 1 in self._package.ros:
+                default = self._evaluations.by_default(source.path, source.version)
+                yield source, default, self._evaluations.failing(source.path) if source.is_ros2 else default
 
     def _is_included(self, source: LaunchSource) -> bool:
         return self._names.get(basename(source.path), set()) - {source.path} != set()

@@ -1,13 +1,11 @@
 """What the launch files of a package for ROS 2 come to: their actions, and what they would start.
 
-Nothing is executed. Files are those of the package alone: what other packages have is as if it were not there, and what
-follows from it is not known.
+Nothing is executed. What they include of other packages of the workspace is followed.
 """
 
 from __future__ import annotations
 
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.intake.file_budget import file_budget
@@ -20,6 +18,7 @@ if TYPE_CHECKING:
 
     from roslens.source.extract.facts.launched import Launch
     from roslens.source.extract.launch_python.launch_action import Action
+    from roslens.source.rules.views.launch_evaluations import LaunchEvaluations
 
 MOST_FILES = 60
 """Of a package that are evaluated; one that has more is a collection."""
@@ -29,11 +28,10 @@ _LANGUAGES = (Language.LAUNCH_PYTHON, Language.LAUNCH_XML, Language.LAUNCH_YAML)
 class LaunchRun:
     """A launch file, read and evaluated when somebody asks."""
 
-    def __init__(self, package: PackageFiles, path: str) -> None:
+    def __init__(self, package: PackageFiles, evaluations: LaunchEvaluations, path: str) -> None:
         """Take a file of a package."""
-        from roslens.source.extract.facts.files import FolderFiles
-
-        self._files = FolderFiles(Path(package.root), {package.package.name: package.folder})
+        self._evaluations = evaluations
+        self._files = evaluations.files
         self.path = path
         self.content = package.read(path)
 
@@ -65,17 +63,15 @@ class LaunchRun:
     @cached_property
     def launch(self) -> Launch:
         """What it starts with the defaults of its arguments."""
-        from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
-
-        return evaluate_ros2(self.path, self._files)
+        return self._evaluations.by_default(self.path, "ros2")
 
 
-def launch_runs(package: PackageFiles) -> list[LaunchRun]:
+def launch_runs(package: PackageFiles, evaluations: LaunchEvaluations) -> list[LaunchRun]:
     """Return the own launch files of a package for ROS 2; none where it has too many to be one robot's."""
     files = package.of_language(*_LANGUAGES, roles=(Role.OWN,))
     if package.ros != frozenset({2}) or len(files) > MOST_FILES:
         return []
-    return [LaunchRun(package, file.path) for file in files]
+    return [LaunchRun(package, evaluations, file.path) for file in files]
 
 
 def _all(actions: tuple[Action, ...]) -> Iterator[Action]:

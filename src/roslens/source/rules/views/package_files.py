@@ -15,6 +15,7 @@ from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.rules.profiles import profiles_of
 from roslens.source.syntax.facts import FileFacts
 from roslens.source.workspace.surroundings import Surroundings
+from roslens.store.cache import Cache
 
 MOST_BYTES = 4_000_000
 """Of a file that a rule on packages reads."""
@@ -31,6 +32,7 @@ class PackageFiles(msgspec.Struct, frozen=True, dict=True):
         texts: contents by path that count instead of what files hold.
         others: paths of the files that have no language of interest: licences, meshes, ``setup.cfg``.
         around: what other packages of the workspace are to it.
+        cache: what earlier runs learned, to be read alone; None for nothing.
     """
 
     package: Package
@@ -40,6 +42,7 @@ class PackageFiles(msgspec.Struct, frozen=True, dict=True):
     texts: Mapping[str, bytes] = {}
     others: tuple[str, ...] = ()
     around: Surroundings = Surroundings()
+    cache: Cache | None = None
 
     @cached_property
     def by_path(self) -> Mapping[str, SourceFile]:

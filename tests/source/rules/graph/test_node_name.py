@@ -27,7 +27,7 @@ def test_the_same_file_included_twice_starts_it_twice():
 def test_random_ends_opposite_conditions_and_nodes_of_one_process_are_none():
     assert not findings(node("/a", anonymous=True), node("/a", line=2, anonymous=True))
     assert not findings(node("/a", conditions=("$(var sim)",)), node("/a", line=2, conditions=("not $(var sim)",)))
-    assert not findings(node("/a", unit="A"), node("/a", unit="B"))
+    assert not findings(node("/a", unit="A"), node("/a", unit="B"), generation="ros1")
     assert not findings(node("/a*", resolved=False), node("/a*", line=2, resolved=False))
 
 
@@ -50,3 +50,27 @@ def test_nodes_that_one_program_makes_are_none_and_programs_that_end_a_note():
     spawners = [node("/create", package="ros_gz_sim", executable="create", line=line) for line in (3, 7)]
     assert [one.severity for one in findings(*spawners)] == [Severity.NOTE]
     assert [one.severity for one in findings(*spawners, generation="ros1")] == [Severity.ERROR]
+
+
+def two(**more):
+    """The two nodes of one program, as a launch file names them."""
+    return [node("/plan", executable="plan", line=7, defined=Proof("src/plan.cpp", line), **more) for line in (6, 9)]
+
+
+def test_one_name_for_two_nodes_of_a_program_is_a_warning_in_ros2():
+    (one,) = findings(*two())
+    assert (one.severity, one.line) == (Severity.WARNING, 7)
+    assert one.message == (
+        "robot/plan makes two nodes (src/plan.cpp:6 and src/plan.cpp:9), and the name given here renames both to "
+        "/plan: they cannot be distinguished. Leave the name away, or give it to one of them (`NODE:__node:=NAME` in "
+        "ros_arguments)."
+    )
+    assert not findings(*two(), generation="ros1")
+
+
+def test_nodes_of_a_program_that_no_launch_file_names_or_that_exclude_each_other_are_none():
+    assert not findings(*two(proof=Proof("CMakeLists.txt", 8)))
+    assert not findings(*two(container="/container"))
+    first = node("/plan", executable="plan", line=7, defined=Proof("src/plan.cpp", 6), conditions=("sim",))
+    second = node("/plan", executable="plan", line=7, defined=Proof("src/plan.cpp", 9), conditions=("not sim",))
+    assert not findings(first, second)

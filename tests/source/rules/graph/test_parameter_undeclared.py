@@ -153,3 +153,20 @@ def test_what_libraries_read_is_none():
     viewer = node("/a", parameters=(own, parameter("/a/image_transport", set_by=FILE)))
     assert not findings(viewer, generation="ros1")
     assert findings(node("/a", parameters=(own, parameter("/a/image", set_by=FILE))), generation="ros1")
+
+
+def test_code_that_writes_its_own_name_into_that_of_a_parameter_is_a_warning_where_the_node_is_renamed():
+    read = parameter("/sense/frame_id", access="read", proof=CODE)
+    (one,) = findings(
+        node("/left/imu", parameters=(parameter("/left/imu/frame_id", set_by=FILE), read)), generation="ros1"
+    )
+    assert one.severity is Severity.WARNING
+    assert one.message == (
+        "parameter `/left/imu/frame_id` is set for /left/imu (src/left/imu.cpp:1), which never reads it. Its code "
+        "reads `/sense/frame_id`, under a name that it no longer has: read it as a private parameter (`~`)."
+    )
+    deeper = parameter("/rover/sense/frame_id", access="read", proof=CODE)
+    (one,) = findings(
+        node("/left/imu", parameters=(parameter("/left/imu/frame_id", set_by=FILE), deeper)), generation="ros1"
+    )
+    assert one.severity is Severity.NOTE

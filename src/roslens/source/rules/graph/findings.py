@@ -23,6 +23,7 @@ from roslens.source.rules.graph import (
 )
 from roslens.source.rules.graph.names import remap_namespace
 from roslens.source.rules.graph.parameters import (
+    controller_type,
     lifecycle_manager,
     parameter_elsewhere,
     parameter_file,
@@ -42,7 +43,7 @@ _MODULES = (
     qos, latched, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range,
     parameter_file, parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic,
     transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
-    lifecycle_manager, stamped_command, remap_namespace,
+    lifecycle_manager, stamped_command, remap_namespace, controller_type,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""

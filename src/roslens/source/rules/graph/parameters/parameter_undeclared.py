@@ -160,6 +160,8 @@ def _told(
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are reported
     near = "" if others else nearest_name(one.name, known)
+    fixed = "" if others or not ros1 else _fixed(one.name, node, known)
+    near = near or fixed
     why = ""
     if is_open and not _differs_in_letters(near, one.name):
         why = f"the code of {node.name} could not be analysed completely"
@@ -171,6 +173,9 @@ def _told(
     certainty, doubt = weighed(RULE.certainty if near else Certainty.HEURISTIC, (proof,), node.conditions, more=why)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean {visible(near)}?" if near else f"Correct the name or remove it; {_knows(known)}."
+    if fixed and ros1:
+        read = f"Its code reads {visible(fixed)}, under a name that it no longer has"
+        advice = f"{read}: read it as a private parameter (`~`)."
     where = f" ({node.defined.place})" if node.defined is not None else ""
     message = (
         f"parameter{'s' if others else ''} {_named(group)} set for {node.name}{where}, which never {verb} "
@@ -180,6 +185,20 @@ def _told(
     found = occurrence(RULE, message, proof, entity=entity, certainty=certainty, context=proof.path, doubt=doubt)
     same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
     return msgspec.structs.replace(found, others=same)
+
+
+def _fixed(name: str, node: ConfiguredNode, known: list[str]) -> str:
+    """Return the absolute name with another node in it under which the code reads a private parameter of a node.
+
+    Code that writes its own name into the name of a parameter reads nothing where the node has another name.
+    """
+    private = name.removeprefix(node.name)
+    others = [
+        one
+        for one in known
+        if one.endswith(private) and one.count("/") == 1 + private.count("/") and not one.startswith(f"{node.name}/")
+    ]
+    return others[0] if len(others) == 1 and private.startswith("/") else ""
 
 
 def _differs_in_letters(near: str, name: str) -> bool:

@@ -12,6 +12,7 @@ from roslens.source.rules.calls import whole_name
 from roslens.source.rules.cpp_flow.declared_with import made_with
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.timing.unit_of_name import SLOWEST, SPOKEN, is_rate, unit_of_name, value_of_name
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _TAKES: Mapping[str, str] = {
@@ -19,6 +20,9 @@ _TAKES: Mapping[str, str] = {
     "ros::WallDuration": "s",
     "rclcpp::Duration::from_seconds": "s",
     "rclcpp::Duration::from_nanoseconds": "ns",
+    "std::chrono::duration<double>": "s",
+    "std::chrono::duration<float>": "s",
+    "std::chrono::duration<double, std::milli>": "ms",
     "std::chrono::seconds": "s",
     "std::chrono::milliseconds": "ms",
     "std::chrono::microseconds": "us",
@@ -32,21 +36,7 @@ _TAKES: Mapping[str, str] = {
     "rclcpp::WallRate": "Hz",
 }
 """The unit of the one number that a type or function takes."""
-_SPOKEN: Mapping[str, str] = {
-    "s": "seconds",
-    "ms": "milliseconds",
-    "us": "microseconds",
-    "ns": "nanoseconds",
-    "Hz": "hertz",
-}
-_ENDS = re.compile(
-    r"(?:_|\b)(?:(?P<ms>ms|msecs?|millis|milliseconds?|milli_?secs?)|(?P<us>us|usecs?|micros|microseconds?)"
-    r"|(?P<ns>ns|nsecs?|nanos|nanosecs?|nanoseconds?)|(?P<s>s|secs?|seconds?)|(?P<Hz>hz|Hz))_?$"
-    r"|[a-z](?:(?P<cms>Ms|MSec|Msecs?|Millis|MilliSecs?|Milliseconds?|MilliSeconds?)|(?P<cus>Us|USec|Micros|Microseconds?)"
-    r"|(?P<cns>Ns|NSec|Nanos|Nanoseconds?)|(?P<cs>Sec|Secs|Seconds)|(?P<cHz>Hz))_?$"
-)
 _PLAIN = re.compile(r"(?:static_cast<[\w: ]+>\()?((?:\w+(?:\.|->|::))*\w+)\)?")
-_OF_A_TIME = frozenset(("count", "nanoseconds", "seconds", "nanosec", "nsec", "sec"))
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -57,36 +47,46 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if takes is None or len(given) != 1:
         return
     plain = _PLAIN.fullmatch(view.text(given[0]))
-    unit = _unit_of(plain[1]) if plain is not None else ""
+    unit = unit_of_name(plain[1]) if plain is not None else ""
     if not unit or unit == takes:
         return
     last = plain[1] if plain is not None else ""
+    certainty = of_rate(last, takes, view)
+    if certainty is None:
+        return
+    expected = f"`1.0 / {last}`" if (unit, takes) == ("Hz", "s") else "a conversion"
     yield view.hit(
         "node.duration_unit",
         given[0],
-        f"`{view.text(name)}` takes {_SPOKEN[takes]}, and `{last}` is in {_SPOKEN[unit]} by its name; expected a "
-        "conversion, or a name that says the unit",
+        f"`{view.text(name)}` takes {SPOKEN[takes]}, and `{last}` is in {SPOKEN[unit]} by its name; expected "
+        f"{expected}, or a name that says the unit",
+        certainty=certainty,
     )
 
 
-def _unit_of(name: str) -> str:
-    """Return the unit in which a name ends; empty where it ends in none."""
-    last = re.split(r"\.|->|::", name)[-1]
-    if last in _OF_A_TIME or len(last.strip("_")) <= 2:
-        return ""
-    match = _ENDS.search(last)
-    if match is None:
-        return ""
-    return next(key.removeprefix("c") for key, value in match.groupdict().items() if value is not None)
+def of_rate(name: str, takes: str, view: FileView) -> Certainty | None:
+    """Return how certain it is that a name says its unit; None where it is called a rate and is a period.
+
+    A period is often called a rate: its first value tells.
+    """
+    if not is_rate(name):
+        return Certainty.LIKELY
+    value = value_of_name(name, view.content)
+    if value is not None and value < SLOWEST and takes == "s":
+        return None
+    return Certainty.LIKELY if value is not None and takes == "s" else Certainty.HEURISTIC
 
 
 RULE = FileRule(
     id="node.duration_unit",
     title="Duration in another unit than its name says",
-    finds="A variable whose name ends in a unit (`timeout_ms`, `periodSec`, `rate_hz`), given as it is to a duration "
-    "or rate that takes another: `ros::Duration(timeout_ms)`, `std::chrono::milliseconds(timeout_sec)`. Convert it.",
+    finds="A variable whose name ends in a unit (`timeout_ms`, `periodSec`, `rate_hz`) or in `rate` or `frequency`, "
+    "given as it is to a duration or rate that takes another unit: `ros::Duration(timeout_ms)`, "
+    "`ros::Duration(loop_rate)`, `std::chrono::milliseconds(timeout_sec)`. Convert it. A period that is called a rate "
+    "is none, if its first value in the file is less than 8; where the file has no value, or it counts milliseconds, "
+    "a rate is a note.",
     why="A timeout of 500 ms is one of 500 s, and one of 2 s is over after 2 ms: the robot waits for minutes, or gives "
-    "up before anything can have happened.",
+    "up before anything can have happened. A rate of 10 Hz taken for a period is once in 10 s.",
     consequence=Consequence.WRONG,
     certainty=Certainty.LIKELY,
     profiles=("ros2", "ros1"),
@@ -94,7 +94,7 @@ RULE = FileRule(
     bad="#include <ros/ros.h>\nvoid f(int timeout_ms) { ros::Duration(timeout_ms).sleep(); }\n",
     good="#include <ros/ros.h>\nvoid f(int timeout_ms) { ros::Duration(timeout_ms / 1000.0).sleep(); }\n",
     syntax="cpp",
-    anchors=(*_TAKES,),
+    anchors=(*(name for name in _TAKES if "<" not in name), "std::chrono::duration"),
     mentions=ROS_CPP,
     found=found,
 )

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from roslens.model.source import Language, Role, SourceFile
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.package.configuration.expanded_robot import several_roots
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.workspace.elements import Document, Element, read_elements
@@ -38,8 +39,24 @@ def found(view: PackageView) -> Iterator[Hit]:
         robot = _Robot(file, document)
         yield from robot.numbers()
         plain = b"xacro" not in content and not any(map(_OPEN.search, robot.names))
-        if plain and file.path.rpartition("/")[2] not in included:
+        if file.path.rpartition("/")[2] in included:
+            continue
+        if plain:
             yield from robot.tree()
+        elif b"xacro:include" in content and "name" in document.root.attributes:
+            yield from _expanded(file, view)
+
+
+def _expanded(file: SourceFile, view: PackageView) -> Iterator[Hit]:
+    """Yield that a robot of macros is no tree, where all of it is known."""
+    roots = several_roots(file.path, view)
+    names = sorted(roots)
+    for name in names[1:2]:
+        place = roots[name]
+        if place.path in view.by_path:
+            several = ", ".join(map(repr, names[:4]))
+            message = f"links {several} of {file.path} have no parent: several roots; expected one tree"
+            yield Hit(_ID, message, place.line, place.column, context=several, path=place.path)
 
 
 def _included(view: PackageView) -> frozenset[str]:
@@ -211,9 +228,10 @@ RULE = PackageRule(
     id=_ID,
     title="Robot that cannot be",
     finds="In a description of a whole robot (URDF without xacro that no other includes): a name that is used twice, "
-    "a joint to a link that is not there, links without a common root, a link with two parents. In any, also in parts "
-    "in xacro: a joint of an unknown type, a revolute or prismatic joint without limits, effort or velocity, limits "
-    "that leave no position, a negative mass, moments of inertia that no body has (a note).",
+    "a joint to a link that is not there, links without a common root, a link with two parents. Of one in xacro that "
+    "no other includes, where all macros, arguments and files are known: links without a common root. In any, also in "
+    "parts in xacro: a joint of an unknown type, a revolute or prismatic joint without limits, effort or velocity, "
+    "limits that leave no position, a negative mass, moments of inertia that no body has (a note).",
     why="urdfdom refuses the whole description, so that robot_state_publisher, MoveIt and the simulator end or have "
     "no robot; a joint without a position within its limits does not move, and impossible inertias make a simulation "
     "explode.",

@@ -1,0 +1,54 @@
+"""The links and joints of a robot that xacro makes of macros, arguments and included files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.source.extract.facts.files import FolderFiles
+from roslens.source.extract.launch.robot_description import read_description
+from roslens.source.rules.package_view import PackageView
+
+if TYPE_CHECKING:
+    from roslens.source.extract.facts.node_facts import Evidence
+    from roslens.source.extract.launch.robot_description import Described
+
+
+def several_roots(path: str, view: PackageView) -> dict[str, Evidence]:
+    """Return the links without a parent of a description, with where they are written, if they are several.
+
+    None where something of it is not known: a file of another package, an argument without default, a condition.
+    """
+    files = FolderFiles(Path(view.root), {view.package.name: view.folder})
+    root, missing = read_description(path, files)
+    if root is None or missing or root.tag != "robot":
+        return {}
+    links: dict[str, Evidence] = {}
+    children: set[str] = set()
+    for one in root.children:
+        if one.tag not in ("link", "joint"):
+            continue
+        name = _known(one, "name")
+        ends = list(_ends(one)) if one.tag == "joint" else []
+        if name is None or one.conditions or None in ends:
+            return {}
+        if one.tag == "link":
+            links.setdefault(name, one.evidence)
+        elif len(ends) == 2:
+            children.add(ends[1] or "")
+    roots = {name: place for name, place in links.items() if name not in children}
+    # A part that no joint holds, where joints name links that are not here, waits for the rest of the robot.
+    return roots if len(roots) > 1 and children <= links.keys() else {}
+
+
+def _ends(joint: Described) -> Iterator[str | None]:
+    """Yield the links that a joint connects, the parent first; None for one that is not known."""
+    for end in ("parent", "child"):
+        named = [one for one in joint.children if one.tag == end]
+        yield _known(named[0], "link") if len(named) == 1 and not named[0].conditions else None
+
+
+def _known(one: Described, attribute: str) -> str | None:
+    text = one.attributes.get(attribute)
+    return None if text is None else text.known

@@ -10,7 +10,7 @@ import msgspec
 
 ROOT = Path(__file__).parents[2]
 CASES = ROOT / "tests" / "reports" / "cases"
-ROUNDS = ("first", "second", "third")
+ROUNDS = ("first", "second", "third", "fourth")
 
 Consequence = Literal[
     "stops the build",

@@ -1,0 +1,17 @@
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('use_sim_time', default_value='false'),
+        DeclareLaunchArgument('namespace', default_value=''),
+        Node(
+            package='joy',
+            executable='joy_node',
+            namespace=LaunchConfiguration('namespace'),
+            parameters=[{'use_sim_time': LaunchConfiguration('use_sim_time')}],
+        ),
+    ])

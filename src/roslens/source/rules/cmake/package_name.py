@@ -27,15 +27,18 @@ def found(view: PackageView) -> Iterator[Hit]:
     commands = view.cmake.commands
     looked_for = _looked_for(commands)
     for one in commands:
-        if one.defined or one.name not in (_USES, _EXPORTS):
-            continue
-        for word in one.words[1 if one.name == _USES else 0 :]:
-            if target := _TARGET.fullmatch(word):
-                yield one.hit(_ID, _of_target(one.name, word, target[1]), word)
-            elif near := _near(word, looked_for, view):
-                effect = "CMake ends there" if one.name == _USES else "what depends on this package ends there"
-                message = f"{one.name} is given {word!r}, which no find_package looks for: {effect}; expected {near!r}"
-                yield one.hit(_ID, message, word)
+        if not one.defined and one.name in (_USES, _EXPORTS):
+            yield from _wrong(one, looked_for, view)
+
+
+def _wrong(one: Written, looked_for: frozenset[str], view: PackageView) -> Iterator[Hit]:
+    for word in one.words[1 if one.name == _USES else 0 :]:
+        if target := _TARGET.fullmatch(word):
+            yield one.hit(_ID, _of_target(one.name, word, target[1]), word)
+        elif near := _near(word, looked_for, view):
+            effect = "CMake ends there" if one.name == _USES else "what depends on this package ends there"
+            message = f"{one.name} is given {word!r}, which no find_package looks for: {effect}; expected {near!r}"
+            yield one.hit(_ID, message, word)
 
 
 def _looked_for(commands: tuple[Written, ...]) -> frozenset[str]:

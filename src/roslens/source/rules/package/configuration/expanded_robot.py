@@ -24,19 +24,13 @@ def several_roots(path: str, view: PackageView) -> dict[str, Evidence]:
     root, missing = read_description(path, files)
     if root is None or missing or root.tag != "robot":
         return {}
-    links: dict[str, Evidence] = {}
-    children: set[str] = set()
-    for one in root.children:
-        if one.tag not in ("link", "joint"):
-            continue
-        name = _known(one, "name")
-        ends = list(_ends(one)) if one.tag == "joint" else []
-        if name is None or one.conditions or None in ends:
-            return {}
-        if one.tag == "link":
-            links.setdefault(name, one.evidence)
-        elif len(ends) == 2:
-            children.add(ends[1] or "")
+    parts = [one for one in root.children if one.tag in ("link", "joint")]
+    named = {_known(one, "name"): one.evidence for one in reversed(parts) if one.tag == "link"}
+    ends = [tuple(_ends(one)) for one in parts if one.tag == "joint"]
+    if any(one.conditions for one in parts) or None in named or any(None in pair for pair in ends):
+        return {}
+    links = {name: place for name, place in named.items() if name is not None}
+    children = {pair[-1] for pair in ends}
     roots = {name: place for name, place in links.items() if name not in children}
     # A part that no joint holds, where joints name links that are not here, waits for the rest of the robot.
     return roots if len(roots) > 1 and children <= links.keys() else {}

@@ -38,13 +38,16 @@ def found(view: PackageView) -> Iterator[Hit]:
             continue
         robot = _Robot(file, document)
         yield from robot.numbers()
-        plain = b"xacro" not in content and not any(map(_OPEN.search, robot.names))
-        if file.path.rpartition("/")[2] in included:
-            continue
-        if plain:
-            yield from robot.tree()
-        elif b"xacro:include" in content and "name" in document.root.attributes:
-            yield from _expanded(file, view)
+        if file.path.rpartition("/")[2] not in included:
+            yield from _whole(robot, file, content, view)
+
+
+def _whole(robot: _Robot, file: SourceFile, content: bytes, view: PackageView) -> Iterator[Hit]:
+    """Yield what is wrong in the tree of a description that no other includes."""
+    if b"xacro" not in content and not any(map(_OPEN.search, robot.names)):
+        yield from robot.tree()
+    elif b"xacro:include" in content and robot.is_named:
+        yield from _expanded(file, view)
 
 
 def _expanded(file: SourceFile, view: PackageView) -> Iterator[Hit]:
@@ -78,6 +81,7 @@ class _Robot:
         self._links = [] if root is None else [one for one in root.elements() if one.tag == "link"]
         self._joints = [] if root is None else [one for one in root.elements() if one.tag == "joint"]
         self._all = [] if root is None else list(_parts(root))
+        self.is_named = root is not None and "name" in root.attributes
         self.names = [one.attributes.get("name", "") for one in (*self._links, *self._joints)]
 
     def tree(self) -> Iterator[Hit]:

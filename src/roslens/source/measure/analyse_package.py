@@ -135,7 +135,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         entities = without_the_whole(entities)
         known_callbacks = registered_elsewhere(task, hits, callbacks)
     of_files = {file.path: facts for file, facts, _ in measured}
-    with Cache.open(Path(task.cache) if task.cache else None, writable=False) as cache:
+    with Cache.open(task.known_in, writable=False) as cache:
         view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others, task.around, cache)
         findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
@@ -148,7 +148,7 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         new,
         findings,
         in_part=bool(task.left_out),
-        evaluated={} if task.texts else dict(view.new),
+        evaluated=dict(view.new),
         includes=role_includes(((file, facts) for file, facts, _ in measured), own=(task.package.name,)),
     )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
+from pathlib import Path
 
 import msgspec
 
@@ -38,6 +39,11 @@ class PackageTask(msgspec.Struct, frozen=True):
     texts: dict[str, bytes] = {}
     left_out: frozenset[str] = frozenset()
     around: Surroundings = Surroundings()
+
+    @property
+    def known_in(self) -> Path | None:
+        """The file of the cache; None for none."""
+        return Path(self.cache) if self.cache else None
 
 
 def package_task(

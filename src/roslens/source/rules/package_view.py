@@ -87,8 +87,8 @@ class PackageView(PackageFiles, frozen=True, dict=True):
 
     @property
     def new(self) -> Mapping[str, bytes]:
-        """What views learned of its files and keep for the next run."""
-        return self.evaluations.new if "evaluations" in self.__dict__ else {}
+        """What views learned of its files and keep for the next run; nothing of texts that are no files."""
+        return {} if self.texts or "evaluations" not in self.__dict__ else self.evaluations.new
 
     @cached_property
     def outcome(self) -> LaunchOutcome:

@@ -178,3 +178,9 @@ def test_without_a_folder_for_it_the_secret_is_that_of_the_machine(tmp_path):
     (tmp_path / "roslens").write_text("no folder")
     environment = {"XDG_CONFIG_HOME": str(tmp_path)}
     assert user_secret(environment) == user_secret(environment)
+
+
+def test_who_can_write_a_store_of_the_user_can_change_it(checked):
+    """The mark is of the folder: SECURITY says so."""
+    forge(checked / ".roslens")
+    assert why_foreign(checked / ".roslens", os.environ) == ""

@@ -365,3 +365,14 @@ def test_an_agent_that_ends_lets_go_of_all(listener, agent_of):
     counters = Counters()
     agent_of(listener.port, counters=counters).run(lambda: True)
     assert counters.closed
+
+
+def test_after_a_restart_a_host_belongs_to_the_first_key_that_names_it_then(clock, agent_of):
+    for key in (KEY, OTHER_KEY):
+        listener = Listener(("127.0.0.1", 0), KEY, OTHER_KEY, wall=clock, steady=clock)
+        try:
+            records = until(listener, [agent_of(listener.port, key=key)], samples)
+            assert failures(records) == []
+            assert listener.agents() == ("base/agent",)
+        finally:
+            listener.close()

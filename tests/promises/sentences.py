@@ -1,4 +1,4 @@
-"""The sentences of README's *Promises* and of the guarantees in SECURITY, as they stand there."""
+"""The sentences of README's *Promises*, and of the guarantees and limitations in SECURITY, as they stand there."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class Promise(NamedTuple):
 
 def promises() -> list[Promise]:
     """Return all of them, in order; tests are empty where none is named."""
-    return [*_of_readme(), *_of_security()]
+    return [*_of_readme(), *_of_security(), *_limitations()]
 
 
 def shown_by() -> dict[str, tuple[str, ...]]:
-    """Return the tests of the sentences of README, which has no room for them."""
+    """Return the tests of sentences of README, and of limitations, which stand where there is no room for them."""
     import tomli
 
     table = tomli.loads(Path(__file__).with_name("shown_by.toml").read_text())
@@ -41,6 +41,15 @@ def _of_readme() -> list[Promise]:
     cells = [[cell.strip() for cell in row.strip(" |").split(" | ")] for row in rows.splitlines()[2:] if "|" in row]
     sentences += [f"exit code {cell[0]}: {cell[1]}" for cell in cells]
     return [Promise(one, "README.md", tests.get(one, ())) for one in sentences]
+
+
+def _limitations() -> list[Promise]:
+    text = (ROOT / "SECURITY.md").read_text()
+    part = text[text.index("## Known limitations\n") :].split("\n## ")[0].split("\n", 1)[1]
+    points = [" ".join(point.split()) for point in part.split("\n- ") if point.strip()]
+    tests = shown_by()
+    sentences = [one.removeprefix("- ") for point in points for one in re.split(r"(?<=\.) (?=[A-Z])", point)]
+    return [Promise(one, "SECURITY.md, known limitations", tests.get(one, ())) for one in sentences]
 
 
 def _of_security() -> list[Promise]:

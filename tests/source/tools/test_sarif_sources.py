@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from roslens.children.sandbox import LANDLOCK, sandbox_kind
+from roslens.children.sandbox import LANDLOCK, NONE, sandbox_kind
 from roslens.cli.main import main
+from roslens.source.tools.running import run_tool
 from roslens.source.tools.running.run_tool import ToolRunner
 
 MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>
@@ -225,3 +226,16 @@ def test_a_command_runs_nothing_that_was_not_trusted_with_it(workspace, monkeypa
         stream.write("# changed\n")
     (found,) = failures()
     assert "lint was not run, because it is not trusted" in found
+
+
+def test_without_landlock_a_command_reads_what_was_not_trusted_with_it(workspace, monkeypatch, capfd):
+    """SECURITY says so: there it is only its own words that are trusted."""
+    monkeypatch.setattr(run_tool, "sandbox_kind", lambda: NONE)
+    root = Path(workspace)
+    (root / "lint.sh").write_text(f". ./more.sh || exit 3\necho '{EMPTY}'\n")
+    (root / "more.sh").write_text("true\n")
+    (root / "roslens.toml").write_text('[tools.lint]\ncommand = ["bash", "lint.sh"]\n')
+    main(["trust", str(root)])
+    capfd.readouterr()
+    main(["check", str(root), "--jobs", "1", "--format", "json", "--no-store", "--no-cache"])
+    assert json.loads(capfd.readouterr().out)["failures"] == []

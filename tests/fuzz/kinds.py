@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from fuzz.words import BAG, CMAKE, CODE, PACKED, PYTHON, XML, YAML
+from fuzz.words import BAG, CMAKE, CODE, MESSAGE, PACKED, PYTHON, TOML, XML, YAML
 
 TESTS = Path(__file__).parents[1]
 FIXTURES = TESTS / "fixtures"
@@ -320,6 +320,24 @@ def _request_seeds() -> list[bytes]:
     ]
 
 
+def _read_as(grammar: str) -> Callable[[bytes], None]:
+    """Return what reads as a check and a graph do, with the budget of a file; to leave it out is an answer."""
+
+    def read(content: bytes) -> None:
+        from shapes.readers import READERS
+
+        from roslens.intake.file_budget import begin_reading
+        from roslens.intake.time_budget import OverBudgetError
+
+        begin_reading()
+        try:
+            READERS[grammar](content)
+        except OverBudgetError as error:
+            assert str(error)  # noqa: PT017 - see above
+
+    return read
+
+
 KINDS = {
     "manifest": Kind(lambda: _files("package*.xml"), XML, _manifest),
     "cpp": Kind(lambda: _files("*.cpp", "*.hpp"), CODE, _cpp),
@@ -334,6 +352,10 @@ KINDS = {
     "repositories": Kind(lambda: _files("*.repos", "distribution.yaml", "filter.yaml"), YAML, _repositories),
     "bag": Kind(lambda: _recordings("ros1", "ros1_bz2", "ros1_lz4"), BAG, _recording),
     "mcap": Kind(lambda: _recordings("mcap", "mcap_zstd", "mcap_message"), BAG, _recording),
+    "sqlite": Kind(lambda: _recordings("sqlite"), BAG, _recording),
+    "messages": Kind(lambda: _files("*.msg", "*.srv", "*.action"), MESSAGE, _read_as("messages")),
+    "robot": Kind(lambda: _files("*.urdf", "*.xacro"), XML, _read_as("robot descriptions")),
+    "toml": Kind(lambda: _files("*.toml"), TOML, _read_as("TOML")),
     "frames": Kind(_frame_seeds, PACKED, _frames),
     "requests": Kind(_request_seeds, PACKED, _requests),
 }  # fmt: skip

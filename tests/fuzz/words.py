@@ -41,3 +41,13 @@ PACKED = (
     "Ó\x80\x00\x00\x00\x00\x00\x00\x00 Ùÿ Ûÿÿÿÿ \x80 ßÿÿÿÿ host: process: /scan \x00 \x00\x00\x00\x13H\x03 "
     "A F"
 )
+MESSAGE = (
+    "int8 uint64 float64 string wstring string<= string<=99999999999999999999 [ ] [] [3] [<=3] [1000000000] --- = "
+    "# \" ' \\n Header header time duration geometry_msgs/Pose pkg/A / . A=1 A=1e999 A=0x 1_0 -1 True \n \r \t "
+    "\x00 ÿ \ufeff"
+)
+TOML = (
+    "[ ] [[ ]] { } = , . \" ' \"\"\" ''' \\ \\u0000 \\U0010ffff # true false 1e999 nan inf 0x 0o7 1_0 2001-01-01 "
+    "12:30:45 [tools] use command [options.cppcheck] plugins = models disable [workspace] exclude [macros] "
+    "[fetch.rewrite] ** *(*)* \n \r \t \x00 ÿ \ufeff"
+)

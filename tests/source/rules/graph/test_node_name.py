@@ -1,5 +1,6 @@
 from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
+from roslens.model.weight.consequence import Consequence
 from roslens.source.rules.graph.node_name import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, launched, node
@@ -13,9 +14,10 @@ def test_two_nodes_of_one_name_are_told_with_both_places():
     (one,) = findings(node("/a", line=3), node("/a", line=7), generation="ros1")
     assert (one.severity, one.line) == (Severity.ERROR, 7)
     assert one.message == (
-        "robot/a (launch/robot.launch.xml:3) and robot/a (launch/robot.launch.xml:7) are both called /a: the first is "
-        "shut down when the second starts. Give one of them another name or namespace."
+        "robot/a (launch/robot.launch.xml:3) and robot/a (launch/robot.launch.xml:7) are both called /a: roslaunch "
+        "refuses robot.launch.xml and starts nothing of it. Give one of them another name or namespace."
     )
+    assert one.consequence is Consequence.STOPS_START
     (one,) = findings(node("/a", line=3), node("/a", line=7))
     assert one.severity is Severity.WARNING
 

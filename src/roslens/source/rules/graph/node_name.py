@@ -25,8 +25,9 @@ RULE = graph_rule(
     Consequence.WRONG,
     Certainty.PROVEN,
     ("ros", "graph", "names", "launch"),
-    "ROS 1 shuts down the first one when the second starts. In ROS 2 both run, but their services, parameters and "
-    "life cycles cannot be distinguished.",
+    "roslaunch refuses a launch that has two, and starts none of its nodes; elsewhere ROS 1 shuts down the first one "
+    "when the second starts. In ROS 2 both run, but their services, parameters and life cycles cannot be "
+    "distinguished.",
 )
 
 
@@ -41,7 +42,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         pairs = [pair for pair in combinations(nodes, 2) if _collide(*pair, nodes)]
         if pairs:
             first, second = min(pairs, key=lambda pair: len(pair[0].conditions) + len(pair[1].conditions))
-            yield _told(name, first, second, len(nodes), ros1=ros1)
+            yield _told(name, first, second, len(nodes), configuration)
         elif not ros1 and (renamed := _renamed(nodes)):
             yield _told_of_one(name, renamed)
 
@@ -84,19 +85,28 @@ def _told_of_one(name: str, pair: tuple[ConfiguredNode, ConfiguredNode]) -> Find
     return occurrence(RULE, message, first.proof, entity=f"node:{name}", certainty=certainty, doubt=doubt)
 
 
-def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, *, ros1: bool) -> Finding:
+def _told(
+    name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, configuration: Configuration
+) -> Finding:
+    ros1 = configuration.generation == "ros1"
+    is_refused = ros1 and {first.proof.origin, second.proof.origin} == {Origin.LAUNCH}
     certainty, doubt = weighed(
         RULE.certainty if ros1 else Certainty.HEURISTIC if is_brief(first) and is_brief(second) else Certainty.LIKELY,
         (first.proof, second.proof),
         (*first.conditions, *second.conditions),
     )
     effect = "the first is shut down when the second starts" if ros1 else "they cannot be distinguished"
+    if is_refused:
+        effect = f"roslaunch refuses {configuration.title} and starts nothing of it"
     more = f" {count} nodes have this name." if count > 2 else ""
     message = (
         f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "
         f"{effect}.{more} Give one of them another name or namespace."
     )
-    return occurrence(RULE, message, second.proof, entity=f"node:{name}", certainty=certainty, doubt=doubt)
+    return occurrence(
+        RULE, message, second.proof, entity=f"node:{name}", certainty=certainty, doubt=doubt,
+        consequence=Consequence.STOPS_START if is_refused else None,
+    )  # fmt: skip
 
 
 def _what(node: ConfiguredNode) -> str:

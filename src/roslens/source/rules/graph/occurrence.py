@@ -77,7 +77,7 @@ def occurrence(
         entity: text form of its id.
         certainty: where it differs from the rule's, as where it rests on what is in doubt. What lies in a folder of
             what is no longer used is heuristic. A finding that is heuristic where its rule is not is a note.
-        consequence: where it is milder than the rule's.
+        consequence: where it differs from the rule's.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
         also: further entities for which it holds alike.
         doubt: why it may be none.

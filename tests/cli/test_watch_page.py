@@ -49,7 +49,9 @@ def test_the_tree_stands_in_order_with_values_as_the_terminal_writes_them():
     assert image["shown"]["bandwidth"] == value_text("bandwidth", image["values"]["bandwidth"]) == "13.8 MB/s"
     assert image["observer"] == "scripted"
     assert row(found, "node:/slam")["shown"] == {"cpu": "12.5 %", "memory": "84 MB"}
-    assert [key for key, _ in found["columns"]] == ["rate", "largest_gap", "latency", "bandwidth", "cpu", "memory"]
+    assert [key for key, _ in found["columns"]] == [
+        "rate", "rate_received", "largest_gap", "latency", "bandwidth", "cpu", "memory",
+    ]  # fmt: skip
     assert row(found, "connection:/lidar > /scan > /slam")["name"] == "→ /slam"
 
 

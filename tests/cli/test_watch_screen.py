@@ -49,6 +49,18 @@ def test_names_are_whole_before_there_is_room_for_more_values():
     assert name not in rows(view, width=60)[-1]
 
 
+@pytest.mark.parametrize(("received", "shown"), [(10.0, False), (1.0, True)])
+def test_what_is_received_stands_beside_what_is_sent_and_keeps_its_place_where_it_is_less(received, shown):
+    values = {"rate": 10.0, "rate_received": received, "largest_gap": 0.1, "latency": 0.001}
+    view = robot(connection("/lidar", "/planner", values={"rate": received}), values=values)
+
+    def head(width):
+        return screen(Terminal(width, False, True), view, (), title="t", height=100, clock=str)[1].split()
+
+    assert head(100) == ["rate", "received", "gap", "latency"]
+    assert head(70) == (["rate", "received", "gap"] if shown else ["rate", "gap", "latency"])
+
+
 def test_what_is_judged_has_a_row_whoever_gets_it():
     judged = connection("/lidar", "?", State.LOW, counts=BAD)
     assert rows(robot(judged))[-1] == ["▼", "low", "→", "?"]

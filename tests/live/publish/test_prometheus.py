@@ -24,7 +24,8 @@ def test_readings_and_verdicts():
         {"records_total": 5},
     )
     assert text == (
-        "# HELP roslens_rate_hertz Messages per second over the window.\n"
+        "# HELP roslens_rate_hertz Messages per second over the window: of a topic as they are sent, of a "
+        "connection as they are received.\n"
         "# TYPE roslens_rate_hertz gauge\n"
         'roslens_rate_hertz{topic="/scan"} 25.0\n'
         'roslens_rate_hertz{topic="/scan",publisher="/lidar",subscriber="/slam"} 24.5\n'

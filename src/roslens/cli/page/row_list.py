@@ -18,6 +18,7 @@ from roslens.live.system.tree import SystemView
 
 COLUMNS = (
     ("rate", "Rate"),
+    ("rate_received", "Received"),
     ("largest_gap", "Gap"),
     ("latency", "Latency"),
     ("loss", "Loss"),

@@ -11,15 +11,19 @@ from roslens.live.reported.reported_levels import is_reported
 from roslens.live.system.connection_name import connection_ends
 from roslens.live.system.shown_rows import badge, is_shown, not_judged
 from roslens.live.system.tree import SystemView
-from roslens.live.window.signals import BY_KEY
+from roslens.live.window.signals import BY_KEY, RECEIVED
 from roslens.model.entity import EntityId
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.writing.terminal import Terminal, columns, left, right
 
-COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "response_time")
-"""The values of a row, the first ones for narrow terminals too."""
-_HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "answer in")
+COLUMNS = {
+    "rate": "rate", RECEIVED: "received", "largest_gap": "gap", "latency": "latency", "cpu": "cpu", "memory": "memory",
+    "bandwidth": "bandwidth", "loss": "loss", "calls": "calls", "response_time": "answer in",
+}  # fmt: skip
+"""The values of a row and their headings, the first ones for narrow terminals too."""
+_AS_SENT = 0.9
+"""A topic of which less is received than this share of what is sent says so on narrow terminals too."""
 _CELL = 11
 _LEAST_NAME = 24
 _STATE = 12
@@ -90,27 +94,35 @@ def _first_line(terminal: Terminal, view: SystemView, title: str) -> str:
 
 def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
     rows = list(_rows(view.children, 0))
-    shown = [place for place, key in enumerate(COLUMNS) if any(key in row.values for _, row in rows)]
+    shown = [key for key in COLUMNS if any(key in row.values for _, row in rows)]
     longest = max((columns(_name(row, terminal)) + 2 * depth + 1 for depth, row in rows), default=0)
     least = max(_LEAST_NAME, min(longest, terminal.width // 2 - _STATE))
+    dispensable = RECEIVED in shown and not any(_is_lost(row) for _, row in rows)
     while shown and terminal.width - _STATE - 1 - _CELL * len(shown) < least:
-        shown.pop()
+        shown.pop(shown.index(RECEIVED) if dispensable else -1)
+        dispensable = False
     width = terminal.width - _STATE - 1 - _CELL * len(shown)
     lines = [
         terminal.paint(
-            " " * (_STATE + 1) + left("", width) + "".join(right(_HEADINGS[at], _CELL) for at in shown), "quiet"
+            " " * (_STATE + 1) + left("", width) + "".join(right(COLUMNS[key], _CELL) for key in shown), "quiet"
         )
     ]
     chosen = rows if len(rows) <= room else _worst(rows, room - 1)
     for depth, row in chosen:
         remark = f"  ({said})" if (said := badge(row)) else ""
         name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal) + remark), width - 1)
-        cells = "".join(right(_cell(row, COLUMNS[at]), _CELL) for at in shown)
+        cells = "".join(right(_cell(row, key), _CELL) for key in shown)
         lines.append(f"{state_text(terminal, row.state)} {left(name, width)}{cells}".rstrip())
     if len(chosen) < len(rows):
         more = len(rows) - len(chosen)
         lines.append(terminal.paint(f"{' ' * (_STATE + 1)}{more} more that are fine or no worse", "quiet"))
     return lines
+
+
+def _is_lost(row: SystemView) -> bool:
+    """Whether somebody receives much less than is sent on a topic."""
+    sent = row.values.get("rate")
+    return sent is not None and row.values.get(RECEIVED, sent) < _AS_SENT * sent
 
 
 def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, SystemView]]:

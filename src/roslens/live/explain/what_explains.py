@@ -16,7 +16,7 @@ _INERT = frozenset(
 """What a node has too much of without sending anything else, sooner or later, because of it."""
 _LOAD = frozenset({"cpu", "cpu_wait", "stopped", "hung"})
 """What makes a node slower."""
-_MORE = frozenset({"rate", "bandwidth", "message_size", "publishers", "subscribers", "misfits"})
+_MORE = frozenset({"rate", "rate_received", "bandwidth", "message_size", "publishers", "subscribers", "misfits"})
 """What is not more because a node is slower."""
 _HALTED = frozenset({"stopped", "hung"})
 

@@ -6,7 +6,7 @@ from roslens.live.standing.measured import Group
 from roslens.live.system.connection import Connection
 from roslens.live.system.envelope import Envelope
 from roslens.live.system.topic import Topic
-from roslens.live.window.signals import ENDS, SUMMED
+from roslens.live.window.signals import ENDS, RECEIVED, SUMMED
 
 
 def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
@@ -35,8 +35,11 @@ def _shares(connection: Connection, topic: Topic) -> list[tuple[Group, float]] |
     groups: list[tuple[Group, float]] = []
     shares: dict[str, float | None] = {}
     for group in topic.groups:
-        if group.key in ENDS:
+        if group.key in ENDS or (group.key == RECEIVED and not connection.subscriber):
             continue
+        if group.key == RECEIVED and len(topic.connections) > 1:
+            # How much of what a subscriber receives is from which publisher is not looked for.
+            return None
         if group.key in SUMMED and group.key not in shares:
             shares[group.key] = _share(connection, topic, group)
         share = shares.get(group.key, 1.0)

@@ -17,7 +17,7 @@ from roslens.live.window.traffic import longest_gap
 from roslens.live.window.window import Window
 from roslens.model.verdict import State
 
-_RATES = ("rate", "bandwidth", "period")
+_RATES = ("rate", "rate_received", "bandwidth", "period")
 _UNSEEN_PERIODS = 2
 """A topic that never said anything, or little yet, is given so many expected periods."""
 

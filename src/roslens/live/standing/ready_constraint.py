@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.judge.ranges.range import Range
 from roslens.judge.reference.expectation import Details, Expectation, Timing
-from roslens.live.window.signals import ENDS
+from roslens.live.window.signals import ENDS, RECEIVED
 from roslens.live.window.window import LONGEST_S, PERIODS
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
@@ -92,7 +92,7 @@ class ReadyConstraint:
         self.literal = literal
         low, high = source.range.minimum, source.range.maximum
         self.period = 0.0
-        if self.key == "rate" and low is not None and low > 0:
+        if self.key in ("rate", RECEIVED) and low is not None and low > 0:
             self.period = 1 / low
         elif self.key == "period" and high is not None and high > 0:
             self.period = high

@@ -14,7 +14,7 @@ from math import inf, sqrt
 from roslens.live.standing.measured import Group
 from roslens.live.window.bucket import Bucket, Series
 from roslens.live.window.round import Round
-from roslens.live.window.signals import SUMMED
+from roslens.live.window.signals import RECEIVED, SUMMED
 from roslens.live.window.traffic import bandwidth, message_size, period, rate
 from roslens.live.window.window import EPSILON_S, Window
 from roslens.model.traffic.tally_columns import Row
@@ -154,7 +154,7 @@ class Envelope:
             return False
         if key in SUMMED:
             low, high = low * share, high * share
-        if key == "rate":
+        if key in ("rate", RECEIVED):
             self._narrow_rate(low, high)
         elif key == "period":
             self._narrow_rate(1 / high if high > 0 else inf, 1 / low if low > 0 else inf)

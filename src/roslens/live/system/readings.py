@@ -10,14 +10,14 @@ from roslens.live.system.sampled import Sampled
 from roslens.live.system.topic import Topic
 from roslens.live.system.tree import Reported
 from roslens.live.system.world import World
-from roslens.live.window.signals import ENDS
+from roslens.live.window.signals import ENDS, RECEIVED
 from roslens.live.window.traffic import MEASURES
 from roslens.live.window.window import Window
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
 from roslens.model.traffic.tally import Observer
 
-_TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
+_TOPIC_SIGNALS = (*MEASURES, RECEIVED, *sorted(ENDS))
 _WORDS = {one: one.value for one in Observer}
 _NOTHING: Reported = ({}, "")
 _OUTDATED = -1

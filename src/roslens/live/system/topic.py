@@ -9,7 +9,7 @@ from roslens.live.standing.measured import Measured
 from roslens.live.system.connection import Connection
 from roslens.live.window.observer_rank import RANK
 from roslens.live.window.observer_status import ObserverStatus
-from roslens.live.window.signals import ENDS, SUMMED
+from roslens.live.window.signals import ENDS, RECEIVED, SUMMED
 from roslens.live.window.traffic import measured
 from roslens.live.window.window import MAX_BUCKETS, Window
 from roslens.model.entity import EntityId, EntityKind
@@ -18,6 +18,7 @@ _WIDEST = frozenset({"jitter", "largest_gap"})
 _OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
 _MEANS = frozenset({"latency", "age"})
 
+_UNKNOWN: tuple[float | None, Window | None] = (None, None)
 _AS_SENT = 0.9
 """What arrives at so large a share of what is sent arrives as it is sent, but for the edges of windows."""
 
@@ -110,6 +111,8 @@ class Topic(Measured):
         """Return a signal of the topic and the window that has most of it; ``views`` are taken where known."""
         if key in ENDS:
             return self._of_graph(key, None), None
+        if key == RECEIVED:
+            return min(self._received(at, percentile).values(), key=_rate_of, default=_UNKNOWN)
         if key in _OF_PUBLISHERS:
             return _joined(
                 key, (one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views))
@@ -126,6 +129,9 @@ class Topic(Measured):
             if key in ENDS:
                 yield key, (self._of_graph(key, every), None)
                 continue
+            if key == RECEIVED:
+                yield key, self.value(key, at)
+                continue
             reported = publishers if key in _OF_PUBLISHERS else every
             found = [(measured(seen[one], key), seen[one]) if plain else one.value(key, at) for one in reported]
             yield key, found[0] if len(found) == 1 else _joined(key, found)
@@ -134,16 +140,22 @@ class Topic(Measured):
         """Return who receives much less than what is sent, which is the rate of a topic."""
         if key != "rate":
             return ""
-        received: dict[str, float] = {}
-        for one in self.all_connections():
-            value = one.value(key, at)[0] if one.subscriber else None
-            if value is not None:
-                received[one.subscriber] = received.get(one.subscriber, 0.0) + value
+        received = self._received(at)
         sent = self.value(key, at)[0]
-        least = min(sorted(received), key=received.__getitem__, default="")
-        if not least or not sent or received[least] >= _AS_SENT * sent:
+        least = min(sorted(received), key=lambda one: received[one][0], default="")
+        if not least or not sent or received[least][0] >= _AS_SENT * sent:
             return ""
-        return f"; sent at this rate, received at {received[least]:.3g} Hz by {least}"
+        return f"; sent at this rate, received at {received[least][0]:.3g} Hz by {least}"
+
+    def _received(self, at: int, percentile: float = 0.0) -> dict[str, tuple[float, Window | None]]:
+        """Return the rate at which each subscriber receives from all publishers, and a window that shows it."""
+        received: dict[str, tuple[float, Window | None]] = {}
+        for one in self.all_connections():
+            value, window = one.value("rate", at, percentile) if one.subscriber else _UNKNOWN
+            if value is not None:
+                before, seen = received.get(one.subscriber, (0.0, window))
+                received[one.subscriber] = before + value, seen
+        return received
 
     def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
         if key == "misfits":
@@ -167,6 +179,10 @@ class Topic(Measured):
     def _of_last(self, connection: Connection) -> bool:
         """Whether a connection is of the last publishers: those that left before are no evidence of how it ended."""
         return connection.publisher in self.former
+
+
+def _rate_of(received: tuple[float, Window | None]) -> float:
+    return received[0]
 
 
 def _ends(connection: Connection) -> tuple[str, str]:

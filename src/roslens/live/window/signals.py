@@ -16,8 +16,12 @@ _COUNTED = "Of ROS 2 nodes that count themselves, where the preloaded library is
 _BOTH = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
 
 SIGNALS: tuple[Quantity, ...] = (
-    Quantity("rate", "Rate", "Hz", _TRAFFIC, "Messages per second over the window.", (Fold.SUM,), Better.NEITHER,
-             "messages in the window / its length", decimals=2),
+    Quantity("rate", "Rate", "Hz", _TRAFFIC,
+             "Messages per second over the window: of a topic as they are sent, of a connection as they are received.",
+             (Fold.SUM,), Better.NEITHER, "messages in the window / its length", decimals=2),
+    Quantity("rate_received", "Rate received", "Hz", (EntityKind.TOPIC,),
+             "Messages per second as they are received by the subscriber that gets fewest of them.", (),
+             Better.NEITHER, limits="Of subscribers that are observed; none in a recording.", decimals=2),
     Quantity("period", "Mean period", "s", _TRAFFIC, "Mean time between messages.", (Fold.MEAN,), Better.NEITHER,
              decimals=6),
     Quantity("jitter", "Jitter", "s", _TRAFFIC, "Standard deviation of the times between messages.", (Fold.MAX,),
@@ -127,6 +131,9 @@ BY_KEY: dict[str, Quantity] = {signal.key: signal for signal in SIGNALS}
 
 SUMMED = frozenset({"rate", "bandwidth"})
 """Signals of a topic that are sums over its publishers."""
+
+RECEIVED = "rate_received"
+"""Signal of a topic that is derived from the rates of its connections."""
 
 ENDS = frozenset({"publishers", "subscribers", "misfits"})
 """Signals of a topic that are derived from the graph."""

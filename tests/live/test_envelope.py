@@ -36,6 +36,16 @@ RULES = reference(
             for key, range_ in QUANTITIES.items()
             for kind in ("topic", "connection")
         ]
+        + [
+            {
+                "id": "received",
+                "kind": "topic",
+                "name": "/**",
+                "quantity": "rate_received",
+                "range": "15..30",
+                "grace": 0.5,
+            }
+        ]
     }
 )
 STEPS = (

@@ -353,3 +353,23 @@ constraints:
     (verdict,) = [one for one in session.monitor.standing() if one.entity == add]
     assert verdict.state is State.LOW
     assert verdict.cause.startswith("node:/server")
+
+
+def test_all_sources_are_asked_to_end_before_one_is_waited_for(session):
+    said = []
+
+    class Slow:
+        def __init__(self, name):
+            self.name = name
+
+        def poll(self, seconds):
+            return []
+
+        def end(self):
+            said.append(("end", self.name))
+
+        def close(self):
+            said.append(("close", self.name))
+
+    run(session, [Slow("ros1"), Slow("ros2")], wall=lambda: 1.0, stopped=lambda _: True, report=lambda _: None)
+    assert said == [("end", "ros1"), ("end", "ros2"), ("close", "ros1"), ("close", "ros2")]

@@ -1,3 +1,4 @@
+import signal
 import sys
 import time
 
@@ -132,3 +133,34 @@ def test_a_python_without_rclpy_is_named_with_its_reason():
         find_ros2_python(sys.executable, {})
     with pytest.raises(UsageError, match="/no/such: No such file"):
         find_ros2_python("", {"ROSLENS_ROS2_PYTHON": "/no/such"})
+
+
+STUBBORN = """
+import signal, sys, time
+signal.signal(signal.SIGTERM, lambda *_: None)
+print('[ERROR] ready', file=sys.stderr, flush=True)
+while True: time.sleep(60)
+"""
+
+
+def test_it_is_asked_to_end_before_it_is_killed(child, monkeypatch):
+    orderly = child("import sys, time; print('[ERROR] ready', file=sys.stderr, flush=True); time.sleep(60)")
+    stubborn = child(STUBBORN)
+    monkeypatch.setattr("roslens.live.adapters.child._STOP_S", 0.2)
+    how = []
+    for one in (orderly, stubborn):
+        until(one, Failure)
+        process = one._process
+        one.close()
+        how.append(process.returncode)
+    assert how == [-signal.SIGTERM, -signal.SIGKILL]
+
+
+def test_it_may_be_asked_to_end_before_anybody_waits_for_it(child):
+    one = child("import sys, time; print('[ERROR] ready', file=sys.stderr, flush=True); time.sleep(60)")
+    one.end()
+    until(one, Failure)
+    process = one._process
+    one.end()
+    assert process.wait(60) == -signal.SIGTERM
+    one.close()

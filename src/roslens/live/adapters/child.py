@@ -136,11 +136,16 @@ class Child:
             found.append(self._ended(code, now))
         return found
 
+    def end(self) -> None:
+        """Ask the process to end (SIGTERM), without waiting for it."""
+        if self._process is not None:
+            self._process.terminate()
+
     def close(self) -> None:
-        """End the process, at first politely."""
+        """End the process: by SIGTERM, and by SIGKILL where it is still there 3 s later."""
         if self._process is None:
             return
-        self._process.terminate()
+        self.end()
         try:
             self._process.wait(_STOP_S)
         except subprocess.TimeoutExpired:

@@ -60,6 +60,13 @@ class HostFinder(Protocol):
         """Return names of hosts by address."""
 
 
+class Ending(Protocol):
+    """A source that takes a while to end."""
+
+    def end(self) -> None:
+        """Begin to."""
+
+
 class Beginner(Protocol):
     """A source that takes a while until it sees anything."""
 
@@ -349,5 +356,9 @@ def run(
                 session.wait_for(beginners, wall())
             report(session.look(wall()))
     finally:
+        # All are asked before one is waited for: each may take seconds to leave its system in order.
+        for source in sources:
+            if hasattr(source, "end"):
+                cast("Ending", source).end()
         for source in sources:
             source.close()

@@ -60,8 +60,12 @@ class ChildSource:
         file = self._child.fileno()
         return [] if file is None else [file]
 
+    def end(self) -> None:
+        """Ask the process to end."""
+        self._child.end()
+
     def close(self) -> None:
-        """End the process."""
+        """End the process, and wait until it has."""
         self._child.close()
 
 

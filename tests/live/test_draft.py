@@ -55,6 +55,19 @@ def lines_of(found, topic="/scan"):
     return {line.quantity: line for line in one.lines}
 
 
+@pytest.mark.parametrize(
+    ("hertz", "seconds", "periods"), [(2.5, 120, 2.5), (2.5, 60, 4.0), (10, 120, 8.8), (1, 300, 4)]
+)
+def test_a_second_of_silence_is_outside_where_nothing_was_missing_on_a_slow_topic(hertz, seconds, periods):
+    bound = lines_of(observed(tallies("/scan", steady(hertz, seconds, 0.005))))["largest_gap"].range.maximum
+    assert bound == pytest.approx(periods / hertz, rel=0.02)
+
+
+def test_where_messages_of_a_slow_topic_were_missing_four_periods_are_let_pass():
+    times = [time for number, time in enumerate(steady(2.5, 120, 0.005)) if number not in (30, 90, 150)]
+    assert lines_of(observed(tallies("/scan", times)))["largest_gap"].range.maximum == pytest.approx(1.6, rel=0.02)
+
+
 def test_steady_traffic():
     found = observed(tallies("/scan", steady(20, 100, 0.001)))
     lines = lines_of(found)

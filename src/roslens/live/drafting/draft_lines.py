@@ -8,8 +8,9 @@ none. A topic that leaves its band oftener than `alarms_allowed` comes with even
   and as windows differ. Where that is a quarter or more, or windows differ by more, from three quarters to nine fifths:
   without a third of its messages, or with twice as many, a topic is outside even so.
 - ``largest_gap``: a little more than the longest gap that may well come again, which is the one after as many as
-  `alarms_allowed`: what comes once is what one wants to hear of. Never less than four periods, nor than a hiccup:
-  eight times that gap, but at least a quarter of a second and at most so long that a second of silence is reported.
+  `alarms_allowed`: what comes once is what one wants to hear of. Never less than four periods (two and a half of a slow
+  topic on which nothing was missing), nor than a hiccup: eight times that gap, but at least a quarter of a second and
+  at most so long that a second of silence is reported.
 """
 
 from __future__ import annotations
@@ -39,6 +40,11 @@ LEAST_WIDTH = 0.1
 SPREADS = 3.0
 """Standard deviations of the windows, by their quartiles, that have to fit between the median and the lower bound."""
 GAP_PERIODS, GAP_SHARE = 4.0, 1.15
+WHOLE_PERIODS, WHOLE, WHOLE_MESSAGES = 2.5, 1.25, 200
+"""A slow topic of which so many messages came and none was missing twice, which no gap of so many periods shows, is
+given fewer periods: four of them would hide a second of silence."""
+SLOWEST_S = 0.5
+"""Mean time between messages up to which a second of silence is more than what any of them takes."""
 FEW, CHANCE = 200, 0.5
 """Messages in a window up to which is asked whether they come by chance, and from which share of its variance on."""
 LEAST_SINGLES = 10
@@ -188,10 +194,20 @@ def _gaps(tracks: Sequence[Track], allowed: int, hours: float) -> Line:
     ordered = sorted(longest, reverse=True)
     again = ordered[allowed] if len(ordered) > allowed else 0.0
     hiccup = min(max(HICCUP_S[0], HICCUP_SHARE * again), HICCUP_S[1])
-    bound = max(hiccup, GAP_PERIODS * max(track.period for track in tracks), GAP_SHARE * again)
+    bound = max(hiccup, _missing(tracks, again), GAP_SHARE * again)
     range_ = Range(maximum=rounded(bound, up=True))
     typical = statistics.median([gap for gap in longest if gap] or [0.0])
     return Line("largest_gap", range_, typical, sum(gap not in range_ for gap in longest), hours)
+
+
+def _missing(tracks: Sequence[Track], again: float) -> float:
+    """Return how long nothing comes where as many messages are missing as are let pass."""
+    period = max(track.period for track in tracks)
+    slow = HICCUP_S[1] < GAP_PERIODS * period and period <= SLOWEST_S
+    seen = sum(map(sum, (track.intervals for track in tracks)))
+    if slow and seen >= WHOLE_MESSAGES and again <= WHOLE * period:
+        return WHOLE_PERIODS * period
+    return GAP_PERIODS * period
 
 
 def rounded(value: float, *, up: bool, digits: int = 3) -> float:

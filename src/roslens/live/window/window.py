@@ -325,14 +325,15 @@ class Window:
         self._summed = True
 
     def _drop(self, before: float) -> None:
-        buckets = self.buckets
+        buckets, least, former = self.buckets, self._least, self._former
         before -= EPSILON_S
-        while buckets and buckets[0].start < before:
-            if buckets[0].end > before and (self._least > 1 or len(buckets) == 1):
+        while buckets:
+            oldest = buckets[0]
+            if oldest.start >= before or (oldest.end > before and (least > 1 or len(buckets) == 1)):
                 break
-            if len(buckets) <= self._least and self.horizon == self.until:
+            if len(buckets) <= least and self.horizon == self.until:
                 break
-            self._former.keep(buckets.popleft())
+            former.keep(buckets.popleft())
             self._summed = False
 
     def _merge(self) -> None:

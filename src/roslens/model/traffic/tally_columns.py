@@ -11,6 +11,7 @@ import msgspec
 from roslens.model.traffic.tally import Moments, Observer, Tally
 
 _BETWEEN = "\n"
+_NAMES = 3
 Row = tuple[float, float, int, int, float, float, Moments, Moments, Moments, int, Observer, str, Moments, float]
 """The fields of a tally besides its names, in their order."""
 
@@ -90,9 +91,11 @@ class TallyColumns(Sequence[Tally]):
 
 def columns_of(tallies: Iterable[Tally]) -> Columns:
     """Return tallies by columns; none of their names may hold a line break."""
-    rows = list(tallies)
-    names = [_BETWEEN.join((one.topic, one.publisher, one.subscriber)) for one in rows]
-    return Columns(names, *(_column([getattr(one, field) for one in rows]) for field in _FIELDS))
+    columns = list(map(list, zip(*map(msgspec.structs.astuple, tallies), strict=True)))
+    if not columns:
+        return Columns([], *([] for _ in _FIELDS))
+    names = list(map(_BETWEEN.join, zip(*columns[:_NAMES], strict=True)))
+    return Columns(names, *map(_column, columns[_NAMES:]))
 
 
 def fits(tally: Tally) -> bool:

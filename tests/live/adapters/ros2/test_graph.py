@@ -134,6 +134,25 @@ def test_the_sweep_finds_what_no_list_of_a_node_shows():
     assert len(one.update().endpoints) == 2
 
 
+def test_all_topics_are_asked_anew_after_a_change_and_a_few_in_quiet_times():
+    node = FakeNode()
+    for number in range(100):
+        node.add("talker", "p", f"/t{number}", 7)
+    observation = Observation("robot", reader(node), NoCounters())
+
+    def asked():
+        node.asked.clear()
+        observation.period(0.0, 1.0)
+        return set(node.asked)
+
+    for _ in range(2):
+        observation.changed(0.0)
+        in_turn = [asked() for _ in range(7)]
+        assert {f"/t{number}" for number in range(100)} <= set.union(*in_turn)
+        assert max(map(len, in_turn)) <= 20
+        assert 0 < len(asked()) <= 5
+
+
 def test_an_endpoint_whose_node_is_not_known_yet_is_asked_for_again():
     node = FakeNode()
     node.add("talker", "p", "/t", 7)

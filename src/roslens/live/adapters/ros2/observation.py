@@ -63,7 +63,9 @@ class Reports(Protocol):
     def take(self, now: float, node_of: Callable[[str], str | None]) -> Reported: ...  # noqa: D102
 
 
-SWEEP_PER_S = 20
+SWEEP_PER_S, QUIET_SWEEP_PER_S = 20, 4
+"""How many topics are asked anew in a second: all of them in turn after each change of the graph, of which some are in
+no list of what nodes have; and a few where nothing is known to have changed."""
 PARAMETERS_S = 5.0
 """A graph of which only parameters changed is reported so often at most; each change is an event at once."""
 CALLS_S = 1.0
@@ -100,6 +102,7 @@ class Observation:
         self._domain = SameDomain()
         self._calls = CallTimes()
         self._calls_reported = float("-inf")
+        self._to_sweep = 0
 
     @property
     def unsettled(self) -> bool:
@@ -116,6 +119,8 @@ class Observation:
         ``with_process`` is a process that has just ended, and how.
         """
         graph = self._graphs.update()
+        # A round that had begun before is finished first.
+        self._to_sweep = len({end.name for end in graph.endpoints}) + SWEEP_PER_S
         if self._reports is not None:
             self._reports.choose(graph)
             # New knowledge of parameters is no reason to report the whole at once.
@@ -163,12 +168,18 @@ class Observation:
             failures += self._taps.failures()
             shed = self._taps.shed()
         reported = self._listened(now)
-        stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
+        stale = self._graphs.sweep(self._share_of_sweep(seconds))
         frame = self._frame(
             now, tallies=tallies + reported.tallies, samples=self._called(now), failures=failures + reported.failures,
             shed=shed, events=reported.events, graph=self._with_parameters(now), looked=now if attentive else 0.0,
         )  # fmt: skip
         return frame, stale
+
+    def _share_of_sweep(self, seconds: float) -> int:
+        """Return how many topics are asked anew in so many seconds."""
+        most = max(1, round((SWEEP_PER_S if self._to_sweep > 0 else QUIET_SWEEP_PER_S) * seconds))
+        self._to_sweep -= most
+        return most
 
     def ask(self, now: float) -> bool:
         """Ask nodes for their parameters; return whether that is to go on soon. ``now`` is of a clock without jumps."""

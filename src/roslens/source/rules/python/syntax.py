@@ -17,6 +17,8 @@ from roslens.source.rules.rule import FileRule
 _TEMPLATE = re.compile(rb"^\s*\{%|^@(?:\[|\{)", re.MULTILINE)
 _TEMPLATE_LINE = re.compile(rb"\{\{|\}\}|\{%|@[\[({]|\$\{|<%|<#")
 _CONFLICT = re.compile(rb"^(?:<{7} |={7}$|>{7} )")
+_LARGEST_BYTES = 1_000_000
+"""What is larger was generated, and takes hundreds of times its size to compile."""
 _OF_ANY_VERSION = re.compile(
     r"argument|outside|not properly in loop|declaration|nonlocal|cannot (?:assign|delete)|leading zeros|decimal literal"
     r"|import \*|__future__"
@@ -43,6 +45,8 @@ def found(root: Node, view: FileView) -> Iterator[Hit]:
 
 def _refused(content: bytes) -> SyntaxError | None:
     """Return what the compiler says of a file; None where it is content, or where other rules tell."""
+    if len(content) > _LARGEST_BYTES:
+        return None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:

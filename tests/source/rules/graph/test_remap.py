@@ -75,7 +75,7 @@ def test_one_that_is_left_over_is_a_note():
 
 
 def test_who_is_alone_at_the_other_name_is_told():
-    base = node("/base", end("sub", "/commands/power", line=8))
+    base = node("/base", end("sub", "/commands/power", "std_msgs/msg/Bool", line=8))
     (one,) = findings(base, node("/a", X, remaps=(remap("motor_power", "commands/power"),)))
     assert one.severity is Severity.NOTE
     assert "/a uses no such name. /base (src/base.cpp:8) waits for it at `commands/power`." in one.message
@@ -111,3 +111,22 @@ def test_one_that_is_overtaken_on_one_of_two_nodes_only_is_told_as_one_that_matc
     first, second = remap("x", "y", 3, used=True), remap("x", "z", 4)
     (one,) = findings(node("/a", end("pub", "/y", given="x"), remaps=(first, second)), node("/b", X, remaps=(second,)))
     assert "/a, /b use no such name" in one.message
+
+
+def test_a_free_end_of_the_same_type_was_meant_where_somebody_waits():
+    base = node("/base", end("sub", "/base/commands", line=8))
+    mux = node("/mux", end("pub", "/mux/output", given="output"), remaps=(remap("mux_cmd_vel", "base/commands"),))
+    (one,) = findings(base, mux)
+    assert one.severity is Severity.WARNING
+    assert "waits for it at `base/commands`. Did you mean `/mux/output`?" in one.message
+    (one,) = findings(base, mux, node("/log", end("sub", "/mux/output")))
+    assert one.severity is Severity.NOTE
+    two = node(
+        "/mux",
+        end("pub", "/mux/output"),
+        end("pub", "/mux/other"),
+        end("sub", "/mux/input"),
+        remaps=(remap("mux_cmd_vel", "base/commands"),),
+    )
+    (one,) = findings(base, two)
+    assert one.severity is Severity.NOTE

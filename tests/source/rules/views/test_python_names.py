@@ -28,6 +28,8 @@ def unbound(text):
         ("if (n := 1): n", []),
         ("[t for t in [1] if (m := t)]; m", []),
         ("class A:\n    b = 1\n    c = b\n    def d(self): return b", ["b"]),
+        ("class A:\n    b = [1]\n    c = [d for d in b]\n    e = [b for d in c for f in b]", ["b", "b"]),
+        ("class A:\n    b = [1]\n    c = tuple(f'{d}' for d in b)", []),
         ("def f():\n    global g\n    g = 1\ng", []),
         ("def f():\n    return later\nlater = 1", []),
         ("f'{a} {b!r:>{c}}'", ["a", "b", "c"]),

@@ -9,7 +9,7 @@ from roslens.model.finding import Finding
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.shortened import visible
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import ends, is_unknown, listed
+from roslens.source.rules.graph.ends import OTHER, End, ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.occurrence import graph_rule, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -19,9 +19,10 @@ RULE = graph_rule(
     "Remapping that matches nothing",
     "No node in the scope of a remapping uses the name that it remaps. Nodes whose code is unknown, or not completely "
     "analysed, are assumed to use it, except if a node outside the scope of a remapping for several nodes has the "
-    "name: a remapping applies only to the actions after it in its group or file. It is a warning if a similar name "
-    "of a node was apparently meant, and a note if the remapping may be obsolete; names that every node has, such as "
-    "/tf, are not reported. Correct the name, or move or remove the remapping.",
+    "name: a remapping applies only to the actions after it in its group or file. It is a warning if somebody waits "
+    "at the new name and one end of the node, of the same type, is connected to nothing, or if a similar name of a "
+    "node was apparently meant, and a note if the remapping may be obsolete; names that every node has, such as /tf, "
+    "are not reported. Correct the name, or move or remove the remapping.",
     Consequence.MAY_BE_WRONG,
     Certainty.HEURISTIC,
     ("ros", "graph", "names", "launch"),
@@ -44,7 +45,8 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     for one, nodes in sorted(held.items(), key=lambda item: item[0]):
         if _key(one) not in effective and not surroundings.is_external(_absolute(one.source, nodes[0])):
             alone = (one.proof.path, one.source, one.target) not in usual
-            yield _told(one, nodes, _waiting(one, nodes, configuration), alone=alone)
+            waiting = _waiting(one, nodes, configuration)
+            yield _told(one, nodes, [end.label for end in waiting], _free(waiting, nodes, configuration), alone=alone)
     yield from _out_of_reach(configuration)
 
 
@@ -114,12 +116,29 @@ def _in_use_elsewhere(configuration: Configuration) -> set[tuple[str, str, str]]
     return {(one.proof.path, one.source, one.target) for node in configuration.nodes for one in node.remaps if one.used}
 
 
-def _waiting(one: ConfiguredRemap, nodes: list[ConfiguredNode], configuration: Configuration) -> list[str]:
+def _waiting(one: ConfiguredRemap, nodes: list[ConfiguredNode], configuration: Configuration) -> list[End]:
     """Return the nodes that use the target of a remapping, where only one side does: the other one is missing."""
     held = {node.name for node in nodes}
     target = _absolute(one.target, nodes[0])
     users = [end for end in ends(configuration) if end.name == target and end.node.name not in held]
-    return [end.label for end in users] if len({end.role for end in users}) == 1 else []
+    return users if len({end.role for end in users}) == 1 else []
+
+
+def _free(waiting: list[End], nodes: list[ConfiguredNode], configuration: Configuration) -> str:
+    """Return the only name of these nodes that could be the other side of what waits, and that nobody else uses."""
+    if not waiting or len({node.name for node in nodes}) > 1:
+        return ""
+    every = [end for end in ends(configuration) if end.node.name != nodes[0].name]
+    fitting = {
+        end.endpoint.name
+        for end in nodes[0].endpoints
+        if not end.implicit
+        and end.endpoint.role is OTHER[waiting[0].role]
+        and end.endpoint.type
+        and {one.type for one in waiting} == {end.endpoint.type}
+        and not any(other.name == end.endpoint.name for other in every)
+    }
+    return fitting.pop() if len(fitting) == 1 else ""
 
 
 def _meant(source: str, names: list[str]) -> str:
@@ -154,17 +173,17 @@ def _too_late(one: ConfiguredRemap, nodes: list[ConfiguredNode], first: Configur
     )
 
 
-def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str], *, alone: bool) -> Finding:
+def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str], free: str, *, alone: bool) -> Finding:
     overtaken = _overtaken(one, nodes)
     if overtaken is not None:
         return _too_late(one, nodes, overtaken)
     names = [end.given or end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     names += [end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
-    near = _meant(one.source, names)
+    near = free or _meant(one.source, names)
     advice = f"Did you mean {visible(near)}?" if near else "Correct the name or remove the remapping."
     # Many are left over from a name that was changed, and do no harm: what was meant has to show.
     usual = RULE.certainty if alone and near else Certainty.HEURISTIC
-    certainty, doubt = weighed(usual, (one.proof,), nodes[0].conditions)
+    certainty, doubt = weighed(Certainty.LIKELY if free else usual, (one.proof,), nodes[0].conditions)
     if waiting:
         advice = f"{listed(waiting)} {'waits' if len(waiting) == 1 else 'wait'} for it at `{one.target}`. {advice}"
     who = listed([node.name for node in nodes])

@@ -64,10 +64,11 @@ def _missing(file: LaunchXml, view: PackageView) -> Iterator[tuple[Hit, str]]:
 
 
 def _used_elements(file: LaunchXml) -> Iterator[Element]:
-    """Yield the elements of a launch file without arguments that nothing in it uses."""
+    """Yield the elements of a launch file without arguments that nothing in it uses, and without what never is."""
     used = frozenset(_USED.findall(file.text))
     for element, _ in file.elements:
-        if element.tag != "arg" or element.attributes.get("name", "") in used:
+        is_used = element.tag != "arg" or element.attributes.get("name", "") in used
+        if is_used and element.start not in file.left_out:
             yield element
 
 

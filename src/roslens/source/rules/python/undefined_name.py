@@ -180,7 +180,10 @@ def _may_be_unbound(view: FileView) -> bool:
         if source[one.start_byte - 1 : one.start_byte] != b"." and not _IS_SET.match(source, one.end_byte)
     }
     names -= _KNOWN
-    names.difference_update(source[one.start_byte : one.end_byte] for one in captured.get("bound", ()))
+    # `from rclpy.node import Node` binds Node, not rclpy.
+    modules = {one.start_byte for one in captured.get("module", ())}
+    bound = (one for one in captured.get("bound", ()) if one.start_byte not in modules)
+    names.difference_update(source[one.start_byte : one.end_byte] for one in bound)
     return bool(names)
 
 
@@ -211,6 +214,7 @@ def _query() -> Query:
     )
     patterns = [f"({one} (identifier) @bound)" for one in (*holders, *more, "nonlocal_statement")]
     patterns += [f"({kind} {field}: (identifier) @bound)" for kind, field in fields]
+    patterns.append("(import_from_statement module_name: (dotted_name (identifier) @module))")
     found: Query = Query(
         Language(tree_sitter_python.language()),
         "\n".join((*patterns, "(identifier) @any")),

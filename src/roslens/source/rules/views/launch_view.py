@@ -63,6 +63,19 @@ class LaunchXml:
             waiting.extend((child, element.tag) for child in reversed(element.elements()))
 
     @cached_property
+    def left_out(self) -> frozenset[int]:
+        """Where the elements begin that a condition written out leaves out (`if="0"`), with those inside of them."""
+        return frozenset(element.start for element, is_out in self._conditional() if is_out)
+
+    def _conditional(self) -> Iterator[tuple[Element, bool]]:
+        waiting = [] if self._document.root is None else [(self._document.root, False)]
+        while waiting:
+            element, around = waiting.pop()
+            is_out = around or _never_is(element)
+            yield element, is_out
+            waiting.extend((child, is_out) for child in element.elements())
+
+    @cached_property
     def written(self) -> str:
         """All attributes and texts, without comments."""
         parts = [value for element, _ in self.elements for value in (*element.attributes.values(), element.text())]
@@ -76,6 +89,12 @@ class LaunchXml:
         """Return a hit at an element."""
         line, column = self._document.place(element.start)
         return Hit(rule, message, line, column, context=context, path=self.path)
+
+
+def _never_is(element: Element) -> bool:
+    """Whether the condition of an element is written out and false."""
+    wanted, refused = (element.attributes.get(one, "").strip().lower() for one in ("if", "unless"))
+    return wanted in ("0", "false") or refused in ("1", "true")
 
 
 def launch_files(package: PackageFiles) -> tuple[LaunchXml, ...]:

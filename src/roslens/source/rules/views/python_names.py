@@ -173,7 +173,7 @@ class PythonNames:
         inside = self.scopes.get(parent.id)
         if inside is not None and parent.type in ("function_definition", "class_definition", "lambda"):
             return inside if _is_inner(child, parent) else scope
-        return scope
+        return _around_first(child, parent, scope)
 
     def _visit(self, node: Node, scope: Scope) -> None:
         match node.type:
@@ -278,6 +278,15 @@ def _catches(node: Node) -> bool:
         if names.strip() == "except" or "NameError" in names or "Exception" in names:
             return True
     return False
+
+
+def _around_first(child: Node, parent: Node, scope: Scope) -> Scope:
+    """Return the scope of a node in a clause of a comprehension: what the first one goes through stands outside."""
+    holder = parent.parent
+    if parent.type != "for_in_clause" or holder is None or child != parent.child_by_field_name("right"):
+        return scope
+    first = next((one for one in holder.children if one.type == "for_in_clause"), None)
+    return scope.outer if first == parent and scope.outer is not None and scope.node == holder else scope
 
 
 def _is_inner(child: Node, parent: Node) -> bool:

@@ -5,18 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
+from posixpath import join
 from typing import TYPE_CHECKING
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.launch_view import LaunchXml
 from roslens.source.rules.views.passed_arguments import declared_in
 
 if TYPE_CHECKING:
     from roslens.source.extract.launch_python.launch_action import Action
     from roslens.source.rules.views.launch_runs import LaunchRun
-    from roslens.source.rules.views.launch_view import LaunchXml
     from roslens.source.workspace.elements import Element
 
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)/+")
@@ -88,7 +89,8 @@ def _of_ros1(view: PackageView) -> Iterator[Hit]:
     files = {file.path: file for file in view.launch if not file.broken}
     for file in files.values():
         for element, _ in () if file.is_test else file.elements:
-            target = files.get(_included(element, view))
+            path = "" if element.start in file.left_out else _included(element, view)
+            target = files.get(path) or _beside(path, view)
             if target is not None:
                 yield from _undeclared(file, element, target)
 
@@ -102,12 +104,23 @@ def _undeclared(file: LaunchXml, include: Element, target: LaunchXml) -> Iterato
 
 
 def _included(include: Element, view: PackageView) -> str:
-    """Return the path of the file of the package that an element includes, and to which it does not pass all it has."""
+    """Return the path of the file of the workspace that an element includes without passing on all that it has."""
     if include.tag != "include" or include.attributes.get("pass_all_args", "").strip().lower() in ("true", "1"):
         return ""
     written = include.attributes.get("file", "")
     match = _FIND.match(written)
-    return view.path(written[match.end() :]) if match and match[1] == view.package.name else ""
+    if match is None or "$" in written[match.end() :]:
+        return ""
+    folders = {**dict(view.around.folders), view.package.name: view.folder}
+    return join(folders[match[1]], written[match.end() :]) if match[1] in folders else ""
+
+
+def _beside(path: str, view: PackageView) -> LaunchXml | None:
+    """Return a launch file of another package of the workspace; nothing where it is not there or is broken."""
+    if not path or not view.exists(path):
+        return None
+    file = LaunchXml(view, path, is_test=False)
+    return None if file.broken or file.root is None or file.root.tag != "launch" else file
 
 
 def _message(name: str, target: LaunchXml, declared: list[str]) -> str:
@@ -120,9 +133,10 @@ def _message(name: str, target: LaunchXml, declared: list[str]) -> str:
 RULE = PackageRule(
     id="launch.include_argument",
     title="Argument that an included launch file does not know",
-    finds="An argument that a launch file gives to another one of its package that does not declare it. In ROS 1 "
-    "roslaunch refuses it. In ROS 2 it is a warning, and reported where neither the included file nor one that it "
-    "includes in turn mentions the name, and all of these are in the package.",
+    finds="An argument that a launch file gives to another one of its package, in ROS 1 also of another package of "
+    "the workspace, that does not declare it. In ROS 1 roslaunch refuses it. In ROS 2 it is a warning, and reported "
+    "where neither the included file nor one that it includes in turn mentions the name, and all of these are in the "
+    "package.",
     why="roslaunch ends before anything starts; launch of ROS 2 sets a configuration that nobody reads, and the robot "
     "does what the default says.",
     consequence=Consequence.STOPS_START,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -14,8 +15,15 @@ from roslens.source.rules.rule import PackageRule
 if TYPE_CHECKING:
     from roslens.source.extract.facts.launched import Launched
     from roslens.source.extract.facts.node_facts import Evidence
+    from roslens.source.rules.views.launch_runs import LaunchRun
 
 _MENTIONS = (b"namespace", b"Namespace")
+_RESERVED = "ros_namespace"
+"""The configuration in which launch_ros keeps the namespace that is pushed: `PushRosNamespace`, `Node` and the like."""
+_GIVEN = re.compile(
+    rb"(?:namespace\s*=\s*|PushRosNamespace\(\s*)LaunchConfiguration\(\s*['\"]ros_namespace['\"]"
+    rb"|namespace\s*=\s*\"[^\"]*\$\(var\s+ros_namespace\s*\)"
+)
 
 
 def found(view: PackageView) -> Iterator[Hit]:
@@ -24,10 +32,25 @@ def found(view: PackageView) -> Iterator[Hit]:
     for run in view.launch_runs:
         if not any(one in run.content for one in (*_MENTIONS, b"nclude")):
             continue
+        yield from _reserved(run, view)
         for at, message in (*_growing(run.launch.nodes), *_doubled(run.launch.nodes)):
             if at.path in view.by_path and (at.path, at.line) not in said:
                 said.add((at.path, at.line))
                 yield Hit("launch.nested_namespace", message, at.line, at.column, context=message, path=at.path)
+
+
+def _reserved(run: LaunchRun, view: PackageView) -> Iterator[Hit]:
+    """Yield the argument that is called like the namespace of launch_ros, and is given to a node or pushed."""
+    if not _GIVEN.search(run.content):
+        return
+    for action in run.actions:
+        if action.kind == "argument" and action.values.get("name") == _RESERVED and run.path in view.by_path:
+            message = (
+                f"the argument '{_RESERVED}' is what launch_ros takes for the namespace of every node: given to a node "
+                "or pushed again it is there twice; expected another name, such as 'namespace'"
+            )
+            at = action.evidence
+            yield Hit("launch.nested_namespace", message, at.line, at.column, context=_RESERVED, path=run.path)
 
 
 def _growing(nodes: tuple[Launched, ...]) -> Iterator[tuple[Evidence, str]]:
@@ -60,8 +83,9 @@ RULE = PackageRule(
     title="Namespaces that pile up",
     finds="A node that launch files of ROS 2 start in a namespace below the one it was started in before, because "
     "`push-ros-namespace` or `PushRosNamespace` stands outside of a group in an included file; and a namespace with "
-    "the same part twice, which is pushed around the node and given to it again. Launch files are evaluated with the "
-    "defaults of their arguments.",
+    "the same part twice, which is pushed around the node and given to it again; and an argument `ros_namespace`, "
+    "which launch_ros takes for the namespace of every node, given to a node or pushed again. Launch files are "
+    "evaluated with the defaults of their arguments.",
     why="The second robot talks in `/r1/r2`: nobody listens there, and nothing says so.",
     consequence=Consequence.WRONG,
     certainty=Certainty.LIKELY,

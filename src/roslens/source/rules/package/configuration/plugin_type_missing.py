@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslens.model.source import Language
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -12,20 +12,28 @@ from roslens.source.rules.package.configuration.listed_plugins import listed_plu
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
-_BY_DEFAULT = frozenset(
-    {
-        *("static_layer", "obstacle_layer", "inflation_layer", "GridBased", "FollowPath", "goal_checker"),
-        *("progress_checker", "simple_smoother", "spin", "backup", "wait", "drive_on_heading", "assisted_teleop"),
-    }
-)
-"""Names for which a server of nav2 knows a type where its list is the default."""
+_DEFAULTS: Mapping[str, tuple[frozenset[str], ...]] = {
+    "plugins": (frozenset({"static_layer", "obstacle_layer", "inflation_layer"}),),
+    "controller_plugins": (frozenset({"FollowPath"}),),
+    "planner_plugins": (frozenset({"GridBased"}),),
+    "goal_checker_plugins": (frozenset({"goal_checker"}),),
+    "progress_checker_plugins": (frozenset({"progress_checker"}),),
+    "smoother_plugins": (frozenset({"simple_smoother"}),),
+    "behavior_plugins": (
+        frozenset({"spin", "backup", "drive_on_heading", "wait"}),
+        frozenset({"spin", "backup", "drive_on_heading", "assisted_teleop", "wait"}),
+    ),
+    "recovery_plugins": (frozenset({"spin", "backup", "wait"}),),
+}
+"""The lists for which a server of nav2 knows the types itself: it declares them where its list is the default one, and
+none where a name is missing or added (``Costmap2DROS``, ``ControllerServer``, ``BehaviorServer`` … of navigation2)."""
 
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each name without a type in a list of which the file gives types for others."""
     for one in listed_plugins(view):
-        missing = [name for name, written in one.types.items() if written is None and name not in _BY_DEFAULT]
-        if all(written is None for written in one.types.values()):
+        missing = [name for name, written in one.types.items() if written is None]
+        if len(missing) == len(one.types) or frozenset(one.types) in _DEFAULTS.get(one.parameter, ()):
             # Another file may have the types of all of them.
             continue
         for name in missing:
@@ -47,7 +55,7 @@ RULE = PackageRule(
     title="Listed plug-in without a type",
     finds="A name in `plugins`, `controller_plugins`, `planner_plugins` and the like of a nav2 server, for which the "
     "parameter file has no `NAME.plugin`, although it has one for another name of the list, and which no other "
-    "file of the package names.",
+    "file of the package names. A list that is the default one of the server needs no types.",
     why="The server ends with «Can not get 'plugin' param value» when it is configured, and navigation does not start.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.LIKELY,

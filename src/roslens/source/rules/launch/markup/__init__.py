@@ -1,0 +1,1 @@
+"""Rules on what stands in the attributes of launch files in XML."""

@@ -137,6 +137,15 @@ def test_unruly_traffic_is_told_of_the_same(seed, monkeypatch):
     assert_same(*both(streams, monkeypatch))
 
 
+def test_what_came_before_its_publisher_was_known_keeps_nothing_from_resting(monkeypatch):
+    whole = list(traffic([(20.0, 100, 0.01, 0)] * 8, "/p0"))
+    early = [(time, msgspec.structs.replace(tally, publisher="")) for time, tally in whole[:2]]
+    known, everything = both([early, whole[2:]], monkeypatch)
+    assert_same(known, everything)
+    _, _, resting = both([whole], monkeypatch)[0]
+    assert known[2] > resting / 2 > 0
+
+
 def test_steady_traffic_rests(monkeypatch):
     (_, _, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
     assert resting > 60

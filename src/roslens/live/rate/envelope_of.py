@@ -37,7 +37,10 @@ def _shares(connection: Connection, topic: Topic) -> list[tuple[Group, float]] |
     for group in topic.groups:
         if group.key in ENDS or (group.key == RECEIVED and not connection.subscriber):
             continue
-        if group.key == RECEIVED and len(topic.connections) > 1:
+        if (
+            group.key == RECEIVED
+            and sum(not all(map(topic.tells_nothing, of)) for of in topic.connections.values()) > 1
+        ):
             # How much of what a subscriber receives is from which publisher is not looked for.
             return None
         if group.key in SUMMED and group.key not in shares:

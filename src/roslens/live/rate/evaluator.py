@@ -150,7 +150,7 @@ def _rest(topic: Topic, now: float) -> None:
 
     Those of a topic that is judged rest together, for what is fine of one depends on the others.
     """
-    every = list(chain.from_iterable(topic.connections.values()))
+    every = [one for one in chain.from_iterable(topic.connections.values()) if not topic.tells_nothing(one)]
     if topic.judged and not topic.calm:
         _wake(every)
         return

@@ -230,6 +230,11 @@ class Connection(Measured):
         return any(windows[0].observer_status is observer_status for windows in self._order)
 
     @property
+    def empty(self) -> bool:
+        """Whether no window has anything."""
+        return not any(window.buckets for windows in self._order for window in windows)
+
+    @property
     def alone(self) -> list[Window] | None:
         """The windows of the only observer; None where there are several."""
         return self._order[0] if len(self._order) == 1 else None

@@ -84,6 +84,14 @@ class Topic(Measured):
         if not group:
             del self.connections[connection.publisher]
 
+    def tells_nothing(self, connection: Connection) -> bool:
+        """Whether a connection changes no value as long as nothing is reported of it.
+
+        That is what is left of traffic whose publisher was not known yet, once that is known: it would keep all others
+        from resting.
+        """
+        return not connection.publisher and len(self.connections) > 1 and connection.empty
+
     def all_connections(self) -> list[Connection]:
         """Return every connection that is there, else every one, in order."""
         every = self._ordered

@@ -18,6 +18,7 @@ from roslens.model.judged_configuration import JudgedConfiguration
 
 if TYPE_CHECKING:
     from roslens.cli.graph.graph_source import GraphSource
+    from roslens.cli.graph.kept_configurations import KeptConfigurations
     from roslens.source.extract.facts.launched import Launch
     from roslens.source.progress import Progress
 
@@ -175,9 +176,20 @@ def telling_first(found: Assembled) -> Assembled:
     )
 
 
-def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | None = None) -> Assembled:
-    """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
-    from roslens.cli.graph.graph_findings import findings_of
+def assembled(
+    source: GraphSource,
+    named: Sequence[Named],
+    progress: Progress | None = None,
+    kept: KeptConfigurations | None = None,
+) -> Assembled:
+    """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay.
+
+    Args:
+        source: the workspace.
+        named: which ones.
+        progress: who watches.
+        kept: what an earlier run found in them; None for nothing.
+    """
     from roslens.cli.graph.graph_linked import with_linked
     from roslens.source.progress import Silent
 
@@ -188,25 +200,57 @@ def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | 
     failures: list[Failure] = []
     for one in named:
         try:
-            made = source.launched(one.launch, one.arguments)
-            # What is declared is known by its name: how it is started, and whether it is whole.
-            declared = one.name in source.settings.graph.configurations
-            found = findings_of(source, made, one.name if declared else one.launch, one.arguments)
+            made, found = _looked(source, one, kept)
         except Exception as error:  # noqa: BLE001 - one configuration must not lose the others
             failures.append(_failure(one, error))
         else:
-            configurations[one.name], findings[one.name] = made, tuple(found)
+            configurations[one.name], findings[one.name] = made, found
             if not made.nodes and not _is_elsewhere(source.evaluated(one.launch, one.arguments)[1]):
                 failures.append(_empty(one, made))
         watch.advance(item=one.name)
     unstarted: tuple[Configuration, ...] = ()
     try:
-        unstarted = source.unstarted(())
+        unstarted = _unstarted(source, kept)
         linked = with_linked(tuple(configurations.values()), unstarted, source.facts)
         configurations = dict(zip(configurations, linked, strict=True))
     except Exception as error:  # noqa: BLE001 - configurations stay, whatever the rest of the code is like
         failures.append(_failure(Named("what no known program starts", ""), error))
     return Assembled(configurations, findings, (*failures, *source.facts.broken), unstarted)
+
+
+def _looked(
+    source: GraphSource, one: Named, kept: KeptConfigurations | None
+) -> tuple[Configuration, tuple[Finding, ...]]:
+    """Return a configuration, and what the rules of the graph find in it."""
+    from roslens.cli.graph.graph_findings import findings_of
+
+    def look() -> tuple[Configuration, tuple[Finding, ...]]:
+        made = source.launched(one.launch, one.arguments)
+        # What is declared is known by its name: how it is started, and whether it is whole.
+        declared = one.name in source.settings.graph.configurations
+        return made, tuple(findings_of(source, made, one.name if declared else one.launch, one.arguments))
+
+    if kept is None:
+        return look()
+    from roslens.cli.graph.kept_configurations import Looked
+
+    def looked() -> Looked:
+        made, found = look()
+        return Looked((made,), found)
+
+    known = kept.looked(
+        f"{one.name} {one.launch}", one.arguments, source.evaluated(one.launch, one.arguments)[1], looked
+    )
+    return known.configurations[0], known.findings
+
+
+def _unstarted(source: GraphSource, kept: KeptConfigurations | None) -> tuple[Configuration, ...]:
+    """Return what no known program starts."""
+    if kept is None:
+        return source.unstarted(())
+    from roslens.cli.graph.kept_configurations import Looked
+
+    return kept.looked("", {}, None, lambda: Looked(source.unstarted(()))).configurations
 
 
 def _failure(one: Named, error: Exception) -> Failure:

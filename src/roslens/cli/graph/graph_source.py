@@ -10,6 +10,7 @@ from roslens.model.errors import UsageError
 from roslens.model.source import Role
 
 if TYPE_CHECKING:
+    from roslens.cli.graph.kept_configurations import KeptConfigurations
     from roslens.model.configuration import Configuration, Unresolved
     from roslens.source.extract.facts.launched import Launch
     from roslens.source.extract.facts.launched import Unresolved as Missed
@@ -94,6 +95,17 @@ class GraphSource:
         self.facts.keep()
         self.launches.keep()
         self._cache.close()
+
+    @property
+    def is_lasting(self) -> bool:
+        """Whether the next run would find the same in the same files."""
+        return self.launches.is_lasting and self.facts.is_lasting
+
+    def kept_configurations(self, seen: Seen) -> KeptConfigurations:
+        """Return the configurations as an earlier run found them; ``seen`` are the files of the workspace."""
+        from roslens.cli.graph.kept_configurations import KeptConfigurations
+
+        return KeptConfigurations(self, self._cache, seen, self._hinted_in)
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
         """Return what a launch file comes to.

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from roslens.cli.graph.graph_source import GraphSource
+    from roslens.cli.graph.kept_look import KeptLook
     from roslens.cli.workplace.configuration import Configuration
     from roslens.source.pipeline import Beyond, Sight
     from roslens.source.progress import Progress
@@ -67,8 +69,6 @@ def graph_look(
     """
     if options.graph is False or "graph" in settings.disable:
         return None
-    import msgspec
-
     from roslens.source.pipeline import Beyond
     from roslens.source.rules.graph.findings import RULES
 
@@ -77,13 +77,8 @@ def graph_look(
     every = options.graph == ALL
 
     def look(seen: Seen | None) -> Sight:
-        from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
         from roslens.cli.graph.graph_source import GraphSource
         from roslens.cli.graph.kept_look import KeptLook
-        from roslens.model.graphs.completeness import completeness_of, incomplete
-        from roslens.plugins.outcome import Outcome
-        from roslens.source.pipeline import Sight
-        from roslens.store.configurations import packed_configuration
 
         kept = None
         if seen is not None and cache is not None and not changed:
@@ -94,20 +89,43 @@ def graph_look(
         with GraphSource(
             str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress, seen=seen
         ) as source:
-            chosen = chosen_configurations(source, every=every)
-            found = assembled(source, chosen.named, progress)
-        if changed:
-            # That other code cannot be read, or a graph is not whole, is no matter of what was changed.
-            broken = tuple(one for one in found.failures if one.location is not None or one.detail)
-            return Sight(Outcome(findings=found.all_findings(), failures=broken))
-        known = {name: completeness_of(one) for name, one in found.configurations.items()}
-        unknown = incomplete(known)
-        failures = (*found.failures, *((unknown,) if unknown is not None else ()))
-        scope = msgspec.structs.replace(chosen.scope(), completeness=known)
-        graphs = tuple(map(packed_configuration, found.judged()))
-        sight = Sight(Outcome(findings=found.all_findings(), failures=failures), graphs, scope)
-        if kept is not None and not found.failures:
-            kept.keep(source, sight)
-        return sight
+            if changed:
+                return _among_changes(source, progress, every=every)
+            return _whole(source, kept, progress, every=every)
 
     return Beyond(f"graph {ALL}" if every else "graph", tuple(rule for rule, _ in RULES), look)
+
+
+def _among_changes(source: GraphSource, progress: Progress, *, every: bool) -> Sight:
+    """Return the findings of a look: what cannot be read elsewhere is left out."""
+    from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
+    from roslens.plugins.outcome import Outcome
+    from roslens.source.run_inputs import Sight
+
+    found = assembled(source, chosen_configurations(source, every=every).named, progress)
+    broken = tuple(one for one in found.failures if one.location is not None or one.detail)
+    return Sight(Outcome(findings=found.all_findings(), failures=broken))
+
+
+def _whole(source: GraphSource, kept: KeptLook | None, progress: Progress, *, every: bool) -> Sight:
+    """Return all of a look, and keep it for the next run."""
+    import msgspec
+
+    from roslens.cli.graph.graph_configurations import assembled, chosen_configurations
+    from roslens.model.graphs.completeness import completeness_of, incomplete
+    from roslens.plugins.outcome import Outcome
+    from roslens.source.run_inputs import Sight
+    from roslens.store.configurations import packed_configuration
+
+    chosen = chosen_configurations(source, every=every)
+    parts = None if kept is None else kept.parts(source)
+    found = assembled(source, chosen.named, progress, parts)
+    known = {name: completeness_of(one) for name, one in found.configurations.items()}
+    unknown = incomplete(known)
+    failures = (*found.failures, *((unknown,) if unknown is not None else ()))
+    scope = msgspec.structs.replace(chosen.scope(), completeness=known)
+    graphs = tuple(map(packed_configuration, found.judged()))
+    sight = Sight(Outcome(findings=found.all_findings(), failures=failures), graphs, scope)
+    if kept is not None and not found.failures:
+        kept.keep(source, sight, parts)
+    return sight

@@ -32,6 +32,7 @@ from roslens.store.configurations import PackedConfiguration
 
 if TYPE_CHECKING:
     from roslens.cli.graph.graph_source import GraphSource
+    from roslens.cli.graph.kept_configurations import KeptConfigurations
     from roslens.source.settings import SourceSettings
 
 _CODE = frozenset({Language.C, Language.CPP, Language.PYTHON})
@@ -87,6 +88,7 @@ class KeptLook:
             every: whether all launch files are looked at.
         """
         self._cache = cache
+        self._seen = seen
         self._macros = settings.macros
         self._files = {file.path: file for files in seen.inventory.files.values() for file in files}
         folders: dict[str, str] = {}
@@ -95,7 +97,7 @@ class KeptLook:
                 folders.setdefault(one.package.name, "" if one.package.path == "." else one.package.path)
         self._reading = FolderFiles(Path(seen.workspace.root), folders)
         self._slot = f"graph:look:{key_of(analyser_version(), root, every)}"
-        self._shape = key_of(settings, hinted_in, os.getcwd(), _shape(seen))  # noqa: PTH109 - a text
+        self._shape = key_of(settings, hinted_in, os.getcwd(), shape_of(seen))  # noqa: PTH109 - a text
 
     def known(self) -> Sight | None:
         """Return the last look, where this one would find the same."""
@@ -127,13 +129,19 @@ class KeptLook:
         text = self._reading.content(file.path)
         if file.path in kept.comments and kept.comments[file.path] != key_of(suppressions(text or b"")):
             return False
-        return not _changes_names(file.path, words_of(text), kept.names)
+        return not changes_names(file.path, words_of(text), kept.names)
 
-    def keep(self, source: GraphSource, sight: Sight) -> None:
-        """Keep a look for the next run, unless that may find something else in the same files."""
-        if not source.launches.is_lasting or not source.facts.is_lasting:
+    def parts(self, source: GraphSource) -> KeptConfigurations:
+        """Return the parts of the last look, which may be known where all of it is not."""
+        return source.kept_configurations(self._seen)
+
+    def keep(self, source: GraphSource, sight: Sight, parts: KeptConfigurations | None = None) -> None:
+        """Keep a look and its parts for the next run, unless that may find something else in the same files."""
+        if not source.is_lasting:
             return
-        asked = dict.fromkeys((*source.launches.asked, *source.reads.files.asked))
+        if parts is not None:
+            parts.keep()
+        asked = dict.fromkeys((*source.launches.asked, *source.reads.asked))
         kept = _Kept(
             self._shape,
             {path: file.content_hash for path, file in self._files.items()},
@@ -150,7 +158,7 @@ class KeptLook:
             cache.replace({self._slot: _encode(kept)})
 
 
-def _changes_names(path: str, words: frozenset[bytes], names: Iterable[Mention]) -> bool:
+def changes_names(path: str, words: frozenset[bytes], names: Iterable[Mention]) -> bool:
     """Whether another name than before, or one less, stands in a file that other files do not have for sure."""
     for one in names:
         holds = path not in one.own and one.name.encode() in words
@@ -159,7 +167,7 @@ def _changes_names(path: str, words: frozenset[bytes], names: Iterable[Mention])
     return False
 
 
-def _shape(seen: Seen) -> object:
+def shape_of(seen: Seen) -> object:
     """Return what is known of a workspace without the content of its files."""
     workspace, inventory = seen.workspace, seen.inventory
     languages = [

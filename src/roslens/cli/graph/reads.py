@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from roslens.source.extract.facts.noted_files import NotedFiles
+from collections.abc import Iterable, Mapping
+
+from roslens.source.extract.facts.noted_files import Asked, NotedFiles
 from roslens.source.keys import key_of
 from roslens.source.rules.graph.private_data import Mention
 from roslens.source.workspace.suppress import Suppression, suppressions
@@ -22,6 +24,18 @@ class Reads:
         self.files = files
         self.comments: dict[str, str] = {}
         self.names: list[Mention] = []
+        self._taken: dict[Asked, None] = {}
+
+    @property
+    def asked(self) -> tuple[Asked, ...]:
+        """What was asked about files."""
+        return (*self.files.asked, *self._taken)
+
+    def take(self, asked: Iterable[Asked], comments: Mapping[str, str], names: Iterable[Mention]) -> None:
+        """Add what was read for a part of the look."""
+        self._taken.update(dict.fromkeys(asked))
+        self.comments.update(comments)
+        self.names.extend(names)
 
     def suppressions(self, path: str, content: bytes | None) -> tuple[Suppression, ...]:
         """Return the comments of a file that set findings aside."""

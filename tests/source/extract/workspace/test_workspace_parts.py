@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 from roslens.model.failure import Failure
-from roslens.source.extract.workspace import workspace_parts
+from roslens.source.extract.workspace import workspace_builds
 from roslens.source.extract.workspace.workspace_parts import Builds, LaunchFile, WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.settings import SourceSettings
@@ -56,14 +56,14 @@ def test_of_two_packages_of_one_name_the_first_is_meant(root: Path, cache: Cache
 
 
 def test_one_build_that_breaks_does_not_lose_the_others(root: Path, cache: Cache, monkeypatch: pytest.MonkeyPatch):
-    build_of = workspace_parts.build_of
+    build_of = workspace_builds.build_of
 
     def breaking(name: str, *rest: object) -> object:
         if name == "arm":
             raise ValueError("no")
         return build_of(name, *rest)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(workspace_parts, "build_of", breaking)
+    monkeypatch.setattr(workspace_builds, "build_of", breaking)
     found = parts_of(root, cache).builds
     assert [(one.package, one.what) for one in found.failures] == [("arm@a", "ValueError: no")]
     assert (len(found.builds["arm"].targets), len(found.builds["eye"].targets)) == (0, 1)

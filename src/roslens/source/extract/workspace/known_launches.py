@@ -134,6 +134,11 @@ class KnownLaunches:
         self.new = {}
 
 
+def launch_key(launch: Launch) -> str:
+    """Return a key of what a launch file comes to, whatever was read for it."""
+    return key_of(_apart((), launch))
+
+
 def _apart(asked: tuple[Asked, ...], launch: Launch) -> _KeptLaunch:
     places: dict[Setting, int] = {}
     # Most are one object that many nodes have, by which it is found faster than by its value.

@@ -97,6 +97,11 @@ class WorkspaceFacts:
         self._parts.keep()
 
     @property
+    def code_key(self) -> str:
+        """A key of the code and the builds of the workspace."""
+        return key_of(self._parts.programs_key, self._parts.builds)
+
+    @property
     def is_lasting(self) -> bool:
         """Whether the next run would find the same: all could be read and evaluated."""
         return not self.broken and self._parts.is_lasting

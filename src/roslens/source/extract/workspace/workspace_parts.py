@@ -14,7 +14,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
-from roslens.source.extract.builds.targets import Build, build_of
+from roslens.source.extract.builds.targets import Build
 from roslens.source.extract.facts.files import FolderFiles, joined
 from roslens.source.extract.facts.node_facts import Target
 from roslens.source.extract.interpreter.vocabulary_index import indexed
@@ -23,12 +23,11 @@ from roslens.source.extract.ir.program_codec import becomes_nodes, plain, progra
 from roslens.source.extract.ir.ros_switch import VERSIONS
 from roslens.source.extract.parameters.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.symbols.symbol_table import SymbolTable
-from roslens.source.extract.workspace.broken_build import broken_build
-from roslens.source.extract.workspace.build_versions import joined_builds
 from roslens.source.extract.workspace.file_versions import file_versions
 from roslens.source.extract.workspace.known_units import KnownUnits
-from roslens.source.extract.workspace.package_versions import build_type_for, versions_of
+from roslens.source.extract.workspace.package_versions import versions_of
 from roslens.source.extract.workspace.program_outline import Readable, known_outlines
+from roslens.source.extract.workspace.workspace_builds import Builds, known_builds
 from roslens.source.extract.workspace.workspace_interfaces import (
     INTERFACES,
     KnownInterface,
@@ -55,14 +54,6 @@ class LaunchFile(msgspec.Struct, frozen=True, order=True):
     path: str
     package: str
     generation: int
-
-
-class Builds(msgspec.Struct, frozen=True, array_like=True):
-    """What the build of each package makes, by name, and what broke the reading of one."""
-
-    builds: dict[str, Build]
-    failures: tuple[Failure, ...]
-    lasting: bool = True
 
 
 class Interfaces(msgspec.Struct, frozen=True, array_like=True):
@@ -353,28 +344,7 @@ class WorkspaceParts:
         return key_of(analyser_version(), parts)
 
     def _builds(self) -> Builds:
-        self.watch.step("Reading builds", len(self.found))
-        builds: dict[str, Build] = {}
-        failures: list[Failure] = []
-        for name in sorted(self.found):
-            package = self.found[name].package
-            try:
-                builds[name] = self._build(name)
-            except Exception as error:  # noqa: BLE001 - one package must not lose the others
-                failures.append(broken_build(package, error))
-                builds[name] = Build()
-            self.watch.advance(item=name)
-        return Builds(builds, tuple(failures))
-
-    def _build(self, name: str) -> Build:
-        made = []
-        for found in self.same[name]:
-            package, paths = found.package, [file.path for file in found.files]
-            folder = "" if package.path == "." else package.path
-            for version in self.versions[package.id]:
-                build_type = build_type_for(package, version)
-                made.append((version, build_of(name, folder, build_type, self.reading, paths)))
-        return joined_builds(made)
+        return known_builds(self.cached, self.reading, self._all, self.same, self.versions, self.watch)
 
     def _interfaces_key(self) -> str:
         files = [

@@ -11,6 +11,9 @@ from pathlib import Path
 import pytest
 from pace import slowness
 
+from roslens.cli.main import COMMANDS
+from roslens.cli.terminal.watched_command import UNWATCHED, WATCHED
+
 MANIFEST = """<package format="3"><name>{}</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">A</maintainer><license>MIT</license></package>
 """
@@ -85,6 +88,30 @@ def test_so_is_a_manifest(workspace):
     (failure,) = [one for one in report["failures"] if "memory" in one["what"]]
     assert failure["path"] == "arm/package.xml"
     assert "the manifest is left out" in failure["what"]
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["interfaces", "--lock", "lock.json"],
+        ["port", "humble", "jazzy"],
+        ["report", "--no-store", "--no-graph", "-o", "out"],
+    ],
+    ids=lambda words: words[0],
+)
+def test_other_commands_that_read_a_workspace_lose_it_alone(workspace, words):
+    (workspace / "arm/package.xml").write_text(MANIFEST.format("arm") + "<!-- of_memory -->\n")
+    name, *more = words
+    line = [sys.executable, str(workspace.parent / "patched.py"), name, *more, str(workspace)]
+    done = subprocess.run(line, capture_output=True, check=False, timeout=300, cwd=workspace.parent, text=True)
+    assert done.returncode in (0, 1, 3), (done.returncode, done.stderr)
+    assert "Traceback" not in done.stderr
+
+
+def test_each_command_is_watched_or_is_said_not_to_be():
+    assert not WATCHED & UNWATCHED
+    assert COMMANDS.keys() == WATCHED | UNWATCHED
 
 
 def running(workspace, *words):

@@ -22,10 +22,20 @@ from roslens.intake.file_budget import Slot, refuse, watch, why_ended
 
 WATCHED = frozenset(
     {
-        "accept", "check", "compare", "evidence", "graph", "history", "init", "percentile", "roles", "study", "trend",
+        "accept", "check", "compare", "doctor", "evidence", "explain", "graph", "history", "init", "interfaces",
+        "percentile", "plugins", "port", "report", "roles", "study", "trend", "trust",
     }
 )  # fmt: skip
-"""Commands that read a workspace and end; those that serve or observe read it in the process that answers."""
+"""Commands that read a workspace and end."""
+
+UNWATCHED = frozenset(
+    {
+        # These read it in the process that answers, and go on.
+        "lsp", "serve", "watch",
+        # These read no file of a workspace but configuration and YAML, both of which have limits of their own.
+        "agent", "clean", "completion", "env", "fetch", "journal", "react", "reference", "run", "top",
+    }
+)  # fmt: skip
 
 DEAF_S = 5.0
 """After which a process that was asked to end, and has a file in hand, is ended."""

@@ -48,7 +48,7 @@ def _limitations() -> list[Promise]:
     part = text[text.index("## Known limitations\n") :].split("\n## ")[0].split("\n", 1)[1]
     points = [" ".join(point.split()) for point in part.split("\n- ") if point.strip()]
     tests = shown_by()
-    sentences = [one.removeprefix("- ") for point in points for one in re.split(r"(?<=\.) (?=[A-Z])", point)]
+    sentences = [one.removeprefix("- ") for point in points for one in re.split(r"(?<=\.) (?=[A-Z`])", point)]
     return [Promise(one, "SECURITY.md, known limitations", tests.get(one, ())) for one in sentences]
 
 

@@ -6,18 +6,21 @@ import resource
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import msgspec
 import pytest
 
-from roslens.intake.file_budget import LEAST_MEMORY, MOST_MEMORY, memory_of_file
+from roslens.intake.file_budget import LEAST_MEMORY, MOST_MEMORY, Slot, memory_of_file, unwatch, watch
 from roslens.intake.time_budget import OverBudgetError
 from roslens.model.source import Language
 from roslens.source.measure import read_apart as module
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_file
-from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
-from roslens.source.settings import MacroSettings
+from roslens.source.measure.fresh_package import FreshPackages
+from roslens.source.measure.read_apart import LARGE_BYTES, UNWATCHED_BYTES, Asked, most_bytes_here, read_apart
+from roslens.source.settings import MacroSettings, SourceSettings
+from roslens.store.cache import Cache
 
 MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">A</maintainer><license>MIT</license></package>
@@ -108,3 +111,38 @@ def test_the_rest_of_the_package_goes_on(tmp_path, fresh):
     assert failure["what"].startswith("the file is left out: it needs more than")
     paths = {one["path"] for one in report["entities"] if one["kind"] == "file"} if "entities" in report else None
     assert paths is None or {"arm/good.cpp", "arm/large.cpp"} <= paths
+
+
+def test_less_is_read_here_where_nobody_watches():
+    assert most_bytes_here() == UNWATCHED_BYTES < LARGE_BYTES
+    watch(Slot())
+    try:
+        assert most_bytes_here() == LARGE_BYTES
+        with ThreadPoolExecutor(1) as other:
+            # The kernel's bounds are those of the main thread.
+            assert other.submit(most_bytes_here).result() == UNWATCHED_BYTES
+    finally:
+        unwatch()
+
+
+def test_what_an_editor_has_open_is_read_apart(tmp_path, fresh, monkeypatch):
+    """`lsp`, `serve` and a cluster have no process that watches them: a file costs them neither memory nor time."""
+    package = tmp_path / "arm"
+    package.mkdir()
+    (package / "package.xml").write_text(MANIFEST)
+    (package / "bad.cpp").write_bytes(b"auto x = " + b"a<b," * 50_000)
+    (package / "good.cpp").write_text("int f() { int x; if (x) return 1; return 0; }\n" * 2_000)
+    monkeypatch.setattr(module, "memory_of_file", lambda: 300_000_000)
+    files = FreshPackages([tmp_path], SourceSettings(), tmp_path, Cache.open(None))
+    found = files.look("arm/bad.cpp")
+    assert "it needs more than 300 MB of memory" in found.failures[0].what
+    assert not files.look("arm/good.cpp").failures
+
+
+def test_it_may_have_been_started_by_a_thread_that_is_gone(fresh):
+    asked = Asked(b"int x;\n", Language.CPP, MacroSettings(), analysis=True)
+    with ThreadPoolExecutor(1) as other:
+        assert other.submit(read_apart, asked).result().analysis
+    if module._held is not None:
+        module._held._process.wait(60) if sys.platform == "linux" else None
+    assert read_apart(asked).analysis

@@ -20,7 +20,7 @@ from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.model.words.plural import plural
 from roslens.source.measure.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.measure.package_task import PackageTask
-from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
+from roslens.source.measure.read_apart import Asked, most_bytes_here, read_apart
 from roslens.source.measure.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.measure.role_includes import role_includes
 from roslens.source.over_budget import as_program, over_budget, over_budget_beside
@@ -209,7 +209,7 @@ def _analyses(
         if blob is not None and program is None:
             yield file, decoder.decode(blob)
             continue
-        read = _large if file.size > LARGE_BYTES else _small
+        read = _large if file.size > most_bytes_here() else _small
         looked = read(task, file, blob, decoder, program, new)
         if isinstance(looked, Failure):
             failures.append(looked)

@@ -14,19 +14,22 @@ import os
 import select
 import subprocess
 import sys
+import threading
 import time
 
 import msgspec
 
 from roslens.children.limits import limit_processor
 from roslens.children.safe_path import NEUTRAL, python_words, safe_environment
-from roslens.intake.file_budget import MORE_S, memory_of_file
+from roslens.intake.file_budget import MORE_S, is_watched, memory_of_file
 from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError
 from roslens.model.source import Language
 from roslens.source.settings import MacroSettings
 
-LARGE_BYTES = 1 << 18
-"""Files with more are read apart; of others the most costly shape takes a few seconds and 300 MB."""
+LARGE_BYTES, UNWATCHED_BYTES = 1 << 18, 1 << 15
+"""Files with more are read apart, the second where no other process watches this one. Of those with less than the first
+the most costly shape takes 600 MB, with less than the second 80 MB.
+"""
 
 _PATIENCE = 60
 """How many times as long a file may take by the clock, on a machine that gives it no processor."""
@@ -36,6 +39,11 @@ from roslens.children.lifeline import end_with_parent
 end_with_parent({parent})
 from roslens.source.measure.read_apart import serve
 serve({memory})"""
+
+
+def most_bytes_here() -> int:
+    """Return how large a file may be that is read in this process."""
+    return LARGE_BYTES if is_watched() else UNWATCHED_BYTES
 
 
 class Asked(msgspec.Struct, frozen=True):
@@ -83,6 +91,7 @@ class _Apart:
 
     def __init__(self) -> None:
         self.owner = os.getpid()
+        self._turn = threading.Lock()
         self._memory = memory_of_file()
         self._process = subprocess.Popen(
             python_words(sys.executable, _START.format(parent=self.owner, memory=self._memory), path=sys.path),
@@ -96,6 +105,10 @@ class _Apart:
 
     def ask(self, asked: Asked) -> Given:
         """Return its answer, or why there is none: then it has ended."""
+        with self._turn:
+            return self._answered(asked)
+
+    def _answered(self, asked: Asked) -> Given:
         try:
             # The kernel counts all that the process took so far.
             limit_processor(self._process.pid, self._taken_s() + SOURCE_FILE_S + MORE_S)
@@ -109,6 +122,11 @@ class _Apart:
         if body:
             return msgspec.msgpack.decode(body, type=Given)
         return Given(over=self._why())
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process is there."""
+        return self._process.poll() is None
 
     def end(self) -> None:
         """End the process; one of the process that this is a copy of is left to it."""
@@ -158,7 +176,8 @@ _held: _Apart | None = None
 
 def _process() -> _Apart:
     global _held
-    if _held is None or _held.owner != os.getpid():
+    # It ends with the thread that started it, too.
+    if _held is None or _held.owner != os.getpid() or not _held.alive:
         _held = _Apart()
         atexit.register(_held.end)
     return _held

@@ -18,7 +18,7 @@ from roslens.source.engines.executor import executor_for
 from roslens.source.extract.ir.program import Program
 from roslens.source.extract.ir.program_codec import becomes_nodes, pack, program_keys, unpack
 from roslens.source.keys import content_hash
-from roslens.source.measure.read_apart import LARGE_BYTES, Asked, read_apart
+from roslens.source.measure.read_apart import Asked, most_bytes_here, read_apart
 from roslens.source.over_budget import as_program, over_budget
 from roslens.source.parsed_file import parse_file
 from roslens.source.progress import Progress
@@ -161,7 +161,7 @@ def _lowered(task: LowerTask) -> LoweredFiles:
     for file in task.files:
         try:
             content = read_bounded(f"{task.root}/{file.path}")
-            if len(content) > LARGE_BYTES:
+            if len(content) > most_bytes_here():
                 packed = read_apart(Asked(content, file.language, task.macros, program=True)).program
             else:
                 with file_budget(as_program(file.path), size=len(content), seconds=SOURCE_FILE_S):

@@ -1,6 +1,7 @@
 """Types and names in interface files."""
 
 import pytest
+from pace import soon
 
 from roslens.source.extract.interfaces.interface import FieldType
 from roslens.source.extract.interfaces.interface_types import (
@@ -63,6 +64,11 @@ def test_names(check, name, generation):
 def test_no_names(check, name, generation):
     with pytest.raises(MisreadError):
         check(name, generation)
+
+
+def test_a_long_name_that_is_none_is_told_at_once():
+    with soon(1.0), pytest.raises(MisreadError):
+        check_constant_name("A" * 10_000 + "a", 2)
 
 
 @pytest.mark.parametrize("digits", ["4294967296", "99999999999999999999", "9" * 5000])

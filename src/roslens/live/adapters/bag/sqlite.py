@@ -247,7 +247,10 @@ def _channels(database: sqlite3.Connection) -> dict[int, Channel]:
     if "message_definitions" in tables:
         query = "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
         definitions = {_text(name): (_text(encoding), _text(text)) for name, encoding, text in database.execute(query)}
-    columns = [row[1] for row in database.execute("PRAGMA table_info(topics)")]
+    # SQLite finds a column whatever the case of its name.
+    columns = [_text(row[1]).lower() for row in database.execute("PRAGMA table_info(topics)")]
+    if "id" not in columns:
+        raise ValueError("topics have no column `id`")
     channels = {}
     for row in database.execute("SELECT * FROM topics ORDER BY id"):
         values = dict(zip(columns, row, strict=True))

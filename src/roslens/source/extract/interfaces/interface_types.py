@@ -18,7 +18,8 @@ _ROS2_ARRAY = re.compile(r"(?P<of>[^\[\]]+)(?P<array>\[(?P<most><=)?(?P<size>\d*
 _ROS2_STRING = re.compile(r"(w?string)<=(\d+)", re.ASCII)
 _ROS2_PACKAGE = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 _ROS2_MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*")
-_ROS2_CONSTANT = re.compile(r"[A-Z]([A-Z0-9_]?[A-Z0-9]+)*")
+_ROS2_CONSTANT = re.compile(r"[A-Z](?:_?[A-Z0-9])*")
+"""As rosidl has it, but with one way to match a name: with two, the time doubles with each letter of what is none."""
 
 
 class MisreadError(Exception):

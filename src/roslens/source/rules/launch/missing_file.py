@@ -18,7 +18,7 @@ from roslens.source.rules.views.launch_view import LaunchXml
 from roslens.source.workspace.elements import Element
 from roslens.source.workspace.globs import compiled
 
-_OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
+_OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"<>|;]+)(?=[\s'\"]|$)")
 _SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
 _WRITTEN = re.compile(r"(?i)result|output|save|record|dump|export|write")
 """In names of parameters: the program makes the file."""
@@ -94,16 +94,16 @@ def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
     if element.tag == "param" and _WRITTEN.search(element.attributes.get("name", "")):
         return
     for key, value in element.attributes.items():
-        match = _OWN.search(value.strip()) if key in _FILES else None
-        if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
-            continue
-        # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
-        if match[0].startswith("$(find ") and 1 not in view.ros:
-            continue
-        path = normpath(match[2])
-        # What the program fills in: `Object_XXX.xml`.
-        if "XXX" not in path:
-            yield path
+        for match in _OWN.finditer(value) if key in _FILES else ():
+            if match[1] != view.package.name or not match[2].endswith(_ENDINGS):
+                continue
+            # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
+            if match[0].startswith("$(find ") and 1 not in view.ros:
+                continue
+            path = normpath(match[2])
+            # What the program fills in: `Object_XXX.xml`.
+            if "XXX" not in path:
+                yield path
 
 
 def _is_there(path: str, names: Collection[str], view: PackageView) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+import msgspec
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
@@ -14,12 +15,14 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLPY, FileRule
 
 _TYPE, _NAME, _CALLBACK, _QOS, _PERIOD = "msg_type", "topic", "callback", "qos_profile", "timer_period_sec"
+_LOGGER = "get_logger"
 _TAKES: Mapping[str, Sequence[str]] = {
     "create_publisher": (_TYPE, _NAME, _QOS),
     "create_subscription": (_TYPE, _NAME, _CALLBACK, _QOS),
     "create_service": ("srv_type", "srv_name", _CALLBACK),
     "create_client": ("srv_type", "srv_name"),
     "create_timer": (_PERIOD, _CALLBACK),
+    _LOGGER: (),
 }
 """Arguments that have to be given, in their order, as in rclpy/node.py since Foxy."""
 _MOST = {"create_timer": 5}
@@ -49,6 +52,7 @@ _REFUSED = {
 """Types of nodes that an argument cannot be: rclpy raises TypeError, or fails at the first call."""
 _DEFINED = re.compile(rb"\bdef\s+(\w+)\b")
 _MADE_NODES = re.compile(rb"\b(\w+)\s*=\s*[\w.]*(?:create_node|Node)\(")
+_DERIVED = re.compile(rb"\bclass\s+(\w+)\s*\(\s*(?:rclpy\.node\.)?Node\s*\)")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -62,12 +66,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     problem = _problem(name, given, named, takes, view)
     if problem:
-        yield view.hit(
+        hit = view.hit(
             "node.wrong_arguments_python",
             call,
             f"`{name}` {problem}",
             certainty=None if _is_own_node(call, view) else Certainty.LIKELY,
         )
+        # What is logged is logged when something has happened: the node does start.
+        yield msgspec.structs.replace(hit, consequence=Consequence.WRONG) if name == _LOGGER else hit
 
 
 def _problem(name: str, given: Sequence[Node], named: Mapping[str, Node], takes: Sequence[str], view: FileView) -> str:
@@ -76,6 +82,8 @@ def _problem(name: str, given: Sequence[Node], named: Mapping[str, Node], takes:
     if of_rospy:
         return f"has no argument `{of_rospy[0]}`, which is rospy's; expected `{', '.join(takes)}`"
     if len(given) > _MOST.get(name, len(takes)):
+        if name == _LOGGER:
+            return "takes no argument, and one is given; expected a method of what it returns: `get_logger().info(…)`"
         return f"takes {_MOST.get(name, len(takes))} arguments by position, and {len(given)} are given"
     missing = [one for one in takes[len(given) :] if one not in named]
     if missing and (given or named):
@@ -130,7 +138,14 @@ def _is_node(one: Node | None, view: FileView) -> bool:
     name = view.text(one)
     if name == "self" or "node" in name.lower():
         return True
-    return name.isidentifier() and name.encode() in view.names(_MADE_NODES)
+    return name.isidentifier() and (name.encode() in view.names(_MADE_NODES) or _is_of_own_class(name, view))
+
+
+def _is_of_own_class(name: str, view: FileView) -> bool:
+    """Return whether a name is only given objects of a class of this file that is derived from rclpy's node."""
+    values = re.findall(rf"\b{name}\s*=\s*([^\n]*)".encode(), view.code)
+    derived = view.names(_DERIVED)
+    return bool(values) and all(one.partition(b"(")[0] in derived for one in values)
 
 
 def _is_own_node(call: Node, view: FileView) -> bool:

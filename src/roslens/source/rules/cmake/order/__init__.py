@@ -1,0 +1,1 @@
+"""Rules on commands of CMake that come too late."""

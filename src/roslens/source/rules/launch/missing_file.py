@@ -93,17 +93,18 @@ def _own_paths(element: Element, view: PackageView) -> Iterator[str]:
     """Yield the paths of files below the own package that an element names."""
     if element.tag == "param" and _WRITTEN.search(element.attributes.get("name", "")):
         return
-    for key, value in element.attributes.items():
-        for match in _OWN.finditer(value) if key in _FILES else ():
-            if match[1] != view.package.name or not match[2].endswith(_ENDINGS):
-                continue
-            # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
-            if match[0].startswith("$(find ") and 1 not in view.ros:
-                continue
-            path = normpath(match[2])
-            # What the program fills in: `Object_XXX.xml`.
-            if "XXX" not in path:
-                yield path
+    texts = [value for key, value in element.attributes.items() if key in _FILES]
+    for match in (each for text in texts for each in _OWN.finditer(text)):
+        if match[1] == view.package.name and _is_meant(match, view):
+            yield normpath(match[2])
+
+
+def _is_meant(match: re.Match[str], view: PackageView) -> bool:
+    """Return whether a written path is one of a file that somebody starts the launch file with."""
+    # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
+    is_left_over = match[0].startswith("$(find ") and 1 not in view.ros
+    # What the program fills in: `Object_XXX.xml`.
+    return match[2].endswith(_ENDINGS) and not is_left_over and "XXX" not in match[2]
 
 
 def _is_there(path: str, names: Collection[str], view: PackageView) -> bool:

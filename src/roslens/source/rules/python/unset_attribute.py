@@ -44,30 +44,36 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
     functions = python_functions(view)
     if not functions.classes or _DYNAMIC.search(view.content):
         return
-    reads: dict[tuple[str, str], list[Node]] = {}
-    for attribute in view.nodes("attribute"):
-        of = _class_of_read(attribute, functions)
-        if of is not None:
-            reads.setdefault((of.name, view.text(attribute.child_by_field_name("attribute"))), []).append(attribute)
     known: dict[str, frozenset[str] | None] = {}
-    for (of_class, name), places in reads.items():
+    for (of_class, name), places in _reads(functions, view).items():
         of = functions.classes[of_class]
         if of_class not in known:
             known[of_class] = _known(of, functions, view)
         brought = known[of_class]
         if brought is None or name in brought or name.startswith("__") or _may_be_set(name, view):
             continue
-        if any(is_handled(one) for one in places):
-            continue
-        near = _near(name, of)
-        # A class of which the file makes no object may be for others to derive from, and these may have what it reads.
-        sure = _is_made(of, view) or _plain(near) == _plain(name)
-        yield view.hit(
-            "python.unset_attribute",
-            places[0],
-            _message(of_class, name, places, near),
-            certainty=None if sure else Certainty.HEURISTIC,
-        )
+        if not any(is_handled(one) for one in places):
+            yield _hit(name, of, places, view)
+
+
+def _reads(functions: PythonFunctions, view: FileView) -> dict[tuple[str, str], list[Node]]:
+    """Return where attributes of ``self`` are read or set, by class and name."""
+    found: dict[tuple[str, str], list[Node]] = {}
+    for attribute in view.nodes("attribute"):
+        of = _class_of_read(attribute, functions)
+        if of is not None:
+            name = view.text(attribute.child_by_field_name("attribute"))
+            found.setdefault((of.name, name), []).append(attribute)
+    return found
+
+
+def _hit(name: str, of: PythonClass, places: list[Node], view: FileView) -> Hit:
+    near = _near(name, of)
+    # A class of which the file makes no object may be for others to derive from, and these may have what it reads.
+    sure = _is_made(of, view) or _plain(near) == _plain(name)
+    message = _message(of.name, name, places, near)
+    certainty = None if sure else Certainty.HEURISTIC
+    return view.hit("python.unset_attribute", places[0], message, certainty=certainty)
 
 
 def _class_of_read(attribute: Node, functions: PythonFunctions) -> PythonClass | None:

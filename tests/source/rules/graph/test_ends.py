@@ -36,6 +36,12 @@ def test_an_end_tells_its_place():
     assert (one.label, one.entity) == ("/a (src/a.cpp:1)", "topic:/x")
 
 
+def test_an_end_of_an_installed_node_is_at_the_place_that_starts_it():
+    known = end("pub", "/x", path="org/project: src/a.cpp", line=0, origin=Origin.CATALOGUE)
+    (one,) = ends(configuration(node("/a", known, line=7)))
+    assert (one.label, one.where.place) == ("/a (launch/robot.launch.xml:7)", "launch/robot.launch.xml:7")
+
+
 def test_lists_are_cut():
     assert listed(["a", "b", "a"]) == "a, b"
     assert listed(["a", "b", "c", "d", "e"]) == "a, b, c and 2 more"

@@ -62,10 +62,14 @@ def test_a_remapping_of_the_manager_moves_the_topic():
     assert not findings(teleop("/cmd_vel"), msgspec.structs.replace(manager, package="other"))
 
 
-def test_of_nav2_only_what_is_set_is_told():
-    said = ConfiguredParameter("enable_stamped_cmd_vel", "false", "bool", set_type="bool", set_by=launched(7))
-    (one,) = findings(teleop(package="nav2_controller", parameters=(said,)))
-    assert "`enable_stamped_cmd_vel`" in one.message
+@pytest.mark.parametrize(
+    ("package", "name"), [("nav2_controller", "enable_stamped_cmd_vel"), ("twist_mux", "use_stamped")]
+)
+def test_of_what_later_releases_stamp_only_what_is_set_is_told(package, name):
+    said = ConfiguredParameter(name, "false", "bool", set_type="bool", set_by=launched(7))
+    (one,) = findings(teleop(package=package, parameters=(said,)))
+    assert f"`{name}`" in one.message
+    assert not findings(teleop(package=package))
 
 
 @pytest.mark.parametrize("text", ["", "a: [", FILE.replace(TYPE, "own/Drive"), "ros__parameters: " + TYPE])

@@ -40,7 +40,7 @@ ROLES = {
 _PIECES = re.compile(r"\{([^{}=]+)(?:=([^{}]*))?\}")
 _TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Za-z]\w*|\*")
 _IS_SET = " is set"
-_IS_TRUE = re.compile(r"([\w.]+)=(true|false) is (true|false)")
+_IS_TRUE = re.compile(r"([\w.]+)(?:=(true|false))? is (true|false)")
 _EXPECTED = 'a text "name package/msg/Type", with "latched", "sensor_data" or a depth after it where it is known'
 
 

@@ -57,5 +57,5 @@ def _told(name: str, publishers: list[End]) -> Finding:
     )
     names = " ".join(sorted(end.node.name for end in publishers))
     return occurrence(
-        RULE, message, second.one.proof, entity=second.entity, certainty=certainty, context=names, doubt=doubt
+        RULE, message, second.where, entity=second.entity, certainty=certainty, context=names, doubt=doubt
     )

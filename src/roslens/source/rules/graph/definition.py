@@ -45,7 +45,7 @@ def _told(kind: str, name: str, type_: str, differing: list[End], *, together: b
         f"{bad.label} and {good.label} use {kind} {name} with different definitions of {type_}: "
         f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}."
     )
-    return occurrence(RULE, message, bad.one.proof, entity=bad.entity, certainty=certainty, context=type_, doubt=doubt)
+    return occurrence(RULE, message, bad.where, entity=bad.entity, certainty=certainty, context=type_, doubt=doubt)
 
 
 def _short(end: End) -> str:

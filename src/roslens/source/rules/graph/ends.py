@@ -6,7 +6,15 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from roslens.model.configuration import Clause, Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Unresolved
+from roslens.model.configuration import (
+    Clause,
+    Configuration,
+    ConfiguredEndpoint,
+    ConfiguredNode,
+    Origin,
+    Proof,
+    Unresolved,
+)
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other
 
@@ -81,9 +89,15 @@ class End(msgspec.Struct, frozen=True):
         return self.node.name, self.node.proof.place, self.role.value, self.name, self.one.proof.place
 
     @property
+    def where(self) -> Proof:
+        """What shows it in the workspace: for what is known of an installed node, the place that starts the node."""
+        is_installed = self.one.proof.origin is Origin.CATALOGUE and self.node.proof.path
+        return self.node.proof if is_installed else self.one.proof
+
+    @property
     def label(self) -> str:
         """The node and the place, as messages name it."""
-        place = self.one.proof.place
+        place = self.where.place
         return f"{self.node.name} ({place})" if place else self.node.name
 
     @property

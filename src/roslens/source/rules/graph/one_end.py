@@ -106,7 +106,7 @@ def _told(
     if not surroundings.together:
         certainty, doubt = weighed_apart(doubt)
     return occurrence(
-        RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=end.role.value, doubt=doubt
+        RULE, message, end.where, entity=end.entity, certainty=certainty, context=end.role.value, doubt=doubt
     )
 
 

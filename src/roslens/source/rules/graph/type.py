@@ -99,7 +99,7 @@ def _told(
     return occurrence(
         RULE,
         message,
-        bad.one.proof,
+        bad.where,
         entity=bad.entity,
         certainty=certainty,
         context=" ".join(sorted(ranked)),

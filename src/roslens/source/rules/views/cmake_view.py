@@ -31,7 +31,8 @@ _LONGEST = 1_000
 _REFERENCE = re.compile(r"\$\{([A-Za-z0-9_]+)\}")
 _HERE = re.compile(r"\$\{CMAKE_CURRENT_SOURCE_DIR\}/?")
 _LISTED = re.compile(r"\$\{CMAKE_CURRENT_LIST_DIR\}/?")
-_TOP = re.compile(r"\$\{(?:PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR|[A-Za-z0-9_]+_SOURCE_DIR)\}/?")
+_TOP = re.compile(r"\$\{([A-Za-z0-9_]+)_SOURCE_DIR\}/?")
+_OF_ANY_PROJECT = ("PROJECT", "CMAKE")
 _TEST_SWITCH = re.compile(r"TEST", re.IGNORECASE)
 _LOOPS = frozenset({"foreach", "while"})
 _DEFINITIONS = frozenset({"function", "macro"})
@@ -250,11 +251,13 @@ class CmakeView:
 
     def inside(self, path: str, written: Written) -> str | None:
         """Return a path as a command writes it as one below the workspace; nothing where that is open."""
-        top = self._package.folder
-        if match := _TOP.match(path):
-            whole = join(top, path[match.end() :])
-        elif match := _HERE.match(path):
+        if match := _HERE.match(path):
             whole = join(written.folder, path[match.end() :])
+        elif match := _TOP.match(path):
+            # The folder of another project is a download, or a part of a larger build.
+            if match[1] not in (*_OF_ANY_PROJECT, self.project()):
+                return None
+            whole = join(self._package.folder, path[match.end() :])
         elif match := _LISTED.match(path):
             whole = join(dirname(written.path), path[match.end() :])
         else:

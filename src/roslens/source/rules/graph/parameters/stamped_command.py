@@ -38,7 +38,8 @@ _STAMPS = {
     "nav2_behaviors": "enable_stamped_cmd_vel",
 }
 """By package, the parameter with which a node sends stamped commands."""
-_OF_NAV2 = "enable_stamped_cmd_vel"
+_LATER_ON = frozenset({"enable_stamped_cmd_vel", "use_stamped"})
+"""Parameters that are true where they are not set, in later releases: Nav2 from Kilted on, twist_mux 4.5.0."""
 
 RULE = graph_rule(
     "graph.stamped_command",
@@ -110,8 +111,9 @@ def _moved(nodes: Iterable[ConfiguredNode]) -> dict[str, str]:
 
 
 def _is_decided(node: ConfiguredNode) -> bool:
-    """Return whether a node certainly sends what it is known to: from Kilted on, Nav2 sends stamped commands."""
-    return _STAMPS.get(node.package) != _OF_NAV2 or any(one.name == _OF_NAV2 for one in node.parameters if one.set_by)
+    """Return whether a node certainly sends what it is known to: later releases of some send stamped commands."""
+    stamps = _STAMPS.get(node.package)
+    return stamps not in _LATER_ON or any(one.name == stamps for one in node.parameters if one.set_by)
 
 
 def _told(end: End, one: Commanded) -> Finding:

@@ -74,7 +74,7 @@ def _told(name: str, subscription: End, publisher: End) -> Finding:
     return occurrence(
         RULE,
         message,
-        subscription.one.proof,
+        subscription.where,
         entity=subscription.entity,
         certainty=certainty,
         context=f"{subscription.node.name} {publisher.node.name}",

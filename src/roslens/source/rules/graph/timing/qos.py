@@ -100,7 +100,7 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     return occurrence(
         RULE,
         message,
-        subscription.one.proof,
+        subscription.where,
         entity=subscription.entity,
         certainty=certainty,
         context=context,

@@ -64,5 +64,5 @@ def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
         "messages are lost while a callback runs. Keep more, unless only the newest counts."
     )
     return occurrence(
-        RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=end.node.name, doubt=doubt
+        RULE, message, end.where, entity=end.entity, certainty=certainty, context=end.node.name, doubt=doubt
     )

@@ -15,6 +15,9 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_TOP_KEY = re.compile(rb"^[\"']?([\w/*]+)[\"']?:", re.MULTILINE)
+_FORMER_NODES = frozenset({b"recoveries_server"})
+"""Nodes that are called otherwise since before any of the tables: nothing reads what is left under their names."""
 _LANGUAGES = (Language.YAML, Language.XACRO, Language.URDF, Language.XML)
 
 
@@ -36,9 +39,19 @@ def _hit(change: Change, match: re.Match[bytes], content: bytes, path: str, *, i
     edits = (edit_at(content, start, end, change.instead, path),) if change.alike and is_yaml else ()
     line = content.count(b"\n", 0, start) + 1
     message = f"plug-in {row_message(change, change.name)}"
+    node = _node_above(content, start) if is_yaml else b""
+    if node in _FORMER_NODES:
+        message += f"; nothing reads it below `{node.decode()}`, which is `behavior_server` since Humble"
     return Hit(
-        "distribution.plugin_gone", message, line, context=change.name, path=path, edits=edits, change=change.key
-    )
+        "distribution.plugin_gone", message, line, context=change.name, path=path, edits=edits, change=change.key,
+        certainty=Certainty.HEURISTIC if node in _FORMER_NODES else None,
+    )  # fmt: skip
+
+
+def _node_above(content: bytes, at: int) -> bytes:
+    """Return the last part of the key without indentation that stands before a place of a parameter file."""
+    keys = [match[1] for match in _TOP_KEY.finditer(content, 0, at)]
+    return keys[-1].rpartition(b"/")[2] if keys else b""
 
 
 @cache

@@ -31,7 +31,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None:
         return
     name, given = view.text(node), arguments(call)
-    if len(given) < 2 or not any(_is_callback(one, call, view) for one in given[1:]):
+    # No `subscribe` of ROS takes fewer than name, queue and callback; those of other libraries often do.
+    if len(given) < (3 if name == "subscribe" else 2) or not any(_is_callback(one, call, view) for one in given[1:]):
         return
     if is_discarded(call):
         # Of a class of one's own, which gets the node as an argument and keeps what it makes, or is around the call.

@@ -10,7 +10,6 @@ from roslens.model.errors import UsageError
 from roslens.model.source import Role
 
 if TYPE_CHECKING:
-    from roslens.cli.graph.kept_configurations import KeptConfigurations
     from roslens.model.configuration import Configuration, Unresolved
     from roslens.source.extract.facts.launched import Launch
     from roslens.source.extract.facts.launched import Unresolved as Missed
@@ -64,13 +63,13 @@ class GraphSource:
         from roslens.store.content_cache import ContentCache
 
         self.settings = settings
-        self._hinted_in = hinted_in
+        self.hinted_in = hinted_in
         self._environment = environment
         self._evaluated: dict[tuple[str, tuple[tuple[str, str], ...]], Launch] = {}
         now_s = time.time()
-        self._cache = (ContentCache if elsewhere else Cache).open(cache, now_s=now_s)
+        self.cache = (ContentCache if elsewhere else Cache).open(cache, now_s=now_s)
         if seen is None:
-            manifests = KnownManifests(self._cache)
+            manifests = KnownManifests(self.cache)
             workspace = find_workspace([path], settings.workspace, read=manifests.read)
             manifests.keep()
         else:
@@ -80,11 +79,11 @@ class GraphSource:
         self._hidden = workspace.hidden
         self.paths = frozenset(file.path for found in workspace.packages for file in found.files)
         self.facts: WorkspaceFacts = WorkspaceFacts(
-            workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress,
+            workspace, settings, cache=self.cache, now_s=now_s, jobs=jobs, progress=progress,
             inventory=None if seen is None else seen.inventory,
         )  # fmt: skip
         self.reads = Reads(NotedFiles(self.facts.files))
-        self.launches = KnownLaunches(self._cache, self.facts.files)
+        self.launches = KnownLaunches(self.cache, self.facts.files)
 
     def __enter__(self) -> GraphSource:
         """Return the source itself."""
@@ -94,18 +93,12 @@ class GraphSource:
         """Keep what was learned, and close the cache."""
         self.facts.keep()
         self.launches.keep()
-        self._cache.close()
+        self.cache.close()
 
     @property
     def is_lasting(self) -> bool:
         """Whether the next run would find the same in the same files."""
         return self.launches.is_lasting and self.facts.is_lasting
-
-    def kept_configurations(self, seen: Seen) -> KeptConfigurations:
-        """Return the configurations as an earlier run found them; ``seen`` are the files of the workspace."""
-        from roslens.cli.graph.kept_configurations import KeptConfigurations
-
-        return KeptConfigurations(self, self._cache, seen, self._hinted_in)
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
         """Return what a launch file comes to.
@@ -129,7 +122,7 @@ class GraphSource:
         given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
             result, facts, title=path + given, known=known_node, files=self.reads.files,
-            hints=self.settings.graph.hints, hinted_in=self._hinted_in,
+            hints=self.settings.graph.hints, hinted_in=self.hinted_in,
         )  # fmt: skip
 
     def evaluated(self, launch: str, arguments: Mapping[str, str]) -> tuple[str, Launch]:
@@ -191,7 +184,7 @@ class GraphSource:
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
             made = assemble(
                 started, facts, title=title, known=known_node, files=self.reads.files,
-                by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
+                by_launch=False, hints=self.settings.graph.hints, hinted_in=self.hinted_in,
             )  # fmt: skip
             found.append(with_roles(made, facts.roles))
         return tuple(one for one in found if one.nodes)
@@ -236,7 +229,7 @@ class GraphSource:
             code = {one.evidence.path for one in (*left_out, *in_code)}
             made = unstarted_configuration(
                 generation, [one for one in loose if one.package in wanted], facts,
-                hints=self.settings.graph.hints, hinted_in=self._hinted_in, roles=facts.roles, missed=missed,
+                hints=self.settings.graph.hints, hinted_in=self.hinted_in, roles=facts.roles, missed=missed,
             )  # fmt: skip
             if made.nodes or any(one.proof.path in code for one in made.unresolved):
                 found.append(made)

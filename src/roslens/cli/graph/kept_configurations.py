@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.graph.kept_look import changes_names, shape_of
+from roslens.cli.graph.kept_shape import changes_names, shape_of
 from roslens.cli.graph.reads import Reads
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding

@@ -8,12 +8,13 @@ node uses. All other files have to be the same, and whatever was read while laun
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.graph.kept_configurations import KeptConfigurations
+from roslens.cli.graph.kept_shape import changes_names, shape_of
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.graphs.graph_scope import GraphScope
@@ -32,7 +33,6 @@ from roslens.store.configurations import PackedConfiguration
 
 if TYPE_CHECKING:
     from roslens.cli.graph.graph_source import GraphSource
-    from roslens.cli.graph.kept_configurations import KeptConfigurations
     from roslens.source.settings import SourceSettings
 
 _CODE = frozenset({Language.C, Language.CPP, Language.PYTHON})
@@ -133,7 +133,7 @@ class KeptLook:
 
     def parts(self, source: GraphSource) -> KeptConfigurations:
         """Return the parts of the last look, which may be known where all of it is not."""
-        return source.kept_configurations(self._seen)
+        return KeptConfigurations(source, source.cache, self._seen, source.hinted_in)
 
     def keep(self, source: GraphSource, sight: Sight, parts: KeptConfigurations | None = None) -> None:
         """Keep a look and its parts for the next run, unless that may find something else in the same files."""
@@ -156,29 +156,3 @@ class KeptLook:
         )
         with Cache.open(self._cache) as cache:
             cache.replace({self._slot: _encode(kept)})
-
-
-def changes_names(path: str, words: frozenset[bytes], names: Iterable[Mention]) -> bool:
-    """Whether another name than before, or one less, stands in a file that other files do not have for sure."""
-    for one in names:
-        holds = path not in one.own and one.name.encode() in words
-        if (holds and not one.found_in) or (not holds and one.found_in == path):
-            return True
-    return False
-
-
-def shape_of(seen: Seen) -> object:
-    """Return what is known of a workspace without the content of its files."""
-    workspace, inventory = seen.workspace, seen.inventory
-    languages = [
-        (file.path, file.language.value, file.role.value) for files in inventory.files.values() for file in files
-    ]
-    known = {path for path, _, _ in languages}
-    others = [
-        (file.path, file.size, file.mtime_ns)
-        for found in workspace.packages
-        for file in found.files
-        if file.path not in known
-    ]
-    packages = [found.package for found in workspace.packages]
-    return [packages, workspace.hidden, workspace.failures, inventory.failures, languages, others]

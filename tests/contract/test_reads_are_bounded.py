@@ -33,6 +33,7 @@ OWN = {
     "live/agent/key_file.py": "the user's own key",
     "cli/react/sole_reactor.py": "of the kernel",
     "children/exit_status.py": "of the kernel",
+    "children/plugin_sandbox.py": "of packages that the user installed",
     "children/sandbox.py": "what roslens itself wrote",
     "live/agent/allow_list.py": "the user's own file, up to a bound",
     "plugins/hashed_modules.py": "of plug-ins that the user trusts",

@@ -101,7 +101,7 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
     [
         (
             "topc: /scan\nrate: 1..2",
-            "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of its 77 keys. Did you mean 'topic'?",
+            "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of its 78 keys. Did you mean 'topic'?",
         ),
         ("zzzz: /scan\nrate: 1..2", "r.yaml:4:5: unknown key 'zzzz' of a constraint; expected one of host, node"),
         ("topic: /scan\nrate: 30 Hz", "r.yaml:5:11: rate: '30 Hz' is a single value, which nothing measured ever has"),

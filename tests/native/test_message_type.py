@@ -1,6 +1,7 @@
 """What the type of a message tells the library: how long it is, and when it was stamped; and what a message answers."""
 
 import pytest
+from native.series import series
 
 from roslens.live.inside.slots import ANSWERED, PUBLISHED, TAKEN
 from roslens.live.inside.snapshot import snapshot
@@ -46,7 +47,7 @@ def test_messages_that_begin_with_a_header_have_an_age(either, word, stamped):
         node.say(message(number), "take 0 info")
     node.say("set stamp 0", message(3), "take 0 info")
     (one,) = counted(node).values()
-    count, total, _ = one.moments[2]
+    count, total, _ = series(one)[2]
     assert (one.messages, count) == (3, stamped)
     assert total == pytest.approx(stamped * 10.000000750)
 
@@ -79,9 +80,9 @@ def test_what_is_published_where_a_message_was_taken_answers_it(either):
     found = counted(node)
     one, other = found[ANSWERED, "/out", "/in"], found[ANSWERED, "/out", "/too"]
     assert (one.messages, one.node, one.gid, one.size, one.lost) == (3, "/relay", bytes(24), -1, -1)
-    assert one.moments[3] == pytest.approx((3, 0.006, 3 * 0.002**2))
-    assert [count for count, _, _ in one.moments[:3]] == [0, 0, 0]
-    assert other.moments[3] == pytest.approx((1, 0.007, 0.007**2))
+    assert series(one)[3] == pytest.approx((3, 0.006, 3 * 0.002**2))
+    assert [count for count, _, _ in series(one)[:3]] == [0, 0, 0]
+    assert series(other)[3] == pytest.approx((1, 0.007, 0.007**2))
     assert found[PUBLISHED, "/out", ""].messages == 4
 
 

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from native.series import series
 from ros2_domain import own_domain
 
 from roslens.live.inside import slots
@@ -119,13 +120,13 @@ def test_counts_are_those_of_the_nodes(built, python, tmp_path):
         sent, taken = found[PUBLISHED, topic, "/talker"], found[TAKEN, topic, "/listener"]
         assert sent.gid == taken.gid != bytes(24)
         assert (taken.lost, taken.pending) == (0, 0)
-        count, total, _ = taken.moments[1]
+        count, total, _ = series(taken)[1]
         assert count == taken.messages
         assert 1e-6 < total / count < 0.1
     assert found[TAKEN, "/raw", "/listener"].size == listener["size"]
     assert found[PUBLISHED, "/raw", "/talker"].size == talker["size"]  # less than was taken: DDS fills up to four bytes
     for kind, node in ((HEARD, "/listener"), (REPLIED, "/talker")):
-        count, total, _ = found[kind, "/talker/get_parameters", node].moments[3]
+        count, total, _ = series(found[kind, "/talker/get_parameters", node])[3]
         assert count == CALLS
         assert 1e-6 < total / count < 5.0
     by_ends = {(one.topic, one.publisher, one.subscriber): one for one in tallies}
@@ -153,7 +154,7 @@ def test_beside_the_library_the_hook_in_python_counts_nothing_and_nothing_is_mis
     talker = pair.reported["talker"]
     sent, taken = found[PUBLISHED, "/typed", "/talker"], found[TAKEN, "/typed", "/listener"]
     assert sent.size == taken.size == talker["typed_size"]
-    assert taken.moments[2][0] == 0  # it is a header, and has none
+    assert series(taken)[2][0] == 0  # it is a header, and has none
 
 
 RELAY = """
@@ -207,10 +208,10 @@ def test_a_relay_in_python_has_sizes_ages_and_processing_times(built, python, tm
     taken, sent = found[TAKEN, "/scan", ""], found[PUBLISHED, "/scan_out", ""]
     assert (taken.messages, sent.messages, sent.size) == (count, count, size)
     assert taken.size == size
-    ages, total, _ = taken.moments[2]
+    ages, total, _ = series(taken)[2]
     assert ages == count
     assert 1.0 < total / ages < 2.0
-    answers, total, _ = found[ANSWERED, "/scan_out", "/scan"].moments[3]
+    answers, total, _ = series(found[ANSWERED, "/scan_out", "/scan"])[3]
     assert answers == count
     assert 0.002 <= total / answers < 0.5
     assert (ANSWERED, "/timed", "/scan") not in found

@@ -3,6 +3,7 @@
 import struct
 
 import pytest
+from native.series import series
 
 from roslens.live.inside import slots
 from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTED, TAKEN
@@ -35,7 +36,7 @@ def test_every_way_to_publish_counts_once(either, how, size, nested):
     node.say("publisher /scan / laser", "set size 100", f"set nested {nested}", *[f"publish 0 {how}"] * 3)
     one = only(node)
     assert (one.kind, one.topic, one.node, one.messages, one.size) == (PUBLISHED, "/scan", "/laser", 3, size)
-    assert one.moments[0][0] == 2
+    assert series(one)[0][0] == 2
     assert one.first
     assert one.lost == -1
 
@@ -49,7 +50,7 @@ def test_every_take_with_information_tells_publisher_and_latency(either, how, ne
         assert node.say(message(number), f"take 0 {how}") == [0, 1]
     one = only(node)
     assert (one.kind, one.messages, one.lost, one.gid.rstrip(b"\0").hex()) == (TAKEN, 3, 0, ONE)
-    assert one.moments[1] == pytest.approx((3, 3e-6, 3e-12))
+    assert series(one)[1] == pytest.approx((3, 3e-6, 3e-12))
     assert one.size == (30 if how == "serialized_info" else -1)
 
 
@@ -58,7 +59,7 @@ def test_a_take_without_information_is_counted_for_nobody(either, how, size):
     node = either()
     node.say("subscription /scan / map", "set size 10", f"take 0 {how}")
     one = only(node)
-    assert (one.messages, one.size, one.lost, one.gid, one.moments[1][0]) == (1, size, -1, bytes(24), 0)
+    assert (one.messages, one.size, one.lost, one.gid, series(one)[1][0]) == (1, size, -1, bytes(24), 0)
 
 
 @pytest.mark.parametrize(("release", "gid"), [("", ONE), ("humble", "11" * 24)])
@@ -67,8 +68,8 @@ def test_a_sequence_counts_each_message_in_each_distribution(either, release, gi
     node.say("subscription /scan / map", message(5, gid="11" * 24), *["take 0 sequence"] * 2)
     one = only(node)
     assert (one.gid.rstrip(b"\0").hex(), one.messages, one.lost, one.pending) == (gid, 8, 0, 0)
-    assert one.moments[1][0] == 8
-    assert one.moments[0] == pytest.approx((7, 7e-6, 7e-12))
+    assert series(one)[1][0] == 8
+    assert series(one)[0] == pytest.approx((7, 7e-6, 7e-12))
 
 
 def test_nothing_taken_or_failed_is_not_counted(either):
@@ -145,14 +146,14 @@ def test_times_that_cannot_be_are_no_latency(either, sent, received):
     node.say(f"time {START}", "subscription /scan / map", message(1, sent, received), "take 0 info")
     one = only(node)
     assert one.messages == 1
-    assert one.moments[1][0] == (1 if (sent, received) == (START, 0) else 0)
+    assert series(one)[1][0] == (1 if (sent, received) == (START, 0) else 0)
 
 
 def test_information_of_another_layout_is_not_believed(either):
     node = either()
     node.say("subscription /scan / map", "set foreign 1", message(1), "take 0 info")
     one = only(node)
-    assert (one.messages, one.gid, one.lost, one.moments[1][0]) == (1, bytes(24), -1, 0)
+    assert (one.messages, one.gid, one.lost, series(one)[1][0]) == (1, bytes(24), -1, 0)
 
 
 def test_a_middleware_older_than_humble_is_let_alone(either):
@@ -185,17 +186,17 @@ def test_calls_of_a_service_on_both_sides(either):
         REPLIED: ("/add", "/adder", 3),
         HEARD: ("/add", "/asker", 3),
     }
-    assert found[ASKED].moments[1] == pytest.approx((3, 3e-6, 3e-12))
-    assert found[REPLIED].moments[3] == pytest.approx((3, 15e-3, 75e-6))
-    assert found[HEARD].moments[3] == pytest.approx((3, 18e-3, 108e-6))
-    assert found[REQUESTED].moments[3][0] == found[ASKED].moments[3][0] == 0
+    assert series(found[ASKED])[1] == pytest.approx((3, 3e-6, 3e-12))
+    assert series(found[REPLIED])[3] == pytest.approx((3, 15e-3, 75e-6))
+    assert series(found[HEARD])[3] == pytest.approx((3, 18e-3, 108e-6))
+    assert series(found[REQUESTED])[3][0] == series(found[ASKED])[3][0] == 0
 
 
 def test_a_response_to_nothing_known_has_no_time(either):
     node = either()
     node.say("client /add / asker", f"call 7 {ONE}", "serve 0 response")
     one = only(node)
-    assert (one.kind, one.messages, one.moments[3][0]) == (HEARD, 1, 0)
+    assert (one.kind, one.messages, series(one)[3][0]) == (HEARD, 1, 0)
 
 
 def test_handles_come_and_go(either):

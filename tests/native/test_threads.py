@@ -3,6 +3,8 @@
 import mmap
 import threading
 
+from native.series import series
+
 from roslens.live.inside import slots
 from roslens.live.inside.slots import PUBLISHED, TAKEN
 from roslens.live.inside.snapshot import snapshot
@@ -31,7 +33,7 @@ def test_threads_on_the_same_handles_while_others_come_and_go(either):
                     at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
                     one = snapshot(view[at : at + slots.SLOT_BYTES])
                     if one is not None and one.topic in ("/in", "/out"):
-                        seen.append((one.kind, one.messages, one.moments[1][0]))
+                        seen.append((one.kind, one.messages, series(one)[1][0]))
                     elif one is not None and one.topic == "/even":
                         went[number, one.generation] = one.messages
             view.release()
@@ -50,8 +52,8 @@ def test_threads_on_the_same_handles_while_others_come_and_go(either):
         if one.topic == "/even":
             went[number, one.generation] = one.messages
     (out,), (taken,) = found[PUBLISHED, "/out"], found[TAKEN, "/in"]
-    assert out.messages == taken.messages == taken.moments[1][0] == THREADS * MESSAGES
-    assert out.moments[0][0] <= THREADS * MESSAGES - 1
+    assert out.messages == taken.messages == series(taken)[1][0] == THREADS * MESSAGES
+    assert series(out)[0][0] <= THREADS * MESSAGES - 1
     assert (taken.lost, taken.pending) == (0, 0)
     assert sum(went.values()) == MESSAGES // 1000
     assert slots.HEADER.unpack_from(node.file())[7:9] == (0, 0)

@@ -33,8 +33,8 @@ def plugin_sandbox(
     looked_at = tuple(dict.fromkeys(os.path.realpath(path) for path in read))
     # A folder of modules that holds the workspace is read, and nothing in it started.
     above = [path for path in sys.path if _holds(path, looked_at)]
-    programs = (*_program_folders(environment), *_edited_folders())
-    started = (path for path in programs if not _meets(path, looked_at))
+    apart = (path for path in _edited_folders() if not _meets(path, looked_at))
+    started = (*_program_folders(environment, looked_at), *apart)
     return Sandbox(
         read=(*looked_at, *above),
         run=tuple(dict.fromkeys((*_own_folders(plugins), *started))),
@@ -50,13 +50,15 @@ def _own_folders(plugins: Iterable[str]) -> Iterator[str]:
         yield folder if os.path.isfile(real) and is_narrow(folder) else real  # noqa: PTH113
 
 
-def _program_folders(environment: Mapping[str, str]) -> Iterator[str]:
-    """Yield where programs of the user are, with the libraries beside them."""
+def _program_folders(environment: Mapping[str, str], looked_at: Iterable[str]) -> Iterator[str]:
+    """Yield where programs of the user are, with the libraries beside them unless the workspace lies there, too."""
     for path in environment.get("PATH", "").split(os.pathsep):
         above = os.path.dirname(path.rstrip(os.sep))  # noqa: PTH120
         whole = os.path.basename(path.rstrip(os.sep)) in ("bin", "sbin") and is_narrow(above)  # noqa: PTH119
-        if is_narrow(path):
-            yield above if whole else path
+        for folder in (above, path) if whole else (path,):
+            if is_narrow(folder) and not _meets(folder, looked_at):
+                yield folder
+                break
 
 
 def _edited_folders() -> Iterator[str]:

@@ -86,7 +86,7 @@ def test_enter_on_an_alert_shows_its_row_and_all_that_is_known_of_it():
     assert "Look at the cable of the lidar" in screen
     table, about = screen.split("topic /scan")
     assert "▼ low             ▾ /scan" in table
-    assert "Mean period" in about
+    assert "Rate received" in about
 
 
 def test_a_filter_leaves_what_fits_and_escape_takes_it_away():

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.source.rules.package.console_script import found
+from roslens.source.rules.package.programs.console_script import found
 
 MANIFEST = """<package format="2"><name>arm</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.c">m</maintainer><license>MIT</license></package>"""

@@ -15,25 +15,25 @@ if TYPE_CHECKING:
     from roslens.source.extract.launch.robot_description import Described
 
 
-def several_roots(path: str, view: PackageView) -> dict[str, Evidence]:
-    """Return the links without a parent of a description, with where they are written, if they are several.
+def several_roots(path: str, view: PackageView) -> tuple[dict[str, Evidence], bool]:
+    """Return the links without a parent of a description, if they are several, and whether it has any joint.
 
-    None where something of it is not known: a file of another package, an argument without default, a condition.
+    No link where something of it is not known: a file of another package, an argument without default, a condition.
     """
     files = FolderFiles(Path(view.root), {view.package.name: view.folder})
     root, missing = read_description(path, files)
     if root is None or missing or root.tag != "robot":
-        return {}
+        return {}, False
     parts = [one for one in root.children if one.tag in ("link", "joint")]
     named = {_known(one, "name"): one.evidence for one in reversed(parts) if one.tag == "link"}
     ends = [tuple(_ends(one)) for one in parts if one.tag == "joint"]
     if any(one.conditions for one in parts) or None in named or any(None in pair for pair in ends):
-        return {}
+        return {}, False
     links = {name: place for name, place in named.items() if name is not None}
     children = {pair[-1] for pair in ends}
     roots = {name: place for name, place in links.items() if name not in children}
     # A part that no joint holds, where joints name links that are not here, waits for the rest of the robot.
-    return roots if len(roots) > 1 and children <= links.keys() else {}
+    return (roots if len(roots) > 1 and children <= links.keys() else {}), bool(ends)
 
 
 def _ends(joint: Described) -> Iterator[str | None]:

@@ -52,14 +52,16 @@ def _whole(robot: _Robot, file: SourceFile, content: bytes, view: PackageView) -
 
 def _expanded(file: SourceFile, view: PackageView) -> Iterator[Hit]:
     """Yield that a robot of macros is no tree, where all of it is known."""
-    roots = several_roots(file.path, view)
+    roots, has_joints = several_roots(file.path, view)
     names = sorted(roots)
     for name in names[1:2]:
         place = roots[name]
         if place.path in view.by_path:
             several = ", ".join(map(repr, names[:4]))
             message = f"links {several} of {file.path} have no parent: several roots; expected one tree"
-            yield Hit(_ID, message, place.line, place.column, context=several, path=place.path)
+            # Without any joint it may be the beginning of one.
+            certainty = None if has_joints else Certainty.HEURISTIC
+            yield Hit(_ID, message, place.line, place.column, context=several, path=place.path, certainty=certainty)
 
 
 def _included(view: PackageView) -> frozenset[str]:

@@ -1,0 +1,1 @@
+"""Rules on how the programs of a package are installed, found and started."""

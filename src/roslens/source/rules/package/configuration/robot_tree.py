@@ -59,8 +59,9 @@ def _expanded(file: SourceFile, view: PackageView) -> Iterator[Hit]:
         if place.path in view.by_path:
             several = ", ".join(map(repr, names[:4]))
             message = f"links {several} of {file.path} have no parent: several roots; expected one tree"
-            # Without any joint it may be the beginning of one.
-            certainty = None if has_joints else Certainty.HEURISTIC
+            # Links that only lie there, without any joint, may be the beginning of a robot; a macro was called for it.
+            is_meant = has_joints or b"<xacro:macro" in view.read(place.path)
+            certainty = None if is_meant else Certainty.HEURISTIC
             yield Hit(_ID, message, place.line, place.column, context=several, path=place.path, certainty=certainty)
 
 

@@ -1,14 +1,12 @@
 """What a check says of launch files with what it kept is what one says that keeps nothing, after every kind of edit."""
 
-import json
-import shutil
 from pathlib import Path
 
 import pytest
+from cli.said_again import fresh, said
 
 import roslens
 from roslens.cli.graph.graph_source import GraphSource
-from roslens.cli.main import main
 from roslens.source.keys import analyser_version
 
 NODE = """#include <rclcpp/rclcpp.hpp>
@@ -124,25 +122,6 @@ def restore(root: Path) -> None:
     for path in [*root.rglob("launch/*")]:
         path.unlink()
     write(root, FILES)
-
-
-def said(root: Path, *options: str):
-    place = root.with_suffix(".json")
-    main(["check", str(root), "--jobs", "1", "-q", "--fail-on", "never", "-o", str(place), *options])
-    found = json.loads(place.read_text())
-    found.pop("run", None)
-    return found
-
-
-def fresh(root: Path):
-    """Return what a check says that knows nothing of the workspace."""
-    kept, aside = root / ".roslens", root.with_suffix(".aside")
-    kept.rename(aside)
-    try:
-        return said(root, "--no-cache")
-    finally:
-        shutil.rmtree(kept, ignore_errors=True)
-        aside.rename(kept)
 
 
 @pytest.fixture

@@ -1,18 +1,16 @@
 """What a check says with what it kept is what one says that keeps nothing, whatever was edited in between."""
 
-import json
-import shutil
 import sqlite3
 import tempfile
 from contextlib import closing
 from pathlib import Path
 
 import pytest
+from cli.said_again import fresh, said
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roslens.cli.graph.kept_look import KeptLook
-from roslens.cli.main import main
 
 MANIFEST = (
     '<package format="3"><name>robot</name><version>1.0.0</version><description>d</description>'
@@ -126,25 +124,6 @@ def write(root: Path, name: str, text: str | None) -> None:
 def restore(root: Path) -> None:
     for name, text in FILES.items():
         write(root, name, text)
-
-
-def said(root: Path, *options: str):
-    place = root.with_suffix(".json")
-    main(["check", str(root), "--jobs", "1", "-q", "--fail-on", "never", "-o", str(place), *options])
-    found = json.loads(place.read_text())
-    found.pop("run", None)
-    return found
-
-
-def fresh(root: Path):
-    """Return what a check says that knows nothing of the workspace."""
-    kept, aside = root / ".roslens", root.with_suffix(".aside")
-    kept.rename(aside)
-    try:
-        return said(root, "--no-cache")
-    finally:
-        shutil.rmtree(kept, ignore_errors=True)
-        aside.rename(kept)
 
 
 @pytest.fixture

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import warnings
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.intake.file_budget import file_budget
 from roslens.source.over_budget import in_rules
 from roslens.source.rules.views.package_files import PackageFiles
+from roslens.source.rules.views.python_tree import python_tree
 
 if TYPE_CHECKING:
     from roslens.source.extract.builds.python_setup import Setup
@@ -43,18 +43,17 @@ class PackageView(PackageFiles, frozen=True, dict=True):
             return read_setup(self.folder, FolderFiles(Path(self.root), {}), listing)
 
     @cached_property
-    def setup_call(self) -> ast.Call | None:
-        """The call of ``setup`` in setup.py; nothing where it cannot be read."""
+    def setup_tree(self) -> ast.Module | None:
+        """The syntax tree of setup.py; nothing where there is none, or where it cannot be read."""
         if "setup.py" not in self.listing:
             return None
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                with file_budget(self.path("setup.py")):
-                    tree = ast.parse(self.read(self.path("setup.py")))
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return None
-        calls = (one for one in ast.walk(tree) if isinstance(one, ast.Call))
+        with file_budget(self.path("setup.py")):
+            return python_tree(self.read(self.path("setup.py")))
+
+    @cached_property
+    def setup_call(self) -> ast.Call | None:
+        """The call of ``setup`` in setup.py; nothing where it cannot be read."""
+        calls = (one for one in ast.walk(self.setup_tree or ast.Module([], [])) if isinstance(one, ast.Call))
         return next((one for one in calls if getattr(one.func, "id", getattr(one.func, "attr", "")) == "setup"), None)
 
     @cached_property

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.likeness import distance
 from roslens.source.rules.hit import Hit
@@ -38,7 +40,8 @@ def _wrong(one: Written, looked_for: frozenset[str], view: PackageView) -> Itera
         elif near := _near(word, looked_for, view):
             effect = "CMake ends there" if one.name == _USES else "what depends on this package ends there"
             message = f"{one.name} is given {word!r}, which no find_package looks for: {effect}; expected {near!r}"
-            yield one.hit(_ID, message, word)
+            # What another package looks for counts as found too; that it does not look for this is not known for sure.
+            yield msgspec.structs.replace(one.hit(_ID, message, word), certainty=Certainty.LIKELY)
 
 
 def _looked_for(commands: tuple[Written, ...]) -> frozenset[str]:

@@ -45,10 +45,9 @@ def _listed(value: ast.expr | None, view: PackageView) -> frozenset[str]:
 
 
 def _assigned(name: str, view: PackageView) -> str:
-    tree = ast.parse(view.read(view.path("setup.py")))
     values = [
         one.value.value
-        for one in tree.body
+        for one in (view.setup_tree.body if view.setup_tree is not None else ())
         if isinstance(one, ast.Assign)
         and [getattr(each, "id", "") for each in one.targets] == [name]
         and isinstance(one.value, ast.Constant)

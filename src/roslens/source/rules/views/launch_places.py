@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import ast
-import warnings
 from collections.abc import Mapping
 from functools import lru_cache
 
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.views.python_tree import python_tree
 
 
 def keyword_place(view: PackageView, at: Evidence, keyword: str) -> tuple[int, int]:
@@ -21,11 +21,8 @@ def keyword_place(view: PackageView, at: Evidence, keyword: str) -> tuple[int, i
 @lru_cache(maxsize=8)
 def _places(content: bytes) -> Mapping[tuple[int, str], tuple[int, int]]:
     """Return the places of all keywords, by the line of their call; of calls that share one, those of the first."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(content)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = python_tree(content)
+    if tree is None:
         return {}
     found: dict[tuple[int, str], tuple[int, int]] = {}
     for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):

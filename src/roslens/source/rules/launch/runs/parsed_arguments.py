@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import re
-import warnings
 from collections.abc import Iterator
 from posixpath import basename
 
@@ -13,6 +12,7 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.python_tree import python_tree
 
 _ID = "launch.parsed_arguments"
 _READS = re.compile(rb"argv|parse_args")
@@ -58,11 +58,8 @@ def _is_program(program: str, path: str, view: PackageView) -> bool:
 
 
 def _refusing(content: bytes, path: str, place: str, generation: int) -> Iterator[Hit]:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(content)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = python_tree(content)
+    if tree is None:
         return
     names = {one.name for node in ast.walk(tree) if isinstance(node, ast.Import) for one in node.names}
     names |= {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module}

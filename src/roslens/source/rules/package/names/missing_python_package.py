@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Mapping
 
-from roslens.intake.file_budget import file_budget
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -18,10 +17,11 @@ _MAKES = ("parameter_library", "generate_parameter_module", "build_ext", "cmdcla
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each package that ``packages=[…]`` names and that has no folder."""
-    path = view.path("setup.py")
-    text = view.read(path) if "setup.py" in view.listing else b""
-    tree = _parsed(path, text)
-    if tree is None or any(one.encode() in text for one in _MAKES) or not _is_used(view):
+    tree = view.setup_tree
+    if tree is None or not _is_used(view):
+        return
+    text = view.read(view.path("setup.py"))
+    if any(one.encode() in text for one in _MAKES):
         return
     names = _constants(tree)
     for call in (one for one in ast.walk(tree) if isinstance(one, ast.Call)):
@@ -32,14 +32,6 @@ def found(view: PackageView) -> Iterator[Hit]:
 def _is_used(view: PackageView) -> bool:
     """Return whether the build runs setup.py."""
     return view.package.build_type == "ament_python" or view.cmake.first("catkin_python_setup") is not None
-
-
-def _parsed(path: str, text: bytes) -> ast.Module | None:
-    try:
-        with file_budget(path):
-            return ast.parse(text) if text else None
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None
 
 
 def _constants(tree: ast.Module) -> Mapping[str, str]:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
 from collections.abc import Iterator
 from itertools import takewhile
 
@@ -17,6 +15,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.views.cmake_view import Written
+from roslens.source.rules.views.python_tree import python_tree
 
 _INSTALLS = ("install", "catkin_install_python")
 _EXPECTED = "#!/usr/bin/env python3"
@@ -84,13 +83,7 @@ def _lacks_it(view: PackageView) -> bool:
 
 def _is_python_3(content: bytes) -> bool:
     """Return whether Python 3 can read a script."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(content)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
+    return python_tree(content) is not None
 
 
 def _begun(content: bytes, line: bytes, path: str) -> tuple[Edit, ...]:

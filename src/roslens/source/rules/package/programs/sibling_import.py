@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import re
 import sys
-import warnings
 from collections.abc import Iterator
 from posixpath import dirname
 
@@ -14,6 +13,7 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.views.python_tree import python_tree
 
 _IMPORT = re.compile(
     rb"^[ \t]*(?:from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]*(?:\(([\w.,\s]*)|([\w., \t]*))|import[ \t]+([\w., \t]+))",
@@ -117,13 +117,11 @@ def _defines(text: bytes, name: bytes) -> bool:
 
 def _is_statement(text: bytes, line: int, path: str) -> bool:
     """Return whether an import stands at a line of the module itself: not in a text, nor where something catches it."""
-    try:
-        with warnings.catch_warnings(), file_budget(path):
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return any(isinstance(one, (ast.Import, ast.ImportFrom)) and one.lineno == line for one in tree.body)
+    with file_budget(path):
+        tree = python_tree(text)
+    return tree is not None and any(
+        isinstance(one, (ast.Import, ast.ImportFrom)) and one.lineno == line for one in tree.body
+    )
 
 
 def _hit(name: str, module: str, program: str, path: str, line: int) -> Hit:
@@ -139,7 +137,7 @@ RULE = PackageRule(
     id="package.sibling_import",
     title="Module beside a program imported without its package",
     finds="A module that a `console_scripts` entry of an `ament_python` package runs, or imports, and that imports a "
-    "module of the same package by its last name alone: `from utils import …` instead of `from arm_driver.utils "
+    "module of the same package by its last name alone: `from scale import …` instead of `from arm_driver.scale "
     "import …`. Files that change `sys.path`, modules of Python or of a declared dependency, and names that the file "
     "beside does not define are left out.",
     why="`python3 node.py` finds the module, since the folder of the script is searched; the installed program lies "
@@ -148,7 +146,7 @@ RULE = PackageRule(
     certainty=Certainty.LIKELY,
     profiles=("ros2",),
     tags=("python", "install"),
-    bad="from utils import scaled",
-    good="from arm_driver.utils import scaled",
+    bad="from scale import scaled",
+    good="from arm_driver.scale import scaled",
     found=found,
 )

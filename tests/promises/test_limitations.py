@@ -5,14 +5,18 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from roslens.children import sandbox
 from roslens.intake import file_budget
 from roslens.intake.time_budget import OverBudgetError
+from roslens.live.adapters.bag.open_bag import open_bag
 from roslens.model.source import Location, Package
+from roslens.plugins.contract import look_at
 from roslens.plugins.discovery import discover
 from roslens.plugins.isolation import run_package
 from roslens.plugins.points import PackageInput
@@ -112,3 +116,72 @@ def test_workers_need_a_short_temporary_folder(tmp_path):
             assert (done.returncode == 0) == works, done.stderr
         finally:
             subprocess.run(["rm", "-r", str(folder)], check=True)
+
+
+def busy(subject, begun):
+    with file_budget.file_budget(subject, seconds=0.05):
+        while time.process_time() - begun < 60:
+            pass
+
+
+def test_each_file_has_a_time_of_its_own():
+    file_budget.begin_reading()
+    for number in range(4):
+        begun = time.process_time()
+        with pytest.raises(OverBudgetError):
+            busy(f"{number}.xml", begun)
+        assert time.process_time() - begun >= 0.05
+    file_budget.begin_reading()
+
+
+def most_memory(folder, chunks):
+    """Return the bytes that reading a recording takes whose chunks hold four megabytes each."""
+    from rosbags.rosbag1 import Writer
+    from rosbags.typesys import Stores, get_typestore
+
+    writer = Writer(folder / f"{chunks}.bag")
+    writer.chunk_threshold = 1_000_000
+    writer.set_compression(Writer.CompressionFormat.BZ2)
+    with writer:
+        line = writer.add_connection("/a", "geometry_msgs/msg/PoseStamped", typestore=get_typestore(Stores.ROS1_NOETIC))
+        for number in range(chunks):
+            writer.write(line, (number + 1) * 10**9, bytes(4_000_000))
+    bag = open_bag(writer.path)
+    tracemalloc.start()
+    try:
+        for _ in bag.tallies(stamps=["/a"]):
+            pass
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+def test_many_chunks_of_a_recording_take_no_more_memory_than_few(tmp_path):
+    few, many = most_memory(tmp_path, 2), most_memory(tmp_path, 12)
+    assert few > 4_000_000, "they are unpacked"
+    assert many < few * 1.5
+
+
+def test_without_landlock_a_plug_in_runs_in_no_sandbox(monkeypatch):
+    for name in ("restrict", "refuse_sockets", "bubblewrap"):
+        monkeypatch.setattr(sandbox, name, lambda *_, **__: pytest.fail("there is none"))
+    monkeypatch.setattr(sandbox, "landlock_version", lambda: 0)
+    sandbox.confine(sandbox.Sandbox())
+
+
+WRITES = """
+from pathlib import Path
+from roslens.plugins.points import Manifest
+manifest = Manifest(name="writes", interface="1.0", version="1", text="t", scopes=("package",))
+
+def analyse_package(package, report):
+    Path({told!r}).write_text("out of every sandbox")
+"""
+
+
+def test_the_contract_runs_a_plug_in_without_a_sandbox(tmp_path):
+    told = tmp_path / "told"
+    (tmp_path / "writes.py").write_text(WRITES.format(told=str(told)))
+    (tmp_path / "a.py").write_text("x = 1\n")
+    look_at(tmp_path / "writes.py", tmp_path / "a.py")
+    assert told.read_text() == "out of every sandbox"

@@ -8,6 +8,7 @@ room                                      what it does
 ========================================= =========================================================================
 ``commands``                              one verb per file
 ``conformance``, ``editor``, ``top``      sides of a comparison; the language server; the screen of ``roslens top``
+``why``                                   what ``roslens why`` looks at
 ``served``, ``references``                what is served besides a run; verbs of ``roslens reference``
 ``react``                                 acting by a reference: live or simulated
 ``watch``                                 watching what runs: sources, sinks, lines

@@ -33,7 +33,7 @@ from roslens.cli.commands import (
     trend,
     trust,
 )
-from roslens.cli.commands.live import agent, env, journal, react, run, top, watch
+from roslens.cli.commands.live import agent, env, journal, react, run, top, watch, why
 from roslens.cli.terminal.boundary import guarded
 from roslens.cli.terminal.command_parser import CommandParser, refuse, take_late_words
 
@@ -47,6 +47,7 @@ COMMANDS = {
     "interfaces": interfaces,
     "port": port,
     "explain": explain,
+    "why": why,
     "study": study,
     "roles": roles,
     "percentile": percentile,

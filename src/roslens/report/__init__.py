@@ -9,6 +9,7 @@ room          what it writes
 ``graph``     computation graphs, their differences and comparisons
 ``history``   what was kept of a live system or of past revisions, and journals
 ``study``     many packages: statistics, and where one stands among them
+``why``       answers of ``roslens why``
 ``writing``   what all of them share: terminals, numbers, CSV, files written whole
 ============= ==========================================================================
 """

@@ -5,14 +5,14 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from roslens.live.adapters.bag.block import Block, Ints, Part
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
-from roslens.live.adapters.bag.field_reader import FieldReader
+from roslens.live.adapters.bag.field_reader import FieldReader, MessageReader
 from roslens.live.adapters.bag.graphs.recorded_graph import graph_of, with_recorded
 from roslens.live.adapters.bag.stamp import begins_with_header
 from roslens.live.adapters.bag.steps import Lane, Steps, joined
@@ -219,6 +219,47 @@ class Bag:
                     channel = part.channels[number]
                     what = f'"{channel.topic}" has messages of {channel.type} in which "{path}" is not a number'
                     part.failures.add(part.path, what, advice="Check the path against the type.")
+
+    def decoded(self, types: Collection[str]) -> Iterator[tuple[float, str, Any]]:
+        """Yield all messages of some types in order of receipt: seconds, topic, and the message with its fields.
+
+        What cannot be decoded is left out and reported in `failures`.
+        """
+        readers = [self._whole_readers(part, types) for part in self._parts]
+        streams = [
+            ((load.since, index, load.read) for load in part.loads(readers[index].keys()))
+            for index, part in enumerate(self._parts)
+            if readers[index]
+        ]
+        waiting: list[tuple[int, int, str, Any]] = []
+        order = 0
+        for since, index, read in heapq.merge(*streams, key=lambda entry: entry[:2]):
+            while waiting and waiting[0][0] < since:
+                time, _, topic, message = heapq.heappop(waiting)
+                yield time / _SECOND, topic, message
+            part = self._parts[index]
+            for raw in read():
+                topic = part.channels[raw.channel].topic
+                try:
+                    message = readers[index][raw.channel].read(raw)
+                except DamageError as damage:
+                    part.failures.add(part.path, f'"{topic}" has {damage}', advice="The message is left out.")
+                    continue
+                order += 1
+                heapq.heappush(waiting, (raw.time, order, topic, message))
+        while waiting:
+            time, _, topic, message = heapq.heappop(waiting)
+            yield time / _SECOND, topic, message
+
+    def _whole_readers(self, part: Part, types: Collection[str]) -> dict[int, MessageReader]:
+        readers = {}
+        for number, channel in part.channels.items():
+            if channel.type in types:
+                try:
+                    readers[number] = MessageReader(channel)
+                except DamageError as damage:
+                    part.failures.add(part.path, f'"{channel.topic}" has {damage}', advice="It is left out.")
+        return readers
 
     def graph(self) -> Graph:
         """Return topics with their types and, in ROS 1 or where the graph was recorded, who published them.

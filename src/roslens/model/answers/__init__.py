@@ -1,0 +1,1 @@
+"""Answers to the question why something does not arrive: steps in order, each with its evidence."""

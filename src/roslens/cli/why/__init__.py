@@ -1,4 +1,4 @@
-"""What ``roslens why`` looks at: source and recordings as evidence.
+"""What ``roslens why`` looks at: source, recordings and running systems as evidence.
 
 In come options; out comes what `compare.why` joins to an answer. Begin with ``declared_evidence.py``.
 """

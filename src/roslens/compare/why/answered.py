@@ -4,31 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.compare.why.declared import MAKERS, Declared, known_names
+from roslens.compare.why.declared import KIND, MAKERS, Declared, known_names
+from roslens.compare.why.from_live import steps_of_live
 from roslens.compare.why.from_recording import steps_of_recording
 from roslens.compare.why.from_source import steps_of_source
+from roslens.compare.why.observed import Observed
 from roslens.compare.why.question import Known, Question
 from roslens.compare.why.recorded import Recorded
 from roslens.model.answers.answer import Answer, Asks, Step, StepState, in_order
 from roslens.model.errors import UsageError
 
 
-def known_to(declared: Declared | None, recorded: Recorded | None) -> Known:
+def known_to(declared: Declared | None, recorded: Recorded | None, observed: Observed | None = None) -> Known:
     """Return all names that can be asked about, by kind."""
     found: dict[str, set[str]] = known_names(declared) if declared is not None else {}
     if recorded is not None:
         found.setdefault("topic", set()).update(recorded.topics)
         found.setdefault("node", set()).update(one.name for one in recorded.graph.nodes)
+    if observed is not None:
+        for one in observed.graph.endpoints:
+            found.setdefault(KIND[one.role], set()).add(one.name)
+        found.setdefault("node", set()).update(one.name for one in observed.graph.nodes)
     return found
 
 
-def answer(question: Question, declared: Declared | None, recorded: Recorded | None) -> Answer:
+def answer(
+    question: Question, declared: Declared | None, recorded: Recorded | None, observed: Observed | None = None
+) -> Answer:
     """Return the steps about an entity, in order; what none of them can see is said last of each question.
 
     Raises:
         UsageError: nothing that was looked at tells of entities of this kind.
     """
     steps: list[Step] = []
+    if observed is not None:
+        steps += steps_of_live(question, observed, declared)
     if recorded is not None:
         steps += steps_of_recording(question, recorded, declared)
     if declared is not None:
@@ -38,13 +48,15 @@ def answer(question: Question, declared: Declared | None, recorded: Recorded | N
             f'nothing that was looked at tells of {question.kind} "{question.name}"',
             expected="a topic, node, service or action",
         )
-    steps += _unseen(question, {one.asks for one in steps})
-    looked_at = [f"source: {declared.title}"] if declared is not None else []
+    steps += _unseen(question, {one.asks for one in steps}, live=observed is not None)
+    looked_at = [f"live: {observed.title}"] if observed is not None else []
+    looked_at += [f"source: {declared.title}"] if declared is not None else []
     looked_at += [f"recording: {recorded.title}"] if recorded is not None else []
-    return Answer(question.entity, tuple(looked_at), in_order(tuple(steps)))
+    notes = tuple(observed.failures) if observed is not None else ()
+    return Answer(question.entity, tuple(looked_at), in_order(tuple(steps)), notes)
 
 
-def _unseen(question: Question, told: set[Asks]) -> Iterator[Step]:
+def _unseen(question: Question, told: set[Asks], *, live: bool) -> Iterator[Step]:
     """Yield the questions that only a running system answers, and that nothing here did."""
     if question.kind not in (*MAKERS, "node"):
         return
@@ -55,7 +67,12 @@ def _unseen(question: Question, told: set[Asks]) -> Iterator[Step]:
     if question.kind == "topic":
         only_live += [(Asks.SENT, "whether messages are sent, and how often"),
                       (Asks.RECEIVED, "whether what is sent arrives, and when")]  # fmt: skip
+    how = (
+        "start its nodes through `roslens run`, which counts what they send and receive"
+        if live
+        else "look while it runs"
+    )
+    command = "" if live else f"roslens why {question.name} --live"
     for asks, what in only_live:
         if asks not in told:
-            yield Step(asks, StepState.UNSEEN, f"{what} is not in what was looked at", "",
-                       how="look while it runs", command="roslens watch --for 10s")  # fmt: skip
+            yield Step(asks, StepState.UNSEEN, f"{what} is not in what was looked at", "", how=how, command=command)

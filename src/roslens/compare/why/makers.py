@@ -87,7 +87,7 @@ def _side(question: Question, declared: Declared, role: Role, asks: Asks) -> Ste
             asks, StepState.UNSEEN, f"no {noun} of it is known, but what {names} use is unknown", "source",
             tuple(f"{one.name}: {one.package}/{one.executable} ({one.proof.place})" for one in unknown[:_MOST]),
             how="their code is not in the workspace: look while they run",
-            command="roslens watch --for 10s",
+            command=f"roslens why {question.name} --live",
         )  # fmt: skip
     opening = [one for one in declared.configuration.unresolved if one.opens]
     if opening:

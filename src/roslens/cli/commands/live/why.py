@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.completion_words import ARGUMENTS, LAUNCHES
 from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.watch.observers import add_observer_arguments, given
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.compare.why.declared import Declared
+    from roslens.compare.why.observed import Observed
     from roslens.compare.why.recorded import Recorded
     from roslens.model.configuration import Configuration
 
@@ -21,6 +23,7 @@ EXAMPLES = """\
   roslens why /scan --launch rover_bringup/rover.launch.py --arg navigation:=false
   roslens why /scan --bag drive.mcap         joined with what a recording has
   roslens why /planner --bag drive.bag --no-source
+  roslens why /scan --live                   joined with what runs here, looked at for 4 s; --ros1, --ros2 as of watch
   roslens why service:/set_mission --json    kinds: topic, service, action, node
 
 exit codes: as everywhere; 1 where a cause was found"""
@@ -31,6 +34,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("entity", metavar="ENTITY", help="a name such as /scan, or with its kind: node:/planner")
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
+    parser.add_argument("--live", action="store_true", help="look at what runs here (so do --ros1 and --ros2)")
+    parser.add_argument("--for", dest="length", metavar="TIME", help="look at what runs for this time (default: 4s)")
+    add_observer_arguments(parser.add_argument_group("of what runs"))
     parser.add_argument("--no-source", action="store_true", help="look at no source")
     launch = parser.add_argument(
         "--launch", metavar="FILE", help="what is started: PACKAGE/FILE, a path, or a name of [graph.configurations] "
@@ -66,9 +72,10 @@ def run(options: argparse.Namespace) -> int:
     if options.no_source and options.launch:
         raise UsageError("--launch with --no-source", expected="one of them")
     recorded = _recorded(options)
-    declared = _declared(options, alone=recorded is None)
-    question = question_of(options.entity, known_to(declared, recorded))
-    found = answer(question, declared, recorded)
+    observed = _observed(options)
+    declared = _declared(options, alone=recorded is None and observed is None)
+    question = question_of(options.entity, known_to(declared, recorded, observed))
+    found = answer(question, declared, recorded, observed)
     text = to_answer_json(found) if options.json else to_answer_text(found, width_of(sys.stdout))
     write_result(text, options.output)
     return CLEAN if found.cause is None else FINDINGS
@@ -82,6 +89,16 @@ def _recorded(options: argparse.Namespace) -> Recorded | None:
     return recorded_evidence(options)
 
 
+def _observed(options: argparse.Namespace) -> Observed | None:
+    if not (options.live or options.ros1 or options.ros2):
+        if given_of_observers := given(options) or ("--for" if options.length else ""):
+            raise UsageError(f"{given_of_observers} without --live", expected="both")
+        return None
+    from roslens.cli.why.observed_evidence import observed_evidence
+
+    return observed_evidence(options)
+
+
 def _declared(options: argparse.Namespace, *, alone: bool) -> Declared | None:
     """Return what source says; None where it is not wanted, or there is none beside a recording.
 
@@ -92,7 +109,7 @@ def _declared(options: argparse.Namespace, *, alone: bool) -> Declared | None:
 
     if options.no_source:
         if alone:
-            raise UsageError("--no-source without --bag", expected="something to look at")
+            raise UsageError("--no-source without --bag or --live", expected="something to look at")
         return None
     wanted = options.entity.rpartition(":")[2]
     name = wanted if wanted.startswith("/") else f"/{wanted}"

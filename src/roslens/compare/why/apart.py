@@ -1,0 +1,70 @@
+"""Programs of ROS 2 that run on this host and cannot meet what was looked at: another domain, middleware or range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from roslens.compare.why.observed import Observed
+from roslens.model.answers.answer import Asks, Step, StepState
+from roslens.model.answers.ros_process import RosProcess
+
+_MOST = 6
+DOMAIN, RMW, DISCOVERY = "ROS_DOMAIN_ID", "RMW_IMPLEMENTATION", "ROS_AUTOMATIC_DISCOVERY_RANGE"
+
+
+def differences(process: RosProcess, observed: Observed) -> list[str]:
+    """Return in words why a process cannot meet what was looked at; empty where nothing is known to keep them apart."""
+    found = []
+    here = observed.here
+    if (process.domain or "0") != (here.get(DOMAIN) or "0"):
+        found.append(f"{DOMAIN} is {process.domain or '0 (not set)'}, looked at is {here.get(DOMAIN) or '0'}")
+    if process.rmw and here.get(RMW) and process.rmw != here[RMW]:
+        found.append(f"{RMW} is {process.rmw}, looked at is {here[RMW]}")
+    if process.discovery == "OFF":
+        found.append(f"{DISCOVERY} is OFF, so it meets nobody")
+    return found
+
+
+def reached(observed: Observed, programs: Sequence[str]) -> Step | None:
+    """Return whether programs of ROS 2 run here that cannot be met; None of ROS 1, or where none could be looked into.
+
+    Args:
+        observed: the running system.
+        programs: names that the command line of a wanted node has, such as its executable; where one of these runs
+            apart, it is a cause, and any other program that does is told only.
+    """
+    if observed.graph.generation == "ros1" or not (observed.processes or observed.unreadable):
+        return None
+    apart = [(one, words) for one in observed.processes if (words := differences(one, observed))]
+    wanted = [(one, words) for one, words in apart if any(_names(one, name) for name in programs)]
+    if wanted:
+        one, words = wanted[0]
+        says = f"{one.command} (process {one.pid}) runs, but apart from what was looked at: {words[0]}"
+        how = "start both sides with the same value, or look there"
+        other = f"roslens watch --domain {one.domain or 0} --for 10s"
+        return Step(Asks.REACHED, StepState.NOT, says, "live", tuple(_lines(wanted)), how, other)
+    if apart:
+        says = f"{len(apart)} program{'s' * (len(apart) > 1)} of ROS 2 on this host cannot meet what was looked at"
+        return Step(Asks.REACHED, StepState.UNSEEN, says, "live", tuple(_lines(apart)),
+                    "if one of them should make it, start both sides with the same value")  # fmt: skip
+    if observed.unreadable and not observed.processes:
+        says = f"{observed.unreadable} processes of other users cannot be looked into"
+        return Step(Asks.REACHED, StepState.UNSEEN, says, "live", how="run it as the user of the robot, or as root")
+    users = {one.user for one in observed.processes}
+    if len(users) > 1:
+        says = f"programs of ROS 2 run as {len(users)} users on this host"
+        lines = tuple(f"user {one.user}: {one.command} (process {one.pid})" for one in observed.processes[:_MOST])
+        return Step(Asks.REACHED, StepState.UNSEEN, says, "live", lines,
+                    "Fast DDS needs rights on /dev/shm between users: without, topics are listed and no data comes",
+                    "ls -ln /dev/shm")  # fmt: skip
+    return Step(Asks.REACHED, StepState.OK, "all programs of ROS 2 on this host have the same domain and middleware",
+                "live")  # fmt: skip
+
+
+def _names(process: RosProcess, name: str) -> bool:
+    return bool(name) and name in process.command
+
+
+def _lines(apart: Sequence[tuple[RosProcess, list[str]]]) -> Iterator[str]:
+    for one, words in apart[:_MOST]:
+        yield f"{one.command} (process {one.pid}): {'; '.join(words)}"

@@ -1,0 +1,44 @@
+"""What a running system says: who is there, what was counted, who ended, which programs of ROS run apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import msgspec
+
+from roslens.model.answers.ros_process import RosProcess
+from roslens.model.graph import Graph
+
+
+class Ended(msgspec.Struct, frozen=True):
+    """A node that ended while it was looked at: how, and the last lines of its log."""
+
+    node: str
+    how: str
+    said: tuple[str, ...] = ()
+
+
+class Observed(msgspec.Struct, frozen=True):
+    """What a running system says.
+
+    Attributes:
+        title: what was looked at.
+        graph: nodes and ends.
+        values: latest values by id of an entity and key of a signal.
+        seconds: how long it was looked at.
+        ended: nodes that ended meanwhile.
+        failures: what observers could not do, a sentence each.
+        processes: of ROS 2 on this host, as far as they can be read.
+        unreadable: how many processes of other users could not be looked into.
+        here: domain, middleware and discovery range that were looked at, by the name of their variable.
+    """
+
+    title: str
+    graph: Graph
+    values: Mapping[str, Mapping[str, float]] = {}
+    seconds: float = 0.0
+    ended: tuple[Ended, ...] = ()
+    failures: tuple[str, ...] = ()
+    processes: tuple[RosProcess, ...] = ()
+    unreadable: int = 0
+    here: Mapping[str, str] = {}

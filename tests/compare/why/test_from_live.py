@@ -1,0 +1,132 @@
+"""What a running system tells of an entity, from made graphs."""
+
+import pytest
+
+from roslens.compare.why.answered import answer
+from roslens.compare.why.declared import Declared
+from roslens.compare.why.observed import Ended, Observed
+from roslens.compare.why.question import Question
+from roslens.model.answers.answer import Asks, StepState
+from roslens.model.answers.ros_process import RosProcess
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
+from roslens.model.graph import Endpoint, Graph, Instance, Node, Role
+from roslens.model.qos import Qos
+
+SCAN = Question("topic", "/scan")
+BEST, RELIABLE = Qos("best_effort", "volatile"), Qos("reliable", "volatile")
+
+
+def publisher(node="/lidar", kind="sensor_msgs/msg/LaserScan", qos=BEST, digest=""):
+    return Endpoint(node, Role.PUBLISHER, "/scan", kind, digest, qos)
+
+
+def subscription(node="/planner", kind="sensor_msgs/msg/LaserScan", qos=BEST, digest=""):
+    return Endpoint(node, Role.SUBSCRIPTION, "/scan", kind, digest, qos)
+
+
+def observed(*ends, nodes=(), **more):
+    names = {one.node for one in ends} - {one.name for one in nodes}
+    graph = Graph("ros2", (*nodes, *map(Node, sorted(names))), ends)
+    return Observed("what runs here, domain 0", graph, seconds=4.0, **more)
+
+
+def source():
+    end = ConfiguredEndpoint(Endpoint("/lidar", Role.PUBLISHER, "/scan"), Proof("lidar.cpp", 7))
+    node = ConfiguredNode("/lidar", Proof("robot.launch.py", 3), package="drivers", executable="lidar_node",
+                          defined=Proof("lidar.cpp", 1), endpoints=(end,))  # fmt: skip
+    return Declared("robot.launch.py", Configuration("robot.launch.py", "ros2", (node,)))
+
+
+def cause(live, declared=None, question=SCAN):
+    return answer(question, declared, None, live).cause
+
+
+def test_what_flows_has_no_cause():
+    values = {"topic:/scan": {"rate": 10.0, "rate_received": 10.0}}
+    found = answer(SCAN, None, None, observed(publisher(), subscription(), values=values))
+    assert found.cause is None
+    assert [one.asks for one in found.steps if one.state is StepState.OK and one.of == "live"] == [
+        Asks.EXISTS, Asks.MADE, Asks.USED, Asks.RUNS, Asks.TYPE, Asks.QOS, Asks.SENT, Asks.RECEIVED,
+    ]  # fmt: skip
+
+
+def test_a_maker_of_source_that_does_not_run_is_named():
+    found = cause(observed(subscription()), source())
+    assert found.asks is Asks.MADE
+    assert found.says == (
+        "no node that is seen publishes it: /lidar, which should make it, does not run or is not seen"
+    )
+    assert found.command == "ros2 run drivers lidar_node"
+
+
+def test_a_maker_that_ended_says_how_and_its_last_words():
+    ended = Ended("/lidar", "was ended by signal 11", ("serial port is gone",))
+    found = cause(observed(subscription(), ended=(ended,)), source())
+    assert "/lidar ended: was ended by signal 11" in found.says
+    assert found.evidence == ("serial port is gone",)
+
+
+def test_a_maker_in_another_domain_is_named_with_both_domains():
+    process = RosProcess(42, "/opt/lib/drivers/lidar_node", 1000, domain="5")
+    found = cause(observed(subscription(), processes=(process,)), source())
+    assert "(process 42) runs, but apart from what was looked at: ROS_DOMAIN_ID is 5, looked at is 0" in found.says
+    assert found.command == "roslens watch --domain 5 --for 10s"
+
+
+@pytest.mark.parametrize(
+    ("process", "said"),
+    [
+        (RosProcess(1, "x", 0, rmw="rmw_cyclonedds_cpp"), "RMW_IMPLEMENTATION is rmw_cyclonedds_cpp"),
+        (RosProcess(1, "x", 0, discovery="OFF"), "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"),
+    ],
+)
+def test_programs_that_run_apart_are_told_without_source_too(process, said):
+    found = cause(observed(subscription(), processes=(process,), here={"RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}))
+    assert "1 program of ROS 2 on this host cannot meet" in found.says
+    assert said in found.evidence[0]
+
+
+def test_the_same_domain_is_not_apart_whether_it_is_written_or_not():
+    live = observed(publisher(), processes=(RosProcess(1, "x", 0, domain="0"), RosProcess(2, "y", 0)))
+    (found,) = (one for one in answer(SCAN, None, None, live).steps if one.asks is Asks.REACHED)
+    assert found.state is StepState.OK
+
+
+@pytest.mark.parametrize(("state", "verb"), [("unconfigured", "configure"), ("inactive", "activate")])
+def test_a_managed_node_that_is_not_active_is_the_cause(state, verb):
+    found = cause(observed(publisher(), subscription(), nodes=(Node("/lidar", lifecycle=state),)))
+    assert found.says.startswith(f"/lidar is {state}")
+    assert found.command == f"ros2 lifecycle set /lidar {verb}"
+
+
+def test_two_nodes_of_one_name_are_a_cause():
+    twin = Node("/lidar", instances=(Instance("here", 4), Instance("here", 5)))
+    assert "2 nodes are called /lidar" in cause(observed(publisher(), nodes=(twin,))).says
+
+
+def test_types_and_versions_of_types_that_differ_are_causes():
+    assert "2 types" in cause(observed(publisher(), subscription(kind="std_msgs/msg/String"))).says
+    assert "2 versions of" in cause(observed(publisher(digest="RIHS01_a"), subscription(digest="RIHS01_b"))).says
+
+
+def test_quality_of_service_is_judged_by_pairs():
+    live = observed(publisher(), subscription(qos=RELIABLE))
+    assert cause(live).asks is Asks.QOS
+    live = observed(publisher(), publisher("/other", qos=RELIABLE), subscription(qos=RELIABLE))
+    assert cause(live) is None
+
+
+def test_silence_and_loss_are_causes_and_what_was_not_counted_is_none():
+    ends = (publisher(), subscription())
+    assert cause(observed(*ends)) is None
+    silent = cause(observed(*ends, values={"topic:/scan": {"rate": 0.0}}))
+    assert (silent.asks, silent.says) == (Asks.SENT, "no message came in 4.0 s, though somebody publishes it")
+    lost = cause(observed(*ends, values={"topic:/scan": {"rate": 9.0, "loss": 30.0}}))
+    assert (lost.asks, lost.says) == (Asks.RECEIVED, "30.0 % of the messages did not arrive")
+
+
+def test_a_node_that_does_not_run_has_the_nearest_names():
+    live = observed(publisher("/lidar_front"))
+    found = cause(live, None, Question("node", "/lidar_fron"))
+    assert (found.asks, found.how) == (Asks.EXISTS, "nearest names that are there: /lidar_front")
+    assert cause(live, None, Question("node", "/lidar_front")) is None

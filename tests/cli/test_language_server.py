@@ -16,8 +16,8 @@ MANY_CALLS = "def walk(step):\n" + "".join(f"    step.move_{number}()\n" for num
 class Editor:
     """A client of the Language Server Protocol; what the server sends in between is kept by method."""
 
-    def __init__(self, root, *words):
-        environment = {**os.environ, "XDG_CONFIG_HOME": str(root / ".config")}
+    def __init__(self, root, *words, **more):
+        environment = {**os.environ, "XDG_CONFIG_HOME": str(root / ".config"), **more}
         command = [sys.executable, "-m", "roslens.cli.main", "lsp", "--stdio", *words]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
         self.root = root
@@ -218,6 +218,61 @@ def test_a_wrong_configuration_is_shown_and_the_server_goes_on(editor):
     (shown,) = [one["params"]["message"] for one in editor.reported if one.get("method") == "window/showMessage"]
     assert "unknown key 'modles'" in shown
     assert editor.stop() == 0
+
+
+BREAKING = """
+import os
+import roslens.intake.file_budget as budget
+
+real = budget._bounded
+
+def bounded(subject, size, seconds):
+    # As a parser that is broken, wherever the file is read.
+    if subject in os.environ["BROKEN_BY"].split(":"):
+        budget._slot[0].put(subject) if budget._slot else None
+        os.abort()
+    return real(subject, size, seconds)
+
+budget._bounded = bounded
+"""
+
+
+@pytest.mark.heavy
+@pytest.mark.skipif(sys.platform != "linux", reason="the kernel's bounds are those of Linux")
+def test_a_file_of_any_kind_that_breaks_its_reader_costs_itself_alone(editor, tmp_path):
+    editor.process.kill()
+    editor.process.wait()
+    places = {
+        "talk/package.xml": "",
+        "talk/CMakeLists.txt": "project(talk)\n",
+        "talk/launch/fleet.launch.xml": "",
+        "talk/talk/small.py": "step = 1\n",
+        "talk/src/small.cpp": "int f() { return 1; }\n",
+    }
+    for path, text in places.items():
+        place = editor.root / path
+        place.parent.mkdir(exist_ok=True)
+        if text:
+            place.write_text(text)
+    (editor.root / "roslens.toml").unlink()
+    hooks = tmp_path / "hooks"
+    hooks.mkdir()
+    (hooks / "sitecustomize.py").write_text(BREAKING)
+    second = Editor(editor.root, PYTHONPATH=str(hooks), BROKEN_BY=":".join(places))
+    try:
+        second.start()
+        assert "ros.calls.max" in {one["code"] for one in second.open("talk/talk/walking.py")}
+        for path in places:
+            lost = [one["message"] for one in second.open(path) if one["code"] == "roslens.not_analysed"]
+            assert len(lost) == 1, (path, lost)
+            assert "or breaks the parser" in lost[0]
+        assert "ros.calls.max" in {one["code"] for one in second.save("talk/talk/walking.py")}
+        assert second.stop() == 0
+    finally:
+        second.process.kill()
+        second.process.wait()
+        second.process.stdin.close()
+        second.process.stdout.close()
 
 
 def test_without_pygls_it_says_what_to_install(monkeypatch, capsys):

@@ -68,14 +68,34 @@ def _half_of_memory() -> int:
 class Slot:
     """Memory that a process shares with the one that watches it: what it has in hand."""
 
-    def __init__(self, number: int = 1) -> None:
-        """Have room for so many processes."""
-        self._shared = mmap.mmap(-1, number * _SLOT_BYTES)
+    def __init__(self, number: int = 1, *, shared: bool = False) -> None:
+        """Have room for so many processes, which are copies of this one unless it is ``shared`` by a descriptor."""
+        self.descriptor: int | None = None
+        if shared and sys.platform == "linux":
+            self.descriptor = os.memfd_create("roslens")
+            os.ftruncate(self.descriptor, number * _SLOT_BYTES)
+        self._shared = mmap.mmap(-1 if self.descriptor is None else self.descriptor, number * _SLOT_BYTES)
         self._at = 0
+
+    @classmethod
+    def at(cls, descriptor: int) -> Slot:
+        """Return the one that another process shares by a descriptor, which is closed."""
+        one = object.__new__(cls)
+        one.descriptor, one._at = None, 0
+        one._shared = mmap.mmap(descriptor, _SLOT_BYTES)
+        os.close(descriptor)
+        return one
+
+    def close(self) -> None:
+        """Close the descriptor, if there is one; what is in hand can still be read."""
+        if self.descriptor is not None:
+            os.close(self.descriptor)
+            self.descriptor = None
 
     def of(self, number: int) -> Slot:
         """Return the part for one of the processes."""
         one = object.__new__(Slot)
+        one.descriptor = None
         one._shared, one._at = self._shared, number * _SLOT_BYTES
         return one
 
@@ -129,6 +149,12 @@ def unwatch() -> None:
 
 def refuse(subjects: Mapping[str, str]) -> None:
     """Leave out files from now on, each with the reason."""
+    _refused.update(subjects)
+
+
+def refuse_only(subjects: Mapping[str, str]) -> None:
+    """Leave out these files and no others from now on, each with the reason."""
+    _refused.clear()
     _refused.update(subjects)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -13,45 +12,15 @@ from pygls.lsp.server import LanguageServer
 from pygls.uris import to_fs_path
 
 from roslens import __version__
-from roslens.cli.check.analysed import settings_of
-from roslens.cli.check.check_watch import look
 from roslens.cli.editor.editor_findings import Shown, failure_as_finding, hover_text, ignore_edits, shown
-from roslens.cli.editor.editor_fixes import EditorFix, FixableFolder
-from roslens.cli.workplace.configuration import find_configuration
-from roslens.cli.workplace.explainable import known
-from roslens.cli.workplace.trust import admitted
-from roslens.cli.workplace.workplace import CACHE, own_folder
+from roslens.cli.editor.editor_fixes import EditorFix
+from roslens.cli.editor.read_folder import Folder
 from roslens.model.edit import Edit
 from roslens.model.errors import RoslensError
-from roslens.model.finding import RuleInfo
-from roslens.source.measure.fresh_package import FreshPackages
-from roslens.store.cache import Cache
+from roslens.source.engines.watched_reader import LostReaderError
 
 FIX_ALL = "source.fixAll.roslens"
 """Kind of the action that makes all fixes of a document; editors may run it whenever they save."""
-
-
-class Folder:
-    """A folder that the editor has open: its packages, and what is known of its rules.
-
-    Raises:
-        RoslensError: its configuration is wrong.
-    """
-
-    def __init__(self, root: Path, options: Any) -> None:
-        """``options`` are those of ``roslens lsp``."""
-        self.root = root.resolve()
-        # An editor opens folders of strangers, and there is no one to ask.
-        configuration = admitted(find_configuration(self.root, options.config), given=False, environment=os.environ)
-        settings = settings_of(options, configuration, os.environ)
-        self.cache = Cache.open(None if options.no_cache else own_folder(self.root) / CACHE)
-        self.fresh = FreshPackages([self.root], settings, Path(configuration.base or "."), self.cache)
-        self.rules: dict[str, RuleInfo] = known(configuration)[2]
-
-    def path_of(self, file: Path) -> str:
-        """Return the path of a file below the folder; empty where it is elsewhere."""
-        place = file.resolve()
-        return place.relative_to(self.root).as_posix() if place.is_relative_to(self.root) else ""
 
 
 class Server:
@@ -62,6 +31,7 @@ class Server:
         self._options = options
         self._folders: list[Folder] | None = None
         self._shown: dict[str, tuple[Shown, ...]] = {}
+        self._found_in: dict[str, Folder] = {}
         self.protocol = LanguageServer("roslens", __version__)
         self._take(types.TEXT_DOCUMENT_DID_OPEN, self._opened)
         self._take(types.TEXT_DOCUMENT_DID_SAVE, self._saved)
@@ -85,6 +55,7 @@ class Server:
 
     def _closed(self, params: types.DidCloseTextDocumentParams) -> None:
         self._shown.pop(params.text_document.uri, None)
+        self._found_in.pop(params.text_document.uri, None)
 
     def _publish(self, uri: str, *, again: bool = False) -> None:
         name = to_fs_path(uri)
@@ -92,12 +63,11 @@ class Server:
             path = folder.path_of(Path(str(name)))
             if not path:
                 continue
-            if path not in folder.fresh.files or (again and path.endswith("package.xml")):
-                folder.fresh.find()
-            found = look(folder.fresh, path)
+            found = folder.look(path, again=again)
             if isinstance(found, str):
                 self._tell(found)
             elif found is not None:
+                self._found_in[uri] = folder
                 lines = self.protocol.workspace.get_text_document(uri).lines
                 findings = (*found.findings, *map(failure_as_finding, found.failures))
                 self._show(uri, shown(findings, lines))
@@ -120,7 +90,7 @@ class Server:
                     continue
                 try:
                     self._folders.append(Folder(Path(name), self._options))
-                except RoslensError as error:
+                except (RoslensError, LostReaderError) as error:
                     self._tell(str(error))
         return self._folders
 
@@ -154,9 +124,9 @@ class Server:
         there = [one for one in self._shown.get(uri, ()) if one.finding.edits and one.span.line in wanted]
         if not there or (known := self._fixable(uri)) is None:
             return
-        folder, fixable, document = known
-        for one in there:
-            fix = fixable.fix_of(one.finding, one.finding.path, document)
+        folder, document = known
+        path = there[0].finding.path
+        for one, fix in zip(there, folder.fixes([one.finding for one in there], path, document), strict=False):
             if fix is not None:
                 yield types.CodeAction(
                     fix.title,
@@ -170,22 +140,19 @@ class Server:
         findings = [one.finding for one in self._shown.get(uri, ()) if one.finding.edits]
         if not findings or (known := self._fixable(uri)) is None:
             return None
-        folder, fixable, document = known
+        folder, document = known
         path = findings[0].path
-        fix = fixable.fix_of_all(findings, path, document)
+        fix = folder.fix_of_all(findings, path, document)
         if fix is None:
             return None
         return types.CodeAction(fix.title, kind=FIX_ALL, edit=_workspace_edit(fix, folder, path, uri))
 
-    def _fixable(self, uri: str) -> tuple[Folder, FixableFolder, bytes] | None:
-        """Return the folder that a document is in, what makes fixes there, and the document as the editor has it."""
-        name = to_fs_path(uri)
-        for folder in self._opened_folders() if name else ():
-            if folder.path_of(Path(str(name))) in folder.fresh.files:
-                fixable = FixableFolder(folder.root, folder.fresh.by_path, folder.fresh.macros)
-                text = self.protocol.workspace.get_text_document(uri).source
-                return folder, fixable, text.encode("utf-8", "surrogatepass")
-        return None
+    def _fixable(self, uri: str) -> tuple[Folder, bytes] | None:
+        """Return the folder that a document was found in, and the document as the editor has it."""
+        folder = self._found_in.get(uri)
+        if folder is None:
+            return None
+        return folder, self.protocol.workspace.get_text_document(uri).source.encode("utf-8", "surrogatepass")
 
     def _silencing(self, params: types.CodeActionParams) -> list[types.CodeAction]:
         uri = params.text_document.uri

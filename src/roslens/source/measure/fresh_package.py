@@ -193,5 +193,9 @@ class FreshPackages:
             package,
             tuple(one for one in result.findings if one.path == path),
             tuple(one for one in result.set_aside if one.finding.path == path),
-            tuple(one for one in result.failures if one.location is not None and one.location.path == path),
+            tuple(
+                one
+                for one in (*self._workspace.failures, *result.failures)
+                if one.location is not None and one.location.path == path
+            ),
         )

@@ -17,6 +17,8 @@ KNOWN = {"topic": {"/scan", "/front/scan", "/odom"}, "node": {"/scan", "/planner
         ("service:reset", Question("service", "/reset")),
         ("map->base_link", Question("transform", "map->base_link")),
         (" map -> base_link ", Question("transform", "map->base_link")),
+        ("/map->/base_link", Question("transform", "map->base_link")),
+        ("frame:laser", Question("frame", "laser")),
         ("transform:map->base_link", Question("transform", "map->base_link")),
     ],
 )
@@ -33,9 +35,9 @@ def test_an_unknown_name_has_the_nearest_ones():
         question_of("node:/odometry", {"node": {"/a", "/b"}})
 
 
-@pytest.mark.parametrize("word", ["->", "map->", "->base", "transform:->x"])
+@pytest.mark.parametrize("word", ["->", "map->", "->base", "transform:->x", "frame:", "frame:/"])
 def test_a_transform_has_two_frames(word):
-    with pytest.raises(UsageError, match="two frames"):
+    with pytest.raises(UsageError, match="or two as in"):
         question_of(word, KNOWN)
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roslens.cli.why.recorded_transforms import recorded_transforms
 from roslens.compare.why.recorded import Gone, LogLine, Recorded, RecordedTopic
 from roslens.compare.why.time_line import time_line
 
@@ -20,8 +22,12 @@ _LEVELS = {"ros1": {4: "warning", 8: "error", 16: "fatal"}, "ros2": {30: "warnin
 _SECOND = 1e9
 
 
-def recorded_evidence(options: argparse.Namespace) -> Recorded:
+def recorded_evidence(options: argparse.Namespace, pair: tuple[str, ...]) -> Recorded:
     """Return what a recording says.
+
+    Args:
+        options: of the command line.
+        pair: frames that are asked about, of a transform target and source; transforms are read for these alone.
 
     Raises:
         UsageError: it is not there or no recording.
@@ -40,7 +46,7 @@ def recorded_evidence(options: argparse.Namespace) -> Recorded:
         topics[name] = RecordedTopic(types.get(name, ""), time_line(times / _SECOND, bag.end))
     return Recorded(
         ", ".join(named_apart(options.bag)), bag.start, bag.end, topics, bag.graph(), tuple(sorted(_logs(bag))),
-        tuple(_gone(bag)), " ".join(str(one) for one in options.bag),
+        tuple(_gone(bag)), recorded_transforms(bag, pair) if pair else None, " ".join(str(one) for one in options.bag),
     )  # fmt: skip
 
 
@@ -53,9 +59,7 @@ def _gone(bag: Bag) -> Iterator[Gone]:
 def _logs(bag: Bag) -> Iterator[LogLine]:
     """Yield warnings and errors that nodes logged, of the first hundred thousand lines."""
     levels = _LEVELS[bag.generation]
-    for number, (time, _, message) in enumerate(bag.decoded(_LOGS)):
-        if number == _MOST_LOGS:
-            return
-        level = levels.get(int(message.level))
+    for one in islice(bag.decoded(_LOGS), _MOST_LOGS):
+        level = levels.get(int(one.message.level))
         if level is not None:
-            yield LogLine(time, str(message.name), level, str(message.msg))
+            yield LogLine(one.time / _SECOND, str(one.message.name), level, str(one.message.msg))

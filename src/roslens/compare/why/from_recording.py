@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from roslens.compare.why.declared import Declared, ends_named
 from roslens.compare.why.fit import Placed, qos_fit, type_fit
-from roslens.compare.why.question import Question, near_names
+from roslens.compare.why.of_transform import steps_of_transforms
+from roslens.compare.why.question import TRANSFORM, Question, near_names
 from roslens.compare.why.recorded import Recorded, RecordedTopic, upstream_of
 from roslens.compare.why.time_line import Break, BreakKind
 from roslens.model.answers.answer import Asks, Step, StepState
@@ -25,6 +26,8 @@ def steps_of_recording(question: Question, recorded: Recorded, declared: Declare
         yield from _of_topic(question, recorded, declared)
     elif question.kind == "node":
         yield from _of_node(question, recorded, declared)
+    elif question.kind in (TRANSFORM, "frame"):
+        yield from steps_of_transforms(question, recorded)
 
 
 def _of_topic(question: Question, recorded: Recorded, declared: Declared | None) -> Iterator[Step]:

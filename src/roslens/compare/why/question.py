@@ -31,6 +31,13 @@ class Question(msgspec.Struct, frozen=True):
         return f"{self.kind}:{self.name}"
 
 
+def frames_of(word: str) -> tuple[str, ...]:
+    """Return the frames that a word asks about, target and source of a transform; nothing of any other word."""
+    if ARROW in word:
+        return tuple(part.strip().removeprefix("/") for part in word.removeprefix(f"{TRANSFORM}:").split(ARROW, 1))
+    return (word.removeprefix("frame:").removeprefix("/"),) if word.startswith("frame:") else ()
+
+
 def question_of(word: str, known: Known) -> Question:
     """Return what a word asks about.
 
@@ -39,11 +46,11 @@ def question_of(word: str, known: Known) -> Question:
     Raises:
         UsageError: nothing is known by that name; the message has the nearest names.
     """
-    if ARROW in word:
-        target, _, source = (part.strip() for part in word.removeprefix(f"{TRANSFORM}:").partition(ARROW))
-        if not target or not source:
-            raise UsageError(f'"{word}"', expected=f"two frames, as in `map{ARROW}base_link`")
-        return Question(TRANSFORM, f"{target}{ARROW}{source}")
+    if ARROW in word or word.startswith("frame:"):
+        frames = frames_of(word)
+        if not all(frames):
+            raise UsageError(f'"{word}"', expected=f"the name of a frame, or two as in `map{ARROW}base_link`")
+        return Question(TRANSFORM if ARROW in word else "frame", ARROW.join(frames))
     kind, separator, name = word.partition(":")
     if not separator or kind not in KINDS:
         kind, name = "", word

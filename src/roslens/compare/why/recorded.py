@@ -9,6 +9,8 @@ import msgspec
 from roslens.compare.why.time_line import TimeLine
 from roslens.model.configuration import Configuration
 from roslens.model.graph import Graph, Role
+from roslens.model.transforms.probe import Probed
+from roslens.model.transforms.tree import TransformTree
 
 _MOST_NODES = 200
 
@@ -36,6 +38,22 @@ class Gone(msgspec.Struct, frozen=True, order=True):
     node: str
 
 
+class RecordedTransforms(msgspec.Struct, frozen=True):
+    """What a recording says on /tf and /tf_static.
+
+    Attributes:
+        tree: the frames.
+        topics: on which transforms were recorded.
+        publishers: nodes that published on them, as far as known.
+        probed: what look-ups between two frames came to; None where none were asked for.
+    """
+
+    tree: TransformTree
+    topics: tuple[str, ...] = ()
+    publishers: tuple[str, ...] = ()
+    probed: Probed | None = None
+
+
 class Recorded(msgspec.Struct, frozen=True):
     """What a recording says.
 
@@ -47,6 +65,7 @@ class Recorded(msgspec.Struct, frozen=True):
         graph: nodes and ends as far as it has them.
         logs: warnings and errors of nodes, by time.
         gone: nodes that ended, by time.
+        transforms: what it says of frames; None where that was not read.
         path: as the user gave it, for commands.
     """
 
@@ -57,6 +76,7 @@ class Recorded(msgspec.Struct, frozen=True):
     graph: Graph
     logs: tuple[LogLine, ...] = ()
     gone: tuple[Gone, ...] = ()
+    transforms: RecordedTransforms | None = None
     path: str = ""
 
     def clock(self, time: float) -> str:

@@ -34,6 +34,7 @@ class Asks(str, Enum):
     TREE = "tree"
     SENT = "sent"
     RECEIVED = "received"
+    AGE = "age"
     LAST_GOOD = "last good"
     RULES = "rules"
 

@@ -1,4 +1,4 @@
-"""``roslens why``: one ordered answer to why a topic, node, service or action does not do what it should."""
+"""``roslens why``: one ordered answer to why a topic, node, service, action or transform does not do what it should."""
 
 from __future__ import annotations
 
@@ -17,21 +17,26 @@ if TYPE_CHECKING:
     from roslens.compare.why.recorded import Recorded
     from roslens.model.configuration import Configuration
 
-TEXT = "Say why a topic, node, service or action does not do what it should: the first cause, and each step to it."
+TEXT = "Say why a topic, node, service, action or transform does not work: the first cause, and each step to it."
 EXAMPLES = """\
   roslens why /scan                          from the source of the packages below this folder
   roslens why /scan --launch rover_bringup/rover.launch.py --arg navigation:=false
   roslens why /scan --bag drive.mcap         joined with what a recording has
   roslens why /planner --bag drive.bag --no-source
+  roslens why 'map->base_link' --bag drive.mcap     can it be looked up, and if not, why; frame:base_link: one frame
   roslens why /scan --live                   joined with what runs here, looked at for 4 s; --ros1, --ros2 as of watch
-  roslens why service:/set_mission --json    kinds: topic, service, action, node
+  roslens why service:/set_mission --json    kinds: topic, service, action, node, frame
 
 exit codes: as everywhere; 1 where a cause was found"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is asked, and what is looked at."""
-    parser.add_argument("entity", metavar="ENTITY", help="a name such as /scan, or with its kind: node:/planner")
+    parser.add_argument(
+        "entity",
+        metavar="ENTITY",
+        help="a name such as /scan, with its kind, node:/planner, or a transform: 'map->base_link'",
+    )
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
     parser.add_argument("--live", action="store_true", help="look at what runs here (so do --ros1 and --ros2)")
@@ -85,8 +90,9 @@ def _recorded(options: argparse.Namespace) -> Recorded | None:
     if not options.bag:
         return None
     from roslens.cli.why.recorded_evidence import recorded_evidence
+    from roslens.compare.why.question import frames_of
 
-    return recorded_evidence(options)
+    return recorded_evidence(options, frames_of(options.entity))
 
 
 def _observed(options: argparse.Namespace) -> Observed | None:
@@ -106,7 +112,15 @@ def _declared(options: argparse.Namespace, *, alone: bool) -> Declared | None:
         UsageError: source is all that could be looked at, and there is none.
     """
     from roslens.cli.why.declared_evidence import declared_evidence
+    from roslens.compare.why.question import frames_of
 
+    if frames_of(options.entity):
+        if alone:
+            raise UsageError(
+                f'"{options.entity}" without --bag', expected="a recording with /tf",
+                advice="Of frames and transforms only recordings are read",
+            )  # fmt: skip
+        return None
     if options.no_source:
         if alone:
             raise UsageError("--no-source without --bag or --live", expected="something to look at")

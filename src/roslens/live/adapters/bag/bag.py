@@ -5,7 +5,7 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -28,6 +28,15 @@ _SECOND = 1_000_000_000
 _BATCH = 1 << 18
 _SHORTEST_STEP_S = 1e-6
 _SHOWN = 20
+
+
+class Decoded(NamedTuple):
+    """A message with its fields as attributes; ``time`` in nanoseconds, ``publisher`` empty where unknown."""
+
+    time: int
+    topic: str
+    publisher: str
+    message: Any
 
 
 class Bag:
@@ -220,8 +229,8 @@ class Bag:
                     what = f'"{channel.topic}" has messages of {channel.type} in which "{path}" is not a number'
                     part.failures.add(part.path, what, advice="Check the path against the type.")
 
-    def decoded(self, types: Collection[str]) -> Iterator[tuple[float, str, Any]]:
-        """Yield all messages of some types in order of receipt: seconds, topic, and the message with its fields.
+    def decoded(self, types: Collection[str]) -> Iterator[Decoded]:
+        """Yield all messages of some types in order of receipt.
 
         What cannot be decoded is left out and reported in `failures`.
         """
@@ -231,25 +240,24 @@ class Bag:
             for index, part in enumerate(self._parts)
             if readers[index]
         ]
-        waiting: list[tuple[int, int, str, Any]] = []
+        waiting: list[tuple[int, int, Decoded]] = []
         order = 0
         for since, index, read in heapq.merge(*streams, key=lambda entry: entry[:2]):
             while waiting and waiting[0][0] < since:
-                time, _, topic, message = heapq.heappop(waiting)
-                yield time / _SECOND, topic, message
+                yield heapq.heappop(waiting)[2]
             part = self._parts[index]
             for raw in read():
-                topic = part.channels[raw.channel].topic
+                channel = part.channels[raw.channel]
                 try:
                     message = readers[index][raw.channel].read(raw)
                 except DamageError as damage:
-                    part.failures.add(part.path, f'"{topic}" has {damage}', advice="The message is left out.")
+                    part.failures.add(part.path, f'"{channel.topic}" has {damage}', advice="The message is left out.")
                     continue
                 order += 1
-                heapq.heappush(waiting, (raw.time, order, topic, message))
+                one = Decoded(raw.time, channel.topic, channel.publisher, message)
+                heapq.heappush(waiting, (raw.time, order, one))
         while waiting:
-            time, _, topic, message = heapq.heappop(waiting)
-            yield time / _SECOND, topic, message
+            yield heapq.heappop(waiting)[2]
 
     def _whole_readers(self, part: Part, types: Collection[str]) -> dict[int, MessageReader]:
         readers = {}

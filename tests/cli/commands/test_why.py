@@ -169,3 +169,12 @@ def test_the_text_begins_with_the_first_cause(rover, capsys):
     assert lines[0] == "topic:/cmd_vel  (source: rover_bringup/rover.launch.py navigation:=false)"
     assert lines[2].startswith("First cause: no publisher of it in")
     assert any(line.startswith("  ? running, reachable, sent, received: not in what was looked at") for line in lines)
+
+
+def test_a_damaged_recording_says_what_is_not_read(tmp_path, capsys):
+    folder = recording(tmp_path / "drive", {"/a": every(0.1, 60)})
+    (file,) = folder.glob("*.mcap")
+    content = file.read_bytes()
+    file.write_bytes(content[: len(content) // 2])
+    _, answer = asked(capsys, "/a", "--no-source", "--bag", file)
+    assert answer["notes"]

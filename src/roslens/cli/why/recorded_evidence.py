@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roslens.cli.why.recorded_transforms import recorded_transforms
+from roslens.cli.why.recorded_transforms import recorded_transforms, too_many
 from roslens.compare.why.recorded import Gone, LogLine, Recorded, RecordedTopic
 from roslens.compare.why.time_line import time_line
 
@@ -44,9 +44,13 @@ def recorded_evidence(options: argparse.Namespace, pair: tuple[str, ...]) -> Rec
     for name, found in pieces.items():
         times = np.sort(np.concatenate(found)) if found else np.zeros(0, np.int64)
         topics[name] = RecordedTopic(types.get(name, ""), time_line(times / _SECOND, bag.end))
+    transforms = recorded_transforms(bag, pair) if pair else None
+    graph, logs, gone = bag.graph(), tuple(sorted(_logs(bag))), tuple(_gone(bag))
+    # Reading on may find more that cannot be read.
+    failures = (*(str(one) for one in bag.failures), *((too_many(bag),) if transforms and too_many(bag) else ()))
     return Recorded(
-        ", ".join(named_apart(options.bag)), bag.start, bag.end, topics, bag.graph(), tuple(sorted(_logs(bag))),
-        tuple(_gone(bag)), recorded_transforms(bag, pair) if pair else None, " ".join(str(one) for one in options.bag),
+        ", ".join(named_apart(options.bag)), bag.start, bag.end, topics, graph, logs, gone, transforms, failures,
+        " ".join(str(one) for one in options.bag),
     )  # fmt: skip
 
 

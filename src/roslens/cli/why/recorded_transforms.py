@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 TYPES = frozenset({"tf2_msgs/TFMessage", "tf2_msgs/msg/TFMessage", "tf/tfMessage", "tf/msg/tfMessage"})
 MOST_MESSAGES = 500_000
-"""Messages that are read; those after them are left out."""
+"""Messages that are read; those after them are left out, which is said."""
 _STATIC = "tf_static"
 _SECOND = 1_000_000_000
 
@@ -31,6 +31,12 @@ def recorded_transforms(bag: Bag, pair: tuple[str, ...]) -> RecordedTransforms:
     }
     tries = probed(transforms, pair[0], pair[1], round(bag.end * _SECOND)) if len(pair) > 1 else None
     return RecordedTransforms(tree_of(transforms), topics, tuple(sorted(publishers)), tries)
+
+
+def too_many(bag: Bag) -> str:
+    """Return in a sentence that not all transforms of a recording are read; empty where all are."""
+    count = sum(one.count for one in bag.topics if one.type in TYPES)
+    return f"{count:,} messages of transforms: the first {MOST_MESSAGES:,} were read" if count > MOST_MESSAGES else ""
 
 
 def transforms_of(bag: Bag) -> Iterator[Transform]:

@@ -53,6 +53,7 @@ def answer(
     looked_at += [f"source: {declared.title}"] if declared is not None else []
     looked_at += [f"recording: {recorded.title}"] if recorded is not None else []
     notes = tuple(observed.failures) if observed is not None else ()
+    notes += recorded.failures if recorded is not None else ()
     return Answer(question.entity, tuple(looked_at), in_order(tuple(steps)), notes)
 
 

@@ -47,10 +47,7 @@ def question_of(word: str, known: Known) -> Question:
         UsageError: nothing is known by that name; the message has the nearest names.
     """
     if ARROW in word or word.startswith("frame:"):
-        frames = frames_of(word)
-        if not all(frames):
-            raise UsageError(f'"{word}"', expected=f"the name of a frame, or two as in `map{ARROW}base_link`")
-        return Question(TRANSFORM if ARROW in word else "frame", ARROW.join(frames))
+        return _of_frames(word)
     kind, separator, name = word.partition(":")
     if not separator or kind not in KINDS:
         kind, name = "", word
@@ -59,6 +56,13 @@ def question_of(word: str, known: Known) -> Question:
             if spelt in known.get(one, ()):
                 return Question(one, spelt)
     raise _unknown(word, name, {one: known.get(one, ()) for one in ((kind,) if kind else KINDS)})
+
+
+def _of_frames(word: str) -> Question:
+    frames = frames_of(word)
+    if not all(frames):
+        raise UsageError(f'"{word}"', expected=f"the name of a frame, or two as in `map{ARROW}base_link`")
+    return Question(TRANSFORM if ARROW in word else "frame", ARROW.join(frames))
 
 
 def _spellings(name: str, kind: str) -> tuple[str, ...]:

@@ -66,6 +66,7 @@ class Recorded(msgspec.Struct, frozen=True):
         logs: warnings and errors of nodes, by time.
         gone: nodes that ended, by time.
         transforms: what it says of frames; None where that was not read.
+        failures: what could not be read, a sentence each.
         path: as the user gave it, for commands.
     """
 
@@ -77,6 +78,7 @@ class Recorded(msgspec.Struct, frozen=True):
     logs: tuple[LogLine, ...] = ()
     gone: tuple[Gone, ...] = ()
     transforms: RecordedTransforms | None = None
+    failures: tuple[str, ...] = ()
     path: str = ""
 
     def clock(self, time: float) -> str:

@@ -11,6 +11,8 @@ from types import ModuleType
 from typing import Any
 
 HEAD = """\
+import copy
+
 from launch import LaunchDescription
 from launch_ros.actions import Node
 from outside import ask

@@ -9,6 +9,7 @@ from __future__ import annotations
 from python_truth.node_values import Values
 
 HEAD = """\
+import copy
 import os
 import functools
 import dataclasses
@@ -88,7 +89,7 @@ class Maker(Values):
 
     def _assigned(self, deep: int) -> Lines:
         kind = self.draw.choice(("text", "text", "truth", "count", "texts", "texts", "table", "quality"))
-        value = self.value(kind, 1) if kind != "quality" else self._profile()
+        value = self._shared(kind) or (self.value(kind, 1) if kind != "quality" else self._profile())
         if self.in_node and self.chance(0.3):
             name = self.fresh("m")
             if deep == 0:
@@ -101,6 +102,13 @@ class Maker(Values):
             self.keep(kind, other)
             return [f"{name} = {other} = {value}"]
         return [f"{name} = {value}"]
+
+    def _shared(self, kind: str) -> str:
+        """Return a list or table that has a name already, as it is or as a copy of it; nothing of other kinds."""
+        name = self.held(kind) if kind in ("texts", "table") and self.chance(0.3) else None
+        if name is None or name.startswith("CONSTANT"):
+            return ""
+        return self.draw.choice((name, name, f"{name}.copy()", f"copy.copy({name})", f"copy.deepcopy({name})"))
 
     def _profile(self) -> str:
         made = self._quality(0)
@@ -143,6 +151,7 @@ class Maker(Values):
                         f"{name}.pop({self.word()}, None)",
                         f"{name}.setdefault({self.word()}, {s})",
                         f"{name}[{s}] = {self.word()}",
+                        f"{name} |= {self.value('table', 2)}",
                     )
                 )
             ]

@@ -2,7 +2,7 @@
 
 import pytest
 from python_truth import node_programs, node_stubs
-from python_truth.node_comparison import disagreements
+from python_truth.node_comparison import disagreements, facts_of
 from python_truth.node_programs import HEAD, TAIL
 
 FROM, PROGRAMS, RUNS = 20_000, 60, 12
@@ -45,6 +45,42 @@ AGREE = {
         "self.n = 2\nself.m = 3\nsetattr(self, 'n' if ask() else 'm', 4)\nself.create_publisher(String, 'a', self.n)"
     ),
     "number": "self.create_publisher(String, 'a', 2 if ask() else 3)",
+    "a list with two names": f"x = ['a']\ny = x\ny += ['b']\nfor i in x:\n    {MAKE.format('i')}",
+    "a tuple with two names": f"x = ('a',)\ny = x\ny += ('b',)\nfor i in x:\n    {MAKE.format('i')}",
+    "a list in a table": f"d = {{'k': ['a']}}\nx = d['k']\nd['k'] += ['b']\nfor i in x:\n    {MAKE.format('i')}",
+    "a table with two names": "d = {'k': 'a'}\nx = d\nx |= {'k': 'b'}\n" + MAKE.format("d['k']"),
+    "a set with two names": f"s = {{'a', 'b'}}\nx = s\nx -= {{'b'}}\nfor i in s:\n    {MAKE.format('i')}",
+    "a deep copy": (
+        "g = [{'n': 'a'}]\nh = copy.deepcopy(g)\nfor i in h:\n    i['n'] += 'b'\n"
+        f"for i in g + h:\n    {MAKE.format('i[' + repr('n') + ']')}"
+    ),
+    "a shallow copy": (
+        "g = [{'n': 'a'}]\nh = g.copy()\nh.append({'n': 'c'})\nh[0]['n'] += 'b'\n"
+        f"for i in g:\n    {MAKE.format('i[' + repr('n') + ']')}"
+    ),
+    "a deep copy of what is held twice": (
+        "i = {'n': 'a'}\ng = copy.deepcopy([i, i])\ng[0]['n'] = 'b'\n" + MAKE.format("g[1]['n']")
+    ),
+    "a deep copy of what holds itself": (
+        "g = {'n': 'a'}\ng['g'] = g\nh = copy.deepcopy(g)\nh['g']['n'] = 'b'\n" + MAKE.format("g['n']")
+    ),
+    "a deep copy of an object": (
+        "class A:\n    def __init__(self):\n        self.held = {'n': 'a'}\na = A()\nb = copy.deepcopy(a)\n"
+        "b.held['n'] = 'b'\n" + MAKE.format("a.held['n']")
+    ),
+    "a copy by a method of its own": (
+        "class A:\n    n = 'a'\n    def __deepcopy__(self, memo):\n        b = A()\n        b.n = 'b'\n"
+        "        return b\na = copy.deepcopy(A())\n" + MAKE.format("a.n")
+    ),
+    "a key that is not known": "d = {'a': 'b'}\nd['a' if ask() else 'c'] = 'e'\n" + MAKE.format("d['a']"),
+    "a key of which nothing is known": "d = {'a': 'b'}\nd[text()] = 'e'\n" + MAKE.format("d['a']"),
+}
+BEFORE = {
+    "a list that the module fills": "C = ['a']\nC.append('b')",
+    "a list that a loop of the module fills": "C = ['a']\nfor i in ['b', 'c']:\n    C += [i]",
+    "a list that a function fills": "C = []\ndef add(one):\n    C.append(one)\nadd('a')\nC.append('b')",
+    "a comprehension of the module": "C = [i for i in ['a', 'b']]",
+    "a table that the module changes": "D = {'a': 'b'}\nfor i in ['b', 'c']:\n    D['a'] += i\nC = [D['a']]",
 }
 DISAGREE = {
     "one name, several qualities": "for i in range(3):\n    self.create_publisher(String, 'a', i + 1)",
@@ -55,6 +91,13 @@ DISAGREE = {
 @pytest.mark.parametrize("name", AGREE)
 def test_what_was_wrong_once(name):
     assert found_in(node(AGREE[name]), 20) == []
+
+
+@pytest.mark.parametrize("name", BEFORE)
+def test_what_a_module_changes(name):
+    program = node(MAKE.format("'_'.join(C)"), BEFORE[name])
+    assert found_in(program, 2) == []
+    assert [one.name.known is not None for one in facts_of(program).endpoints] == [True]
 
 
 @pytest.mark.parametrize("name", DISAGREE)

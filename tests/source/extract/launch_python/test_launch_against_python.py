@@ -49,6 +49,29 @@ BODIES = {
     "return within": ["if True:", "    if ask():", "        return LaunchDescription(nodes)", NODE.format("name")],
     "return otherwise": ["if ask():", "    pass", "else:", "    return LaunchDescription([])", NODE.format("name")],
     "format": [NODE.format('f"{len(names):03d}"')],
+    "a list with two names": ["more = nodes", f"more += [{NODE[13:-1].format('name')}]"],
+    "a deep copy": [
+        "given = [{'n': 'a'}]",
+        "for suffix in names:",
+        "    copies = copy.deepcopy(given)",
+        "    for one in copies:",
+        "        one['n'] += suffix",
+        f"        {NODE.format('one[' + repr('n') + ']')}",
+    ],
+    "a change of one of two lists": [
+        "other = ['a']",
+        "chosen = names if ask() else other",
+        "chosen[0] = 'c'",
+        "for one in (*names, *other):",
+        f"    {NODE.format('one')}",
+    ],
+    "a change of items of one of two lists": [
+        "more, other = [{'n': 'a'}], [{'n': 'b'}]",
+        "for one in more if ask() else other:",
+        "    one['n'] += '1'",
+        "for one in more + other:",
+        f"    {NODE.format('one[' + repr('n') + ']')}",
+    ],
     "filled": ["nodes += [Node(package='p', executable='e', name=one) for one in names if ask()]"],
 }
 

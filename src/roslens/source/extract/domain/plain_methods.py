@@ -163,6 +163,8 @@ def _of_list(of: list[Value], name: str, arguments: list[Value]) -> Value:
         return not of if name == "empty" else length_of(of)
     if name in ("front", "back") and of and is_counted(of):
         return of[0 if name == "front" else -1]
+    if name == "copy" and type(of) is list:
+        return list(of)
     return Unknown(f"{name} of a list")
 
 
@@ -189,6 +191,8 @@ def _of_dict(of: Table, name: str, arguments: list[Value]) -> Value:
         return of.get(hashable(arguments[0]), arguments[1] if len(arguments) > 1 else Unknown("an item"))
     if name in ("keys", "values"):
         return list(of) if name == "keys" else list(of.values())
+    if name == "copy":
+        return dict(of)
     return Unknown(f"{name}()")
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import (
     Class,
+    Foreign,
     Named,
     Obj,
     QosValue,
@@ -16,11 +17,12 @@ from roslens.source.extract.domain.abstract_value import (
 )
 from roslens.source.extract.domain.frame import join
 from roslens.source.extract.domain.guarded import Guarded, is_counted
-from roslens.source.extract.domain.kinds import items_of
+from roslens.source.extract.domain.kinds import fields_of, items_of
 from roslens.source.extract.domain.made_texts import with_sign
 from roslens.source.extract.domain.quality import changed, quality_of
 from roslens.source.extract.domain.summaries import same
 from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.interpreter.in_place import augmented, is_augmented
 from roslens.source.extract.ir.program import (
     Assign,
     Call,
@@ -33,7 +35,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.symbolic.text import Text, said, unknown
 from roslens.source.extract.symbols.declared_field import declared_field
 from roslens.source.extract.transfer.aliases import assign_referred, refer
-from roslens.source.extract.transfer.changed_values import is_open, put_item
+from roslens.source.extract.transfer.changed_values import forget_where, is_open, put_item
 from roslens.source.extract.transfer.class_attributes import set_attribute
 from roslens.source.extract.transfer.plugin_held import hold
 from roslens.source.extract.transfer.refined_values import refine
@@ -64,8 +66,8 @@ def assigned(ctx: Context, statement: Assign) -> None:
     value = ctx.value(statement.value)
     if statement.declared:
         value = ctx.objects.converted(statement.declared, value)
-    if operator == "+=":
-        value = ctx.expressions.sum(ctx.value(statement.target), value)
+    if is_augmented(operator):
+        value = augmented(ctx, statement.target, operator, value)
     match statement.target:
         case Name(name=name) if statement.declared:
             ctx.state.frame.names[name] = value
@@ -117,6 +119,11 @@ def _assign_member(ctx: Context, target: Member, value: Value) -> None:
                 return
         case Class():
             set_attribute(ctx, of, target.name, value)
+        case Foreign():
+            for one in ctx.expressions.ways_of(of):
+                fields = fields_of(one)
+                if fields:
+                    ctx.state.store.put(fields, target.name, Unknown(f"{target.name} of one of two objects"))
         case QosValue() | Named() if (quality := quality_of(of)) is not None:
             refine(ctx, target.of, of, changed(quality, target.name, value))
     # A member of what is not in the workspace: options that hold callbacks.
@@ -132,6 +139,7 @@ def _assign_item(ctx: Context, target: Item, value: Value) -> None:
                 value = unknown(said(as_text(value), f" if {ctx.state.conditions[-1]}"))
             of[hashable(key)] = value
         case dict() if (condition := is_open(ctx)) and hashable(key) not in of:
+            forget_where(ctx, of, key)
             of[hashable(key)] = Guarded(value, condition, ctx.state.frame.tests.get(condition))
         case dict() | list():
             put_item(ctx, of, key, value)
@@ -141,6 +149,16 @@ def _assign_item(ctx: Context, target: Item, value: Value) -> None:
             hold(ctx, of, key, value)
         case Obj() if of.type in XML_RPC:
             put_part(ctx, of, key, value)
+        case Foreign():
+            for one in ctx.expressions.ways_of(of):
+                _put_perhaps(ctx, one, key)
+
+
+def _put_perhaps(ctx: Context, of: Value, key: Value) -> None:
+    """Let an item be unknown of one of several values that may be the one that is changed."""
+    match of:
+        case dict() | list():
+            put_item(ctx, of, key, Unknown("an item of one of two values that is changed"))
 
 
 def _assign_name(ctx: Context, name: str, value: Value) -> None:

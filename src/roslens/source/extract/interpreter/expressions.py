@@ -351,6 +351,10 @@ class Expressions:
                 return True
         return None
 
+    def ways_of(self, value: Value) -> list[Value]:  # noqa: ARG002 - a choice of two values is one of a kind
+        """Return the values of which a value is one, as far as it is known to be one of several."""
+        return []
+
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes through; None where it is unknown."""
         match value:

@@ -11,6 +11,7 @@ from roslens.source.extract.domain.frame import LoopExit, PendingExits
 from roslens.source.extract.domain.guarded import Guarded
 from roslens.source.extract.domain.kinds import is_number
 from roslens.source.extract.domain.unknown_lists import Each, each_of, number_below
+from roslens.source.extract.interpreter.in_place import is_augmented
 from roslens.source.extract.interpreter.vocabulary_streams import words_read
 from roslens.source.extract.ir.program import (
     Assign,
@@ -215,6 +216,9 @@ def _perhaps_turned(ctx: Context, statement: Loop, over: Value, *, always: bool)
 def _perhaps_with(ctx: Context, statement: Loop, item: Guarded) -> None:
     """Follow the turn of an item that the list may have."""
     frame, here, before = ctx.state.frame, len(ctx.state.conditions), ctx.state.frame.snapshot()
+    changes = ctx.state.store
+    since = changes.count
+    changes.open += 1
     ctx.state.under(item.condition, item.test)
     if statement.target is not None:
         ctx.assign(statement.target, item.value)
@@ -225,6 +229,11 @@ def _perhaps_with(ctx: Context, statement: Loop, item: Guarded) -> None:
     frame.restore(before)
     if not returned:
         frame.join(after, item.condition)
+    if changes.count > since:
+        way = changes.roll_back(since, frame.members)
+        why = (item.condition, ALWAYS)
+        changes.merge(way, changes.count, frame.members, (False, False), why, item.test)
+    changes.close()
 
 
 def _gone_through(ctx: Context, statement: Loop, over: Value) -> tuple[Expression | None, list[Value] | None]:
@@ -350,9 +359,9 @@ def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
         one = waiting.pop()
         match one:
             case Assign(value=Operation(operands=operands), declared=""):
-                found.append((one.target, one.operator == "+=" or one.target in operands))
+                found.append((one.target, is_augmented(one.operator) or one.target in operands))
             case Assign() if one.value is not None and not one.declared:
-                found.append((one.target, one.operator == "+="))
+                found.append((one.target, is_augmented(one.operator)))
             case Branch():
                 waiting += [*one.then, *one.otherwise]
             case Loop():

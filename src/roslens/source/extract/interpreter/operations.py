@@ -111,6 +111,8 @@ def _or_else(ctx: Context, value: Text, operands: tuple[Expression, ...]) -> Val
 def computed(ctx: Context, operator: str, values: list[Value], expression: Operation) -> Value:
     """Return what an operator makes of values."""
     match values:
+        case [dict() as one, dict() as other] if operator == "|":
+            return {**one, **other}
         case [one, other]:
             of_two = _equal if operator == "==" or operator == "!=" else _of_two
             return of_two(ctx, operator, one, other, expression)

@@ -129,7 +129,8 @@ class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):
 
     ``declared`` is the type as written, white space squeezed (``auto`` and Python without annotation: empty);
     ``operator`` is ``=``, ``+=``, or of variables of functions of C++ ``static`` where it is initialised once, ``&``
-    where it is another name of what stands there, and ``*`` where it points to that.
+    where it is another name of what stands there, and ``*`` where it points to that. Of another augmented assignment of
+    Python it is that operator, and ``value`` what it comes to.
     A declaration without value has ``value`` None.
     """
 

@@ -8,6 +8,7 @@ from roslens.source.extract.domain.abstract_value import Callable, Invocation, N
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.interpreter.calls import Calls
 from roslens.source.extract.ir.program import Call, Expression, Member, Name
+from roslens.source.extract.launch_python.copied_in_launch import COPIES, copied_in_launch
 from roslens.source.extract.launch_python.deferred import Deferred, resolve
 from roslens.source.extract.launch_python.file_changes import stands_for
 from roslens.source.extract.launch_python.launch_file_reads import PATH_READS, READS, read
@@ -19,8 +20,16 @@ from roslens.source.extract.launch_python.launch_functions import (
     Shape,
     call_with_functions,
 )
-from roslens.source.extract.launch_python.launch_values import PARAMETER_FILES, Made, Opened, as_value, lifted, plain
-from roslens.source.extract.launch_python.launch_ways import kept
+from roslens.source.extract.launch_python.launch_values import (
+    PARAMETER_FILES,
+    Either,
+    Made,
+    Opened,
+    as_value,
+    lifted,
+    plain,
+)
+from roslens.source.extract.launch_python.launch_ways import either, kept
 from roslens.source.extract.launch_python.launch_words import ACTIONS, call_known, call_method, is_at_once, is_known
 from roslens.source.extract.launch_python.moveit_launches import (
     is_configs,
@@ -29,6 +38,7 @@ from roslens.source.extract.launch_python.moveit_launches import (
     method_of_configs,
 )
 from roslens.source.extract.launch_python.visit import Visit
+from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import Text
 from roslens.source.extract.transfer.context import Context
 
@@ -79,6 +89,8 @@ class LaunchCalls(Calls):
             if last == "LaunchDescription" and isinstance(first, list):
                 arguments = [list(first), *arguments[1:]]
             return self._made(last, expression, arguments, given)
+        if name in COPIES and arguments:
+            return copied_in_launch(self.ctx, arguments[0], deep=name == "copy.deepcopy")
         if name in FUNCTIONS:
             return call_with_functions(name, self._calling(expression, arguments, keywords))
         if is_of_moveit(name):
@@ -150,8 +162,8 @@ class LaunchCalls(Calls):
                 return self.visit.at_once(Deferred(of.kind, (as_value(plain(arguments[0])),)))
             case Text() | Deferred() if name in PATH_READS:
                 return lifted(self._read_path(name, as_value(plain(of)), arguments))
-            case list() | dict() if name == "copy":
-                return of.copy()
+            case Either():
+                return self._method_of_either(expression, function, of, arguments, keywords)
             case dict() if name in ("get", "pop") and len(arguments) == 1:
                 arguments = [*arguments, None]
             case _ if isinstance(of, _TEXTS):
@@ -159,6 +171,18 @@ class LaunchCalls(Calls):
                 written = self.ctx.index.memo.text(expression.function)
                 return lifted(call_method(plain(of), name, [plain(one) for one in arguments], given, written))
         return super().plain_method(expression, function, of, arguments, keywords)
+
+    def _method_of_either(
+        self, expression: Call, function: Member, of: Either, arguments: list[Value], keywords: Names
+    ) -> Value:
+        """Call a method of one of two values: what it changes is changed if that is the one."""
+        found: list[Value] = []
+        for condition, one in ((of.condition, of.one), (negated(of.condition), of.other)):
+            here = len(self.ctx.state.conditions)
+            self.ctx.state.under(condition)
+            found.append(self.plain_method(expression, function, one, arguments, keywords))
+            del self.ctx.state.conditions[here:]
+        return either(found[0], found[1], of.condition)
 
     def _read_path(self, name: str, path: Deferred | Text | str, arguments: list[Value]) -> object:
         positional = [path, *(plain(one) for one in arguments)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from roslens.source.extract.domain.abstract_value import Class, Named, Obj, Table, Unknown, Value
+from roslens.source.extract.domain.guarded import guarded
 from roslens.source.extract.interpreter.expressions import Expressions
 from roslens.source.extract.interpreter.operations import opened
 from roslens.source.extract.ir.program import Expression, Format, Item, Mapping, Member, Name, Opaque, Operation
@@ -13,11 +14,12 @@ from roslens.source.extract.launch_python.deferred import Deferred, Scope, resol
 from roslens.source.extract.launch_python.launch_action import text
 from roslens.source.extract.launch_python.launch_functions import Bound
 from roslens.source.extract.launch_python.launch_paths import CONSTANTS, member_of_path
-from roslens.source.extract.launch_python.launch_values import Made, as_value, lifted, plain
+from roslens.source.extract.launch_python.launch_values import Either, Made, as_value, lifted, plain
 from roslens.source.extract.launch_python.launch_ways import either, kept
 from roslens.source.extract.launch_python.launch_weight import bounded
 from roslens.source.extract.launch_python.moveit_launches import is_configs, member_of_configs
 from roslens.source.extract.launch_python.visit import Visit
+from roslens.source.extract.symbolic.condition import negated
 from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.spread_lists import spread_out
@@ -68,6 +70,21 @@ class LaunchExpressions(Expressions):
                 return found
         return Unknown(f"class {of.defined.what.qualified_name} of {of.defined.path}")
 
+    def items(self, value: Value) -> list[Value] | None:
+        """Return what a loop goes through; None where it is unknown."""
+        match value:
+            case Either():
+                ways = ((value.one, value.condition), (value.other, negated(value.condition)))
+                found = [self.items(one) for one, _ in ways]
+                if None in found:
+                    return None
+                return [
+                    one
+                    for items, (_, held) in zip(found, ways, strict=True)
+                    for one in guarded(items or [], held, None)
+                ]
+        return super().items(value)
+
     def truth(self, value: Value) -> bool | None:
         """Return whether a value is true; None where that is unknown."""
         return True if isinstance(value, Made) else super().truth(self.visit.performed(value))
@@ -111,6 +128,13 @@ class LaunchExpressions(Expressions):
         if not isinstance(one, list) and (isinstance(one, Deferred) or isinstance(other, Deferred)):
             return bounded(lifted(text(as_value(one), as_value(other))))
         return super().sum(one, other)
+
+    def ways_of(self, value: Value) -> list[Value]:
+        """Return the values of which a value is one, as far as it is known to be one of several."""
+        match value:
+            case Either():
+                return [*self.ways_of(value.one), *self.ways_of(value.other)]
+        return [value]
 
     def item(self, expression: Item) -> Value:
         """Return an item."""

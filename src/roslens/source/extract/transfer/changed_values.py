@@ -5,6 +5,7 @@ What a change comes to under a condition that is open is not known: whoever read
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.domain.abstract_value import Names, Table, Unknown, Value, as_text
@@ -63,13 +64,32 @@ def put_item(ctx: Context, of: Table | list[Value], key: Value, value: Value) ->
     """Put an item into a table or list."""
     match of:
         case dict():
+            forget_where(ctx, of, key)
             ctx.state.store.put(of, hashable(key), value)
         case list() if is_whole(key) and -len(of) <= key < len(of):
             ctx.state.store.items(of)
             of[key] = value
         case _:
             ctx.state.store.items(of)
-            _forget(of, "an item of a list that was changed")
+            forget_items(of, "an item of a list that was changed")
+
+
+def forget_where(ctx: Context, of: Table, key: Value) -> None:
+    """Let plain values of a table be unknown that a key of which not all is known may be that of."""
+    match key:
+        case Text() if key.known is None:
+            pattern = key.pattern
+        case Unknown():
+            pattern = "*"
+        case _:
+            return
+    reason = "an item of a table that a key may be of which is not all known"
+    for one, value in [item for item in of.items() if fnmatchcase(str(item[0]), pattern)]:
+        match value:
+            case Text():
+                ctx.state.store.put(of, one, unknown(reason))
+            case bool() | int() | float():
+                ctx.state.store.put(of, one, Unknown(reason))
 
 
 def _root(written: Expression) -> Expression:
@@ -162,7 +182,7 @@ def _list(ctx: Context, of: list[Value], name: str, arguments: list[Value]) -> t
             return (None,)
     ctx.state.store.items(of, less=name not in _GROWING)
     changed = None if is_open(ctx) else _list_for_sure(of, name, arguments)
-    return changed or (_forget(of, f"an item of a list that {name}() changed"),)
+    return changed or (forget_items(of, f"an item of a list that {name}() changed"),)
 
 
 def _list_for_sure(of: list[Value], name: str, arguments: list[Value]) -> tuple[Value] | None:
@@ -196,7 +216,7 @@ def _all_known(of: list[Value]) -> bool:
     return all(known_text(one) is not None for one in of)
 
 
-def _forget(of: list[Value] | Table, reason: str) -> Unknown:
+def forget_items(of: list[Value] | Table, reason: str) -> Unknown:
     """Let nothing be known of the items: who else holds the list or table sees it too."""
     match of:
         case list():
@@ -221,7 +241,7 @@ def _table(
         return (of[hashable(first)],)
     ctx.state.store.items(of, less=True)
     changed = None if is_open(ctx) else _table_for_sure(of, name, arguments)
-    return changed or (_forget(of, f"an item of a dictionary that {name}() changed"),)
+    return changed or (forget_items(of, f"an item of a dictionary that {name}() changed"),)
 
 
 def _table_for_sure(of: Table, name: str, arguments: list[Value]) -> tuple[Value] | None:

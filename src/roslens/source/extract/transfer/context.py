@@ -54,6 +54,9 @@ class ValuesOfExpressions(Protocol):
     def sum(self, one: Value, other: Value) -> Value:
         """Return two values added: texts one after the other."""
 
+    def ways_of(self, value: Value) -> list[Value]:
+        """Return the values of which a value is one, as far as it is known to be one of several."""
+
 
 class ResultsOfCalls(Protocol):
     """What calls come to."""

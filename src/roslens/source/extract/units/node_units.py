@@ -22,12 +22,15 @@ from roslens.source.extract.ir.program import (
     Name,
     Operation,
 )
+from roslens.source.extract.ir.program import Mapping as Table
+from roslens.source.extract.ir.program import Sequence as Listed
 from roslens.source.extract.symbolic.text import Text, Written
 from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.symbols.noted_table import NotedTable
 from roslens.source.extract.symbols.reached_functions import Reached
 from roslens.source.extract.symbols.symbol_table import Defined, SymbolTable
 from roslens.source.extract.transfer.context import Given
+from roslens.source.extract.transfer.module_values import changes_of
 from roslens.source.extract.units.finished_unit import (
     building_of,
     class_name,
@@ -218,8 +221,12 @@ def facts_of_module(
         if function and chosen:
             ctx.call(Invocation(Callable(chosen[0], path)))
         elif not function:
+            changing = {name for name in changes_of(program) if not name.startswith("#")}
             for statement in program.body:
                 match statement:
+                    case Assign(Name(name=name), Listed() | Table() as first, operator="=") if name in changing:
+                        # Statements that follow change it: it begins as it is at first, for functions too.
+                        ctx.state.constants[path, name] = ctx.value(first)
                     case Branch() if _is_main(statement):
                         ctx.block(statement.then)
                     case Evaluate():

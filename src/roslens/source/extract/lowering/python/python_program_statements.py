@@ -44,7 +44,7 @@ from roslens.source.syntax.python_names import base_names, definition_name
 from roslens.source.syntax.python_tree import LANGUAGE
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
-_KEPT_OPERATORS = frozenset(("-", "*", "/", "%"))
+_KEPT_OPERATORS = frozenset(("-", "*", "/", "%", "|"))
 _CLASS_METHODS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
 _HANDLERS = {
     "expression_statement": "alone",
@@ -190,13 +190,16 @@ class Statements(Control):
         line = self.line(node)
         if operator != "+=" and operator[:-1] not in _KEPT_OPERATORS:
             opaque = self._opaque(node)
-            self.pending.append(Assign(self.expression(children[0]), opaque, line=line))
+            self.pending.append(Assign(self.expression(children[0]), opaque, "", operator or "=", line))
             return
         target, value = self.expression(children[0]), self.expression(children[2])
-        if operator == "+=":
+        if operator == "+=" and children[2].type == "tuple":
+            # Tuples are sequences as lists are; to a tuple one is added without changing it for its other names.
+            self.pending.append(Assign(target, Operation("+", (target, value)), line=line))
+        elif operator == "+=":
             self.pending.append(Assign(target, value, "", "+=", line))
         else:
-            self.pending.append(Assign(target, Operation(operator[:-1], (target, value)), line=line))
+            self.pending.append(Assign(target, Operation(operator[:-1], (target, value)), "", operator, line))
 
     def _on_return(self, node: Node) -> None:
         parts = self.parts(node)

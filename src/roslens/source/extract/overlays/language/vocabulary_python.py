@@ -5,11 +5,9 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown, Value
 from roslens.source.extract.domain.kinds import known_text, text_of
-from roslens.source.extract.domain.quality import quality_of
+from roslens.source.extract.interpreter.copied_values import copied, deep_copied
 from roslens.source.extract.interpreter.vocabulary import CallSite, outer
 from roslens.source.extract.ir.program import Member
 from roslens.source.extract.symbolic.text import Text, unknown
@@ -19,21 +17,16 @@ if TYPE_CHECKING:
     from roslens.source.extract.transfer.context import Context
 
 
-@outer("copy.copy", "copy.deepcopy", quiet=True)
-def copied(_ctx: Context, _thing: Value, called: CallSite) -> Value:
+@outer("copy.copy", quiet=True)
+def copy_of(ctx: Context, _thing: Value, called: CallSite) -> Value:
     """A value that is another one than what it is a copy of."""
-    value = called.argument(0)
-    if type(value) is list:
-        return list(value)
-    match value:
-        case dict():
-            return dict(value)
-        case Obj():
-            return Obj(value.type, value.defined, dict(value.fields), value.node, value.templates, value.base_templates)
-        case int():
-            return value
-    quality = quality_of(value)
-    return value if quality is None or not quality.qos else msgspec.structs.replace(quality)
+    return copied(ctx, called.argument(0))
+
+
+@outer("copy.deepcopy", quiet=True)
+def deep_copy_of(ctx: Context, _thing: Value, called: CallSite) -> Value:
+    """A value that is another one than what it is a copy of, with all that it holds."""
+    return deep_copied(ctx, called.argument(0))
 
 
 @outer("setattr", quiet=True)

@@ -38,8 +38,12 @@ def as_another_user(root, monkeypatch):
 
 
 def forge(folder):
+    execute(folder, "DELETE FROM finding")
+
+
+def execute(folder, statement):
     store = sqlite3.connect(folder / "store.sqlite")
-    store.execute("DELETE FROM finding")
+    store.execute(statement)
     store.commit()
     store.close()
 
@@ -180,7 +184,65 @@ def test_without_a_folder_for_it_the_secret_is_that_of_the_machine(tmp_path):
     assert user_secret(environment) == user_secret(environment)
 
 
-def test_who_can_write_a_store_of_the_user_can_change_it(checked):
-    """The mark is of the folder: SECURITY says so."""
+def test_a_store_that_was_changed_is_set_aside_with_one_line(checked, capsys):
+    """Even with the mark of its user beside it: the store is signed as a whole."""
     forge(checked / ".roslens")
     assert why_foreign(checked / ".roslens", os.environ) == ""
+    assert gate(checked) == FINDINGS
+    said = capsys.readouterr().err
+    assert said.count("was changed by something other than roslens of this user: it is set aside as") == 1
+    assert gate(checked) == FINDINGS
+    assert "changed by something" not in capsys.readouterr().err
+    assert main(["report", str(checked), "-o", str(checked.parent / "out"), "-q"]) == 0
+    # Nor is it lost.
+    assert (checked / ".roslens" / "store.set-aside-1.sqlite").is_file()
+
+
+def test_a_report_of_a_store_that_was_changed_has_no_run(checked, capsys):
+    forge(checked / ".roslens")
+    assert main(["report", str(checked), "-o", str(checked.parent / "out"), "-q"]) == BAD_INPUT
+    said = capsys.readouterr().err
+    assert "was changed by something" in said
+    assert "no run was completed yet" in said
+
+
+def test_a_store_of_another_folder_of_the_user_opens_nothing_here(checked, tmp_path, capsys):
+    other = tmp_path / "other-clone"
+    shutil.copytree(checked, other, ignore=shutil.ignore_patterns(".roslens"))
+    assert gate(other) == FINDINGS
+    for name in ("store.sqlite", "store.sqlite.seal"):
+        shutil.copy2(checked / ".roslens" / name, other / ".roslens" / name)
+    capsys.readouterr()
+    assert gate(other) == FINDINGS
+    assert "was changed by something" in capsys.readouterr().err
+    # Nor with the mark that belongs to it.
+    shutil.copy2(checked / ".roslens" / MARK, other / ".roslens" / MARK)
+    assert why_foreign(other / ".roslens", os.environ)
+
+
+def test_a_store_that_an_earlier_version_left_is_signed_with_one_line(checked, capsys):
+    execute(checked / ".roslens", "DROP TABLE seal")
+    (checked / ".roslens" / "store.sqlite.seal").unlink()
+    (user_folder(os.environ) / "sealed-stores").unlink()
+    assert gate(checked) == FINDINGS
+    assert capsys.readouterr().err.count("are of an earlier version, which did not sign them") == 1
+    assert gate(checked) == FINDINGS
+    assert "earlier version" not in capsys.readouterr().err
+    # One that comes afterwards is not.
+    execute(checked / ".roslens", "DROP TABLE seal")
+    assert gate(checked) == FINDINGS
+    assert "was changed by something" in capsys.readouterr().err
+
+
+def test_a_mark_without_identity_is_taken_and_renewed(checked, capsys):
+    mark = checked / ".roslens" / MARK
+    secret = user_secret(os.environ)
+    found = mark.parent.stat()
+    places = (os.fsencode(mark.parent.resolve()), b"%d:%d" % (found.st_dev, found.st_ino))
+    mark.write_text(
+        "\n".join(hmac.new(secret, b"results of roslens in\0" + one, "sha256").hexdigest() for one in places)
+    )
+    assert why_foreign(mark.parent, os.environ) == ""
+    assert gate(checked) == FINDINGS
+    assert len(mark.read_text().split()) == 3
+    assert capsys.readouterr().err == ""

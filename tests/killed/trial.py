@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from killed.place import Place, place, wait_for, write_workspace
-from roslens.cli.workplace.own_results import mark_own
+from roslens.cli.workplace.own_results import key_of_store
 from roslens.store.live.history import History
 from roslens.store.runs import Store
+from roslens.store.sealing.seals import seal_all
 
 BEFORE, AFTER = 2, 3
 """Functions at fault in the run before, and in the one that is ended."""
@@ -67,9 +68,17 @@ def prepared(where: Place) -> None:
 
 
 def copied(template: Path, where: Place) -> None:
-    """Put what was prepared into a place, with results that are marked as made there."""
+    """Put what was prepared into a place, with results that are marked and sealed as made there."""
     shutil.copytree(template, where.inside, dirs_exist_ok=True)
-    mark_own(where.inside / "ws/.roslens", os.environ)
+    store = where.inside / "ws/.roslens/store.sqlite"
+    key = key_of_store(store, os.environ)
+    with tempfile.TemporaryDirectory() as copies:
+        # SQLite follows the path of a place to where it is not.
+        copy = Path(shutil.copy(template / "ws/.roslens/store.sqlite", copies))
+        with contextlib.closing(sqlite3.connect(copy)) as connection:
+            seal_all(connection, key)
+            connection.commit()
+        shutil.copy(copy, store)
 
 
 def finished(where: Place, words: list[str]) -> str:

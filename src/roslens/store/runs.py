@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -13,11 +14,12 @@ import msgspec
 from roslens.model.errors import StoreError
 from roslens.model.result import PackageResult, PackageSummary, RunHeader
 from roslens.store import rows
-from roslens.store.connect import Readers, connect, shrink
+from roslens.store.connect import Readers, connect, roll_back, shrink
 from roslens.store.folder import prepare_folder
 from roslens.store.migrate import migrate
 from roslens.store.question import Run
 from roslens.store.read import RunView, read_unit
+from roslens.store.sealing.sealing import SealedFile, Sealing
 from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.writing.lock import Waiting, claim, release, writer_now
 
@@ -53,34 +55,59 @@ class Store:
         path: Path | str | None,
         wait_s: float,
         open_one: Callable[[], sqlite3.Connection] | None = None,
+        sealed: SealedFile | None = None,
     ) -> None:
         """Use :meth:`open` or :meth:`open_shared`."""
+        self._sealed = sealed
         self._connection = connection
         self._path = path
         self._wait_s = wait_s
         self._readers = Readers(path if isinstance(path, Path) else None, connection, wait_s, open_one)
 
     @classmethod
-    def open(cls, path: Path | None, *, wait_s: float = WAIT_S) -> Store:
+    def open(cls, path: Path | None, *, wait_s: float = WAIT_S, sealing: Sealing | None = None) -> Store:
         """Open the store at ``path``, made if it is missing; None keeps everything in memory.
 
         Args:
             path: of the SQLite file.
             wait_s: how long to wait for another process that is writing.
+            sealing: what it is sealed with: one that something else changed is set aside, which is said in a line, and
+                a new one is made; where that cannot be done, in memory.
 
         Raises:
             StoreError: the file cannot be opened, is no store, or a newer roslens wrote it.
         """
+        sealed = None if path is None or sealing is None else SealedFile(path, sealing)
         with as_store_errors(path):
             if path is not None and not path.exists():
                 prepare_folder(path.parent)
+            connection = cls._connected(path, wait_s, sealed)
+        if connection is not None:
+            return cls(connection, path, wait_s, sealed=sealed)
+        assert sealed is not None  # noqa: S101 - only for the type checker
+        return cls.open(path if sealed.put_aside() else None, wait_s=wait_s, sealing=sealing)
+
+    @staticmethod
+    def _connected(path: Path | None, wait_s: float, sealed: SealedFile | None) -> sqlite3.Connection | None:
+        """Return a connection to the store in its newest schema; None where it is not as this user left it."""
+        try:
             connection = connect(path, wait_s=wait_s)
-            try:
-                migrate(connection, path)
-            except BaseException:
-                connection.close()
+        except sqlite3.DatabaseError as error:
+            if sealed is None or isinstance(error, sqlite3.OperationalError):
                 raise
-        return cls(connection, path, wait_s)
+            return None
+        try:
+            if sealed is not None and not sealed.is_own(connection):
+                connection.close()
+                return None
+            version = connection.execute("PRAGMA user_version").fetchone()[0]
+            migrate(connection, path)
+            if sealed is not None:
+                sealed.begin(connection, version)
+        except BaseException:
+            connection.close()
+            raise
+        return connection
 
     @classmethod
     def open_shared(cls, address: str, *, wait_s: float = WAIT_S) -> Store:
@@ -109,8 +136,12 @@ class Store:
 
     def close(self) -> None:
         """Close the file; views of this store are of no more use."""
+        if self._sealed is not None:
+            self._sealed.before_writing()
         self._readers.close()
         self._connection.close()
+        if self._sealed is not None:
+            self._sealed.closed()
 
     def __enter__(self) -> Store:
         """Return the store itself."""
@@ -179,7 +210,7 @@ class Store:
         # Imported late: a run in which nothing changed writes nothing.
         from roslens.store.writing.write import RunWriter
 
-        return RunWriter(self._connection, self._path, header.started, self._wait_s, waiting)
+        return RunWriter(self._connection, self._path, header.started, self._wait_s, waiting, self._sealed)
 
     def runs(self) -> tuple[StoredRun, ...]:
         """Return all complete runs, newest first.
@@ -232,7 +263,7 @@ class Store:
         """
         from roslens.store.revisions import write_revision
 
-        with as_store_errors(self._path):
+        with as_store_errors(self._path), self._sealing(("run", one.run)):
             write_revision(self._connection, one)
 
     def revisions(self) -> tuple[KeptRevision, ...]:
@@ -265,6 +296,8 @@ class Store:
         Raises:
             StoreError: the store cannot be written, or another run is being written.
         """
+        if self._sealed is not None:
+            self._sealed.before_writing()
         claim(self._connection, self._path, "to remove old runs", self._wait_s)
         try:
             with as_store_errors(self._path):
@@ -277,9 +310,30 @@ class Store:
                 self._connection.execute("DELETE FROM vocabulary WHERE id NOT IN (SELECT vocabulary FROM run)")
                 self._connection.execute("DELETE FROM graph WHERE id NOT IN (SELECT graph FROM configuration)")
                 self._connection.execute("DELETE FROM process WHERE id NOT IN (SELECT process FROM run_process)")
+                if self._sealed is not None:
+                    self._sealed.seal(self._connection)
                 self._connection.execute("COMMIT")
                 if isinstance(self._path, Path):
                     shrink(self._connection)
+                if self._sealed is not None:
+                    self._sealed.written()
         finally:
             release(self._connection)
         return removed
+
+    @contextmanager
+    def _sealing(self, changed: tuple[str, int]) -> Iterator[None]:
+        """Seal what the block changes of a row that was sealed before."""
+        if self._sealed is None:
+            yield
+            return
+        self._sealed.before_writing()
+        self._connection.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+            self._sealed.seal(self._connection, [changed])
+            self._connection.execute("COMMIT")
+        except BaseException:
+            roll_back(self._connection)
+            raise
+        self._sealed.written()

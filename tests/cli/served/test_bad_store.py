@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sqlite3
 import time
 from pathlib import Path
@@ -10,10 +11,12 @@ import pytest
 from dashboard.journal.test_journal_pages import Client
 
 from roslens.cli.main import main
+from roslens.cli.workplace.own_results import key_of_store
 from roslens.cli.workplace.workplace import CACHE, STORE, open_store
 from roslens.dashboard.server import create_app
 from roslens.dashboard.site import Site
 from roslens.store.runs import Store
+from roslens.store.sealing.seals import seal_all
 
 Said = pytest.CaptureFixture[str]
 
@@ -42,6 +45,7 @@ def test_a_store_of_a_newer_roslens_is_said_and_left_as_it_is(checked: Path, cap
     store = checked / ".roslens" / STORE
     with sqlite3.connect(store) as connection:
         connection.execute("PRAGMA user_version = 999")
+        seal_all(connection, key_of_store(store, os.environ))
     assert main(["serve", str(checked), "--port", "0"]) == 2
     said = capsys.readouterr().err
     assert "written by a newer roslens (schema 999)" in said

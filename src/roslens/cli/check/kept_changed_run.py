@@ -74,8 +74,8 @@ def changed_run(start: str) -> Iterator[NarrowedView]:
         UsageError: there is none.
         StoreError: the store cannot be read.
     """
+    from roslens.cli.workplace.own_store import open_own
     from roslens.cli.workplace.workplace import FOLDER, kept_in, refuse_missing
-    from roslens.store.runs import Store
 
     refuse_missing(start)
     path = Path(start).resolve()
@@ -83,7 +83,7 @@ def changed_run(start: str) -> Iterator[NarrowedView]:
     folder = next((one for one in folders if (one / STORE).is_file()), None)
     kept = None if folder is None else _read(folder)
     if folder is not None and kept is not None:
-        with Store.open(folder / STORE) as store:
+        with open_own(folder / STORE) as store:
             yield narrowed_to(store.view(kept.run), kept.paths, kept.others)
         return
     raise UsageError(

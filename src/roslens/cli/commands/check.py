@@ -211,9 +211,9 @@ def _wanted(options: argparse.Namespace, configuration: Configuration, tags: Tag
 def _store(folder: Path | None, configuration: Configuration, *, changed: bool) -> Store:
     """Open what the run is kept in: that of changed files is no whole run, and is kept apart on this machine."""
     if folder is not None and changed:
-        from roslens.store.runs import Store
+        from roslens.cli.workplace.own_store import open_own
 
-        return Store.open(folder / CHANGED_STORE)
+        return open_own(folder / CHANGED_STORE)
     from roslens.cli.workplace.shared_store import store_for
 
     return store_for(None if folder is None else folder / STORE, configuration)

@@ -30,9 +30,9 @@ def run(options: argparse.Namespace) -> int:
     import shutil
     from pathlib import Path
 
+    from roslens.cli.workplace.own_store import open_own
     from roslens.cli.workplace.workplace import CACHE, FOLDER, STORE, aside_of, find_folder
     from roslens.model.errors import UsageError
-    from roslens.store.runs import Store
 
     if options.all:
         path = Path(options.path).resolve()
@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     if options.keep is not None:
         if options.keep < 1:
             raise UsageError(f"--keep {options.keep}", expected="at least 1", advice="Use --all to remove everything")
-        with Store.open(folder / STORE) as store:
+        with open_own(folder / STORE) as store:
             removed = store.prune(options.keep)
         print(f"removed {removed} runs, kept the newest {options.keep}")
         return 0

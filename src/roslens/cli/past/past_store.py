@@ -40,9 +40,10 @@ class KeptPast(msgspec.Struct, frozen=True):
         Raises:
             StoreError: they cannot be read.
         """
+        from roslens.cli.workplace.own_store import open_own
         from roslens.store.runs import Store
 
-        return Store.open_shared(self.address) if self.address else Store.open(kept_in(self.root) / PAST)
+        return Store.open_shared(self.address) if self.address else open_own(kept_in(self.root) / PAST)
 
 
 def kept_past(start: str) -> KeptPast | None:
@@ -66,13 +67,14 @@ def open_past(root: Path) -> Store:
     Raises:
         RoslensError: it cannot be opened, or existing files may be of someone else.
     """
+    from roslens.cli.workplace.own_store import open_own
     from roslens.store.runs import Store
 
     folder = own_folder(root)
     address = _beside(shared_address(str(root)))
     if not address:
         _tell_untrusted(root)
-        return Store.open(folder / PAST)
+        return open_own(folder / PAST)
     store = Store.open_shared(address)
     note_shared(folder, shared_address(str(root)))
     return store

@@ -24,6 +24,9 @@ MARK = "maker"
 _KEPT = ("store.sqlite", "changed.sqlite", "cache.sqlite", "history.sqlite")
 _GIT_LIMIT_S = 10.0
 _SINCE = "marks-of-folders"
+_SEALED_SINCE = "sealed-stores"
+_WORDS = 3
+"""Of a mark: by path, by number in the file system, and the identity of the folder."""
 
 
 def why_foreign(folder: Path, environment: Mapping[str, str]) -> str:
@@ -41,21 +44,67 @@ def mark_own(folder: Path, environment: Mapping[str, str]) -> None:
     Raises:
         OSError: it cannot be written.
     """
-    marks = _marks(folder, environment)
+    identity, is_current = _identity(folder, environment), False
+    if identity:
+        is_current = _read_mark(folder) == [*_marks(folder, identity, environment), identity]
+    else:
+        # Of processes that mark a new folder at once, each makes the same.
+        found = folder.stat()
+        first = b"a folder of roslens\0%d:%d" % (found.st_dev, found.st_ino)
+        identity = hmac.new(user_secret(environment), first, "sha256").hexdigest()[:32].encode()
+    if not is_current:
+        write_private(folder / MARK, b"\n".join([*_marks(folder, identity, environment), identity]) + b"\n")
+
+
+def key_of_store(path: Path, environment: Mapping[str, str]) -> bytes:
+    """Return the key that a store is sealed with, which opens none of another name, folder or user.
+
+    Raises:
+        OSError: the folder cannot be marked, and has no mark yet.
+    """
+    folder = path.parent
     try:
-        if read_bounded(folder / MARK).split() == marks:
-            return
+        mark_own(folder, environment)
     except OSError:
-        pass
-    write_private(folder / MARK, b"\n".join(marks) + b"\n")
+        if not _identity(folder, environment):
+            raise
+    of = _identity(folder, environment) + b"\0" + os.fsencode(path.name)
+    return hmac.digest(user_secret(environment), b"stores of roslens in\0" + of, "sha256")
 
 
-def _marks(folder: Path, environment: Mapping[str, str]) -> list[bytes]:
-    """Return the marks of a folder: by its path, and by its number in the file system."""
+def lies_here_from_before(path: Path, environment: Mapping[str, str]) -> bool:
+    """Return whether a store lay here already before stores of this user were sealed: nobody can set that back."""
+    since = user_folder(environment) / _SEALED_SINCE
+    try:
+        _note_since(since)
+        return path.stat().st_ctime_ns <= since.stat().st_mtime_ns
+    except OSError:
+        return False
+
+
+def _identity(folder: Path, environment: Mapping[str, str]) -> bytes:
+    """Return the identity in the mark of a folder, if it is this folder's; empty for none."""
+    given = _read_mark(folder)
+    if len(given) != _WORDS:
+        return b""
+    own = _marks(folder, given[-1], environment)
+    return given[-1] if any(map(hmac.compare_digest, given, own)) else b""
+
+
+def _read_mark(folder: Path) -> list[bytes]:
+    try:
+        return read_bounded(folder / MARK).split()
+    except OSError:
+        return []
+
+
+def _marks(folder: Path, identity: bytes, environment: Mapping[str, str]) -> list[bytes]:
+    """Return the marks of a folder with an identity: by its path, and by its number in the file system."""
     found = folder.stat()
     places = (os.fsencode(folder.resolve()), b"%d:%d" % (found.st_dev, found.st_ino))
+    of = b"\0" + identity if identity else b""
     secret = user_secret(environment)
-    return [hmac.new(secret, b"results of roslens in\0" + one, "sha256").hexdigest().encode() for one in places]
+    return [hmac.new(secret, b"results of roslens in\0" + one + of, "sha256").hexdigest().encode() for one in places]
 
 
 def _is_of_earlier_version(folder: Path, content: bytes, environment: Mapping[str, str]) -> bool:
@@ -75,11 +124,15 @@ def _is_of_earlier_version(folder: Path, content: bytes, environment: Mapping[st
 
 
 def note_version(environment: Mapping[str, str]) -> None:
-    """Remember when marks of single folders began for this user; once."""
-    since = user_folder(environment) / _SINCE
-    if not since.exists():
+    """Remember when marks of single folders, and seals of stores, began for this user; once."""
+    for name in (_SINCE, _SEALED_SINCE):
         with contextlib.suppress(OSError):
-            write_private(since, b"marks are of single folders from here on\n")
+            _note_since(user_folder(environment) / name)
+
+
+def _note_since(since: Path) -> None:
+    if not since.exists():
+        write_private(since, b"marks are of single folders, and stores are sealed, from when this file was made on\n")
 
 
 def _strange(folder: Path, found: os.stat_result) -> str:
@@ -120,7 +173,10 @@ def _unmarked(folder: Path, environment: Mapping[str, str]) -> str:
         content = read_bounded(folder / MARK)
     except OSError:
         return "has no mark of its creator"
-    given, own = content.split(), _marks(folder, environment)
+    given = content.split()
+    # The marks of an earlier version have no identity.
+    identity = given[-1] if len(given) == _WORDS else b""
+    own = _marks(folder, identity, environment)
     if any(hmac.compare_digest(one, mark) for one, mark in zip(given, own, strict=False)) or _is_of_earlier_version(
         folder, content, environment
     ):

@@ -32,11 +32,14 @@ def store_for(kept: Path | None, configuration: Configuration, environment: Mapp
         UsageError: the address is none, or psycopg is not installed.
         StoreError: the store cannot be opened.
     """
+    from roslens.cli.workplace.own_store import open_own
     from roslens.store.runs import Store
 
     address = environment.get(VARIABLE) or configuration.store
-    if kept is None or not address:
-        return Store.open(kept)
+    if kept is None:
+        return Store.open(None)
+    if not address:
+        return open_own(kept)
     store = Store.open_shared(_checked(address))
     note_shared(kept.parent, address)
     return store

@@ -126,9 +126,10 @@ def open_store(start: str) -> Store:
         UsageError: there is no such folder, or nothing was checked there yet.
         StoreError: the store cannot be read.
     """
+    from roslens.cli.workplace.own_store import open_own
     from roslens.store.runs import Store
 
     refuse_missing(start)
     if address := shared_address(start):
         return Store.open_shared(address)
-    return Store.open(find_folder(start) / STORE)
+    return open_own(find_folder(start) / STORE)

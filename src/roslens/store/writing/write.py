@@ -26,6 +26,7 @@ from roslens.store.writing.unit_rows import UnitRows, rows_of_failures, rows_of_
 if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.store.configurations import PackedConfiguration
+    from roslens.store.sealing.sealing import SealedFile
 
 
 class RunWriter:
@@ -42,6 +43,7 @@ class RunWriter:
         started: str,
         wait_s: float,
         waiting: Waiting | None = None,
+        sealed: SealedFile | None = None,
     ) -> None:
         """Use :meth:`roslens.store.runs.Store.writing`.
 
@@ -51,7 +53,9 @@ class RunWriter:
             started: tells a waiting process whom it waits for.
             wait_s: how long this one waits.
             waiting: called with whom.
+            sealed: the seals of the store; None where it has none.
         """
+        self._sealed = sealed
         self._connection = connection
         self._path = path
         self._started = started
@@ -65,6 +69,8 @@ class RunWriter:
         Raises:
             StoreError: another process has been writing for all of the time allowed.
         """
+        if self._sealed is not None:
+            self._sealed.before_writing()
         claim(self._connection, self._path, self._started, self._wait_s, self._waiting)
         with as_store_errors(self._path):
             self._tag_sets = _TagSets(self._connection)
@@ -159,7 +165,11 @@ class RunWriter:
                 from roslens.store.process import write_process
 
                 write_process(self._connection, run, workspace.process)
+            if self._sealed is not None:
+                self._sealed.seal(self._connection)
             self._connection.execute("COMMIT")
+        if self._sealed is not None:
+            self._sealed.written()
         return run
 
     @contextmanager

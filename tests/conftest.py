@@ -15,7 +15,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from tried_again import TriedAgain
 
-from roslens.cli.workplace.user_folder import user_folder, user_secret, write_private
+from roslens.intake.user_folder import user_folder, user_secret, write_private
 
 settings.register_profile("roslens", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("quick", settings.get_profile("roslens"), max_examples=25)

@@ -11,7 +11,7 @@ from roslens.cli.main import main
 from roslens.cli.watch.journal_heads import heads_of
 from roslens.cli.watch.watch_live import _serve
 from roslens.cli.workplace.journal_key import journal_signing
-from roslens.cli.workplace.user_folder import state_folder, user_folder
+from roslens.intake.user_folder import state_folder, user_folder
 from roslens.judge.reference.expectation import Reference
 from roslens.live.join.session import Session
 from roslens.store.journals.journal import Journal

@@ -12,7 +12,7 @@ from roslens.cli.main import main
 from roslens.cli.terminal.boundary import BAD_INPUT, FINDINGS
 from roslens.cli.workplace import workplace
 from roslens.cli.workplace.own_results import MARK, why_foreign
-from roslens.cli.workplace.user_folder import user_folder, user_secret
+from roslens.intake.user_folder import user_folder, user_secret
 
 MANIFEST = '<package format="3"><name>a</name><version>1.0.0</version><description>d</description>\
 <maintainer email="a@example.org">a</maintainer><license>MIT</license></package>'

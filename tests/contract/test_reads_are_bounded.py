@@ -7,7 +7,7 @@ SOURCE = Path(__file__).parents[2] / "src" / "roslens"
 
 OWN = {
     "cli/commands/lsp.py": "its own pipes",
-    "cli/workplace/user_folder.py": "files of the user's own folder",
+    "intake/user_folder.py": "files of the user's own folder",
     "cli/workplace/trust.py": "the user's own list, and plug-ins by pieces",
     "judge/quality/field.py": "comes with roslens",
     "dashboard/computation/to_svg.py": "comes with roslens",

@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 from roslens.children import sandbox
+from roslens.cli.check.kept_new import keep_new, kept_new
 from roslens.intake import file_budget
 from roslens.intake.time_budget import OverBudgetError
 from roslens.live.adapters.bag.open_bag import open_bag
@@ -185,3 +186,11 @@ def test_the_contract_runs_a_plug_in_without_a_sandbox(tmp_path):
     (tmp_path / "a.py").write_text("x = 1\n")
     look_at(tmp_path / "writes.py", tmp_path / "a.py")
     assert told.read_text() == "out of every sandbox"
+
+
+def test_what_is_new_in_a_run_is_not_sealed(tmp_path):
+    keep_new(tmp_path, 1, "HEAD", [])
+    (place,) = tmp_path.iterdir()
+    assert kept_new(tmp_path, 1) == ()
+    place.write_text('{"run":1,"baseline":"HEAD","first":[{"rule":"a.b","severity":"note","count":3}]}')
+    assert [one.rule for one in kept_new(tmp_path, 1)] == ["a.b"]

@@ -8,7 +8,6 @@ from contextlib import closing
 
 import pytest
 
-from roslens.store.cache import Cache
 from roslens.store.migrate import SCHEMA
 from roslens.store.runs import Store
 from roslens.store.sealing import sealing as module
@@ -253,12 +252,3 @@ def test_an_earlier_state_of_the_store_is_taken(kept, opened, said, write_small)
     kept.write_bytes(earlier)
     assert latest(opened) == 2
     assert said == []
-
-
-def test_the_cache_is_not_sealed(tmp_path):
-    path = tmp_path / "cache.sqlite"
-    with Cache.open(path) as cache:
-        cache.put({"a": b"1"})
-    execute(path, "UPDATE blob SET content = x'32'")
-    with Cache.open(path) as cache:
-        assert cache.get(["a"]) == {"a": b"2"}

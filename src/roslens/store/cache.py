@@ -1,11 +1,12 @@
 """What earlier runs learned of files: which content they have, and what one parse of that content yields.
 
 Losing it costs time, never a result. Nothing here raises: what cannot be read is forgotten, what cannot be written is
-not kept, and ``warnings`` says so.
+not kept, what something else wrote is not used, and ``warnings`` says so.
 """
 
 from __future__ import annotations
 
+import os
 import sqlite3
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -17,8 +18,9 @@ from typing import TypeVar
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.store.cache_file import cache_warning, open_cache_file, remove_cache_file
+from roslens.store.cache_file import cache_warning, foreign_entries, open_cache_file, remove_cache_file
 from roslens.store.connect import roll_back, shrink
+from roslens.store.sealing.cache_codes import CacheCodes
 
 T = TypeVar("T")
 
@@ -62,6 +64,9 @@ class Cache:
         self._connection: sqlite3.Connection | None = None
         self._warnings: list[Failure] = []
         self._grown = False
+        self._others = 0
+        self._stats_by = CacheCodes("stat", os.environ)
+        self._facts_by = CacheCodes("facts", os.environ)
 
     @classmethod
     def open(cls, path: Path | None, *, writable: bool = True, now_s: float | None = None) -> Cache:
@@ -82,7 +87,7 @@ class Cache:
     @property
     def warnings(self) -> tuple[Failure, ...]:
         """What went wrong with the cache itself."""
-        return tuple(self._warnings)
+        return (*self._warnings, *([foreign_entries(self.path, self._others)] if self._others else []))
 
     def __enter__(self) -> Cache:
         """Return the cache itself."""
@@ -110,7 +115,8 @@ class Cache:
         newest_ns = _trusted_ns(now_s)
 
         def read(connection: sqlite3.Connection) -> dict[str, FileStat]:
-            known = {path: _decode_stat(packed) for path, packed in connection.execute("SELECT path, stat FROM stat")}
+            kept = self._own(self._stats_by, connection.execute("SELECT path, CAST(stat AS BLOB) FROM stat"))
+            known = {path: _decode_stat(packed) for path, packed in kept.items()}
             return {path: stat for path, stat in known.items() if stat.mtime_ns < newest_ns}
 
         return self._attempt(read, {})
@@ -125,7 +131,9 @@ class Cache:
         """
         newest_ns = _trusted_ns(now_s)
         keep = [
-            (path, _encode_stat(stat)) for path, stat in stats.items() if stat.mtime_ns < newest_ns and _encodes(path)
+            (path, self._stats_by.sealed(path, _encode_stat(stat)))
+            for path, stat in stats.items()
+            if stat.mtime_ns < newest_ns and _encodes(path)
         ]
         drop = [(path,) for path, stat in stats.items() if stat.mtime_ns >= newest_ns and _encodes(path)]
 
@@ -147,28 +155,18 @@ class Cache:
             found: dict[str, bytes] = {}
             for batch in _batches(keys):
                 marks = ", ".join("?" * len(batch))
-                found.update(
-                    connection.execute(
-                        f"SELECT key, content FROM facts JOIN blob USING (number) WHERE key IN ({marks})",  # noqa: S608 - marks only
-                        batch,
-                    )
+                kept = connection.execute(
+                    f"SELECT key, CAST(content AS BLOB) FROM facts JOIN blob USING (number) WHERE key IN ({marks})",  # noqa: S608 - marks only
+                    batch,
                 )
+                found.update(self._own(self._facts_by, kept))
             return found
 
         return self._attempt(read, {})
 
     def known(self, keys: Iterable[str]) -> frozenset[str]:
-        """Return those of the keys under which something is kept, without reading it."""
-
-        def read(connection: sqlite3.Connection) -> frozenset[str]:
-            found: set[str] = set()
-            for batch in _batches(keys):
-                marks = ", ".join("?" * len(batch))
-                rows = connection.execute(f"SELECT key FROM facts WHERE key IN ({marks})", batch)  # noqa: S608 - marks only
-                found.update(key for (key,) in rows)
-            return frozenset(found)
-
-        return self._attempt(read, frozenset())
+        """Return those of the keys under which something is kept that :meth:`get` returns."""
+        return frozenset(self.get(keys))
 
     def put(self, items: Mapping[str, bytes]) -> None:
         """Keep content under keys; a key always means the same content."""
@@ -177,11 +175,20 @@ class Cache:
 
         def write(connection: sqlite3.Connection) -> None:
             insert_key = "INSERT OR IGNORE INTO facts (key, size, day, number) VALUES (?, ?, ?, ?)"
+            # What something else put there is replaced by what is right.
+            of_key = "number = (SELECT number FROM facts WHERE key = ?)"
+            before = f"SELECT CAST(content AS BLOB) FROM blob WHERE {of_key}"  # noqa: S608 - constants
+            renew = f"UPDATE blob SET content = ? WHERE {of_key}"  # noqa: S608 - constants
             number = connection.execute("SELECT coalesce(max(number), 0) FROM blob").fetchone()[0]
             for key, content in items.items():
                 number += 1
+                kept = self._facts_by.sealed(key, content)
                 if connection.execute(insert_key, (key, len(content), self._day, number)).rowcount:
-                    connection.execute("INSERT INTO blob (number, content) VALUES (?, ?)", (number, content))
+                    connection.execute("INSERT OR REPLACE INTO blob (number, content) VALUES (?, ?)", (number, kept))
+                else:
+                    found = connection.execute(before, (key,)).fetchone()
+                    if found is not None and self._facts_by.opened(key, found[0]) is None:
+                        connection.execute(renew, (kept, key))
 
         self._change(write)
         self._grown = True
@@ -200,7 +207,8 @@ class Cache:
                     "INSERT OR REPLACE INTO facts (key, size, day, number) VALUES (?, ?, ?, ?)",
                     (key, len(content), self._day, number),
                 )
-                connection.execute("INSERT INTO blob (number, content) VALUES (?, ?)", (number, content))
+                kept = self._facts_by.sealed(key, content)
+                connection.execute("INSERT INTO blob (number, content) VALUES (?, ?)", (number, kept))
 
         self._change(write)
         self._grown = True
@@ -231,6 +239,17 @@ class Cache:
         if removed:
             self._attempt(shrink, None)
         return removed
+
+    def _own(self, codes: CacheCodes, rows: Iterable[tuple[str, object]]) -> dict[str, bytes]:
+        """Return what is this user's, by name."""
+        found = {}
+        for name, kept in rows:
+            content = codes.opened(name, kept)
+            if content is None:
+                self._others += 1
+            else:
+                found[name] = content
+        return found
 
     def _connect(self, path: Path) -> None:
         try:

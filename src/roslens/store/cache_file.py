@@ -11,7 +11,7 @@ from roslens.store.connect import connect, write_ahead
 from roslens.store.folder import prepare_folder
 
 _WAIT_S = 2.0
-_VERSION = 1
+_VERSION = 2
 _LOG_PAGES = 16_000
 _SCHEMA = f"""
 BEGIN IMMEDIATE;
@@ -76,6 +76,18 @@ def cache_warning(path: Path | None, error: Exception, *, rebuilt: bool) -> Fail
         what=f"the cache cannot be used ({str(error)!r})",
         expected="a file that roslens wrote and may write",
         advice="A new one was made; this run takes longer" if rebuilt else "Results are the same; runs take longer",
+        location=Location(str(path)) if path else None,
+        partial=True,
+    )
+
+
+def foreign_entries(path: Path | None, count: int) -> Failure:
+    """Return the message on entries that something else wrote."""
+    return Failure(
+        tool="cache",
+        what=f"{count} of the entries in the cache were changed by something other than roslens of this user",
+        expected="entries that this user's roslens wrote",
+        advice="They are not used; this run takes longer",
         location=Location(str(path)) if path else None,
         partial=True,
     )

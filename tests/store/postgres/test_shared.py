@@ -53,6 +53,14 @@ with Store.open_shared(sys.argv[1]) as store, store.writing(RunHeader("other", "
 
 
 @pytest.mark.real
+def test_a_shared_store_is_not_sealed(server, write_small):
+    with Store.open_shared(server.schema("not_sealed")) as store:
+        write_small(store, "key-1")
+        store._connection.execute("UPDATE finding SET message = 'other'")
+        assert {one.message for one in store.view().findings()} == {"other"}
+
+
+@pytest.mark.real
 def test_another_process_writes(server, write_small):
     address = server.schema("two_writers")
     with (

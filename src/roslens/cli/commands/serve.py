@@ -234,7 +234,7 @@ def _journal(options: argparse.Namespace, title: str, page: PageSource | None) -
     import os
 
     from roslens.cli.react.react_page import journal_pages
-    from roslens.cli.workplace.user_folder import state_folder
+    from roslens.intake.user_folder import state_folder
 
     path = options.journal if options.journal != Path() else state_folder(os.environ) / "journal.jsonl"
     return journal_pages(path, title, reactions=(lambda: page.reactions) if page else (lambda: None), base="/")

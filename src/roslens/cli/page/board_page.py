@@ -124,7 +124,7 @@ def notes_beside(history: Path | None, title: str, environment: Mapping[str, str
     Raises:
         StoreError: a file holds something else.
     """
-    from roslens.cli.workplace.user_folder import state_folder
+    from roslens.intake.user_folder import state_folder
 
     if history is not None:
         return HandledAlerts(history.with_name(f"{history.name}.alerts.json"))

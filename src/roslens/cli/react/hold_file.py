@@ -8,7 +8,7 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
-from roslens.cli.workplace.user_folder import state_folder, write_private
+from roslens.intake.user_folder import state_folder, write_private
 
 _MOST_BYTES = 10_000
 

@@ -25,7 +25,7 @@ from roslens.cli.terminal.until_stopped import when_stopped
 from roslens.cli.watch.param_reference import reference_sources
 from roslens.cli.watch.stretch import Stretch, never_saw
 from roslens.cli.watch.watch_live import length_of, sources_of
-from roslens.cli.workplace.user_folder import state_folder
+from roslens.intake.user_folder import state_folder
 from roslens.live.join.session import Session, Step, run
 from roslens.live.publish.json_lines import verdict_line
 from roslens.model.errors import DocumentError, UsageError

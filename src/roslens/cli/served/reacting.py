@@ -83,7 +83,7 @@ def reacting_beside(options: argparse.Namespace, title: str, questions: Question
     from roslens.cli.react.react_page import journal_pages
     from roslens.cli.watch.stretch import Stretch
     from roslens.cli.watch.watch_serve import page_of
-    from roslens.cli.workplace.user_folder import state_folder
+    from roslens.intake.user_folder import state_folder
     from roslens.live.join.session import Step
     from roslens.store.journals.journal import Journal
 

@@ -19,7 +19,7 @@ def heads_of(named: Sequence[Path] | None, environment: Mapping[str, str]) -> Ca
     What is neither there nor was ever signed is left out.
     """
     from roslens.cli.workplace.journal_key import journal_signing
-    from roslens.cli.workplace.user_folder import state_folder, user_folder
+    from roslens.intake.user_folder import state_folder, user_folder
     from roslens.store.journals.journal_head import journal_head
 
     paths = [path.absolute() for path in named or (state_folder(environment) / name for name in _OWN)]

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from hashlib import sha256
 from pathlib import Path
 
-from roslens.cli.workplace.user_folder import user_folder, user_secret
+from roslens.intake.user_folder import user_folder, user_secret
 from roslens.store.journals.signing import Signing
 
 

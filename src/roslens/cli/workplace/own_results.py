@@ -17,8 +17,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from roslens.children.git import git_environment, git_words, looks_bare
-from roslens.cli.workplace.user_folder import user_folder, user_secret, write_private
 from roslens.intake.bounded_file import read_bounded
+from roslens.intake.user_folder import user_folder, user_secret, write_private
 
 MARK = "maker"
 _KEPT = ("store.sqlite", "changed.sqlite", "cache.sqlite", "history.sqlite")

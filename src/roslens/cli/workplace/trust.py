@@ -18,7 +18,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.cli.workplace.configuration import Configuration
-from roslens.cli.workplace.user_folder import user_folder, write_private
+from roslens.intake.user_folder import user_folder, write_private
 from roslens.model.errors import UsageError
 from roslens.plugins.hashed_modules import files_of
 from roslens.source.settings import ToolCommand

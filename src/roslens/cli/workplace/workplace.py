@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.workplace.own_results import mark_own, note_version, why_foreign
 from roslens.cli.workplace.shared_store import SHARED, shared_address
-from roslens.cli.workplace.user_folder import state_folder
+from roslens.intake.user_folder import state_folder
 from roslens.model.errors import UsageError
 from roslens.store.folder import prepare_folder
 

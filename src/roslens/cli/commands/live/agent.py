@@ -142,7 +142,7 @@ def _acting(
 
     from roslens.cli.react.hold_file import Held
     from roslens.cli.workplace.journal_key import journal_signing
-    from roslens.cli.workplace.user_folder import state_folder
+    from roslens.intake.user_folder import state_folder
     from roslens.live.agent.acting import Acting
     from roslens.live.agent.enrol import read_agent
     from roslens.store.journals.journal import Journal

@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
     """
     import os
 
-    from roslens.cli.workplace.user_folder import state_folder
+    from roslens.intake.user_folder import state_folder
     from roslens.model.errors import UsageError
     from roslens.store.journals.read_journal import JournalReader
 

@@ -178,3 +178,19 @@ def test_a_damaged_recording_says_what_is_not_read(tmp_path, capsys):
     file.write_bytes(content[: len(content) // 2])
     _, answer = asked(capsys, "/a", "--no-source", "--bag", file)
     assert answer["notes"]
+
+
+def test_what_comes_on_events_does_not_stop(tmp_path, capsys):
+    streams = {"/parameter_events": every(0.01, 1), "/events/write_split": [], "/a": every(0.1, 60)}
+    bag = recording(tmp_path / "drive", streams)
+    for name in ("/parameter_events", "/events/write_split"):
+        code, answer = asked(capsys, name, "--no-source", "--bag", bag)
+        assert (code, answer["cause"]) == (0, None)
+
+
+def test_without_a_launch_file_nobody_has_to_run_together(rover, capsys):
+    for path in (*rover.rglob("*.launch*"), *rover.rglob("*_launch*")):
+        path.unlink()
+    change(rover / ROVER / "rover_sensors/rover_sensors/range_filter.py", '"scan"', '"distances_of_sonars"')
+    code, answer = asked(capsys, "/scan", rover)
+    assert (code, answer["cause"], step(answer, "made by")["state"]) == (0, None, "cannot be seen")

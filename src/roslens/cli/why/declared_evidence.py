@@ -58,7 +58,7 @@ def declared_evidence(options: argparse.Namespace, names: Callable[[Configuratio
             *_other_launches(source, named, made, title, configuration, options),
             *(Elsewhere("the workspace builds it, but this does not start it", one)
               for one in built if one.title != configuration.title and one.generation == configuration.generation),
-            *(Elsewhere("a library, plug-in or script that no known program starts makes it", one)
+            *(Elsewhere("a library, plug-in or script that no known program starts makes it", one, loose=True)
               for one in source.unstarted(()) if one.generation == configuration.generation),
         ]  # fmt: skip
         declared_name = launch if title not in source.settings.graph.configurations else title

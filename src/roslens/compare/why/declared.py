@@ -72,12 +72,13 @@ class End(msgspec.Struct, frozen=True):
 class Elsewhere(msgspec.Struct, frozen=True):
     """What the workspace has besides, and how it comes to run, as in ``rover.launch.py sim:=true starts it``.
 
-    ``command`` shows or starts it.
+    ``command`` shows or starts it. ``loose`` is code that no known program starts: in what node, is not known.
     """
 
     how: str
     configuration: Configuration
     command: str = ""
+    loose: bool = False
 
 
 class Declared(msgspec.Struct, frozen=True):

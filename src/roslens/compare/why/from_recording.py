@@ -16,6 +16,7 @@ from roslens.model.graph import Role
 _MOST = 6
 _NEAR_S = 5.0
 _AT_ONCE_S = 0.5
+_ON_EVENTS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 _HELD_S = 60.0
 """What is older than this before a break is not told as its reason, in seconds."""
 
@@ -76,6 +77,11 @@ def _fits(question: Question, recorded: Recorded, declared: Declared | None) -> 
 
 def _sent(name: str, topic: RecordedTopic, recorded: Recorded, declared: Declared | None) -> Iterator[Step]:
     line = topic.line
+    on_events = name in _ON_EVENTS or name.startswith("/events/")
+    counted = f"{line.count:,} message{'s' * (line.count != 1)}"
+    if on_events:
+        yield Step(Asks.SENT, StepState.OK, f"{counted}, which come on events", "recording")
+        return
     if not line.count:
         yield Step(
             Asks.SENT, StepState.NOT, "the recorder subscribed to it, and no message came in "
@@ -83,7 +89,6 @@ def _sent(name: str, topic: RecordedTopic, recorded: Recorded, declared: Declare
             how="its publisher did not run, did not publish, or its quality of service did not fit the recorder's",
         )  # fmt: skip
         return
-    counted = f"{line.count:,} message{'s' * (line.count > 1)}"
     if not line.rate:
         says = f"{counted}, at {recorded.clock(line.first)} after the start"
         yield Step(Asks.SENT, StepState.OK, f"{says}: too few to tell a rate", "recording")

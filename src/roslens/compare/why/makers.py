@@ -108,8 +108,10 @@ def _nobody(declared: Declared, role: Role, asks: Asks) -> Step:
     if asks is Asks.USED:
         return Step(asks, StepState.UNSEEN, f"no {_NOUN[role]} of it is known in the source", "source",
                     how="somebody outside of the workspace may use it")  # fmt: skip
+    # What packages make without a launch file does not have to run alone.
+    state = StepState.NOT if declared.launched else StepState.UNSEEN
     return Step(
-        asks, StepState.NOT, f"no node of {declared.title} {verb} it, and nothing in the workspace does", "source",
+        asks, state, f"no node of {declared.title} {verb} it, and nothing in the workspace does", "source",
         how="start what provides it, or correct the name", command=declared.command,
     )  # fmt: skip
 
@@ -159,10 +161,11 @@ def _remapped(name: str, every: Sequence[End]) -> Iterator[_Reason]:
 
 def _elsewhere(question: Question, declared: Declared, role: Role) -> Iterator[_Reason]:
     # Who listens may be started by hand: only who makes it is missed for certain.
-    state = StepState.NOT if role is MAKERS[question.kind] else StepState.UNSEEN
+    is_maker = role is MAKERS[question.kind]
     for other in declared.elsewhere:
         ends = [one for one in ends_named(other.configuration, question.kind, question.name) if one.role is role]
         if ends:
+            state = StepState.NOT if is_maker and not other.loose else StepState.UNSEEN
             yield _Reason(other.how, tuple(ends), command=other.command, state=state)
 
 

@@ -14,7 +14,8 @@ from roslens.model.transforms.probe import EVERY_S, Stretch
 from roslens.model.transforms.tree import FrameLine
 
 _MOST = 8
-_AROUND_S = 5.0
+_DATED_S = 1.0
+"""AMCL and others date transforms forward on purpose, by up to a second as a rule."""
 
 
 def steps_of_transforms(question: Question, recorded: Recorded) -> Iterator[Step]:
@@ -136,7 +137,7 @@ def _line(one: FrameLine, recorded: Recorded) -> TimeLine:
 def _ages(lines: Sequence[FrameLine]) -> Iterator[Step]:
     moving = [one for one in lines if not one.static and one.received]
     for one in moving:
-        if one.ahead:
+        if one.ahead > _DATED_S:
             says = f"{one.child} has stamps up to {one.ahead:.2f} s in the future"
             yield Step(Asks.AGE, StepState.NOT, says, "recording",
                        how="the clocks of two hosts differ, or its publisher adds to the stamp")  # fmt: skip
@@ -145,9 +146,16 @@ def _ages(lines: Sequence[FrameLine]) -> Iterator[Step]:
         names = ", ".join(one.child for one in moving if one.is_of_another_clock)
         says = f"the stamps of {names} are of another clock than those of the rest of the way"
         yield Step(Asks.AGE, StepState.NOT, says, "recording", how="set use_sim_time alike on all nodes")
-    elif kinds == {False} and not any(one.ahead for one in moving):
-        told = tuple(f"{one.child}: {one.age:.3f} s at receipt, {one.oldest:.3f} s at most" for one in moving[:_MOST])
-        yield Step(Asks.AGE, StepState.OK, "no stamp lies in the future", "recording", told)
+    elif kinds == {False} and not any(one.ahead > _DATED_S for one in moving):
+        told = tuple(f"{one.child}: stamps up to {one.ahead:.2f} s ahead" for one in moving[:_MOST] if one.ahead)
+        told += tuple(f"{one.child}: {one.age:.3f} s at receipt, {one.oldest:.3f} s at most" for one in moving[:_MOST])
+        yield Step(
+            Asks.AGE,
+            StepState.OK,
+            "no stamp lies more than a second in the future",
+            "recording",
+            told,
+        )
     elif kinds == {True}:
         yield Step(Asks.AGE, StepState.UNSEEN, "the stamps are of another clock than the recording", "recording",
                    how="record /clock, or with --use-sim-time")  # fmt: skip

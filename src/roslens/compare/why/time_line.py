@@ -14,7 +14,7 @@ LEAST_SILENCE_S = 1.0
 """What is shorter is no silence, however fast a topic is."""
 TIMES_USUAL = 5.0
 """A silence is at least so many times what 95 % of the distances between two messages are below."""
-_FEWEST = 4
+_FEWEST = 10
 _WINDOWS = 20
 _LATE_WINDOWS = 3
 _FEWEST_IN_WINDOW = 10
@@ -61,7 +61,7 @@ class TimeLine(msgspec.Struct, frozen=True):
 def time_line(times: Seconds, end: float) -> TimeLine:
     """Return what sorted times of messages come to, observed until ``end``.
 
-    A topic of fewer than four messages has no rate, so that its silence says nothing. A lower rate is told of a topic
+    A topic of fewer than ten messages has no rate, so that its silence says nothing. A lower rate is told of a topic
     that was steady in the first third of its time, and stayed below 0.6 of that rate for at least the last 3 of 20
     windows, where at least ten messages are usual in each: fewer vary by chance.
     """

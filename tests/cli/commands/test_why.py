@@ -189,7 +189,7 @@ def test_what_comes_on_events_does_not_stop(tmp_path, capsys):
 
 
 def test_without_a_launch_file_nobody_has_to_run_together(rover, capsys):
-    for path in (*rover.rglob("*.launch*"), *rover.rglob("*_launch*")):
+    for path in (*rover.rglob("*.launch*"), *rover.rglob("*.test"), *rover.rglob("roslens.toml")):
         path.unlink()
     change(rover / ROVER / "rover_sensors/rover_sensors/range_filter.py", '"scan"', '"distances_of_sonars"')
     code, answer = asked(capsys, "/scan", rover)

@@ -38,6 +38,7 @@ OWN = {
     "live/agent/allow_list.py": "the user's own file, up to a bound",
     "plugins/hashed_modules.py": "of plug-ins that the user trusts",
     "live/agent/process_record.py": "of the kernel, up to a bound",
+    "live/agent/ros_environments.py": "of the kernel, up to a bound",
     "live/agent/processes.py": "of the kernel",
     "live/inside/host_counters.py": "of the kernel",
     "live/inside/path/sitecustomize.py": "the module of that name that the user has",
